@@ -1,8 +1,9 @@
-"""Arrays of which each row is one cache line."""
+"""Arrays of rows that the core reads as a whole: lines of the cache, and sums without rounding."""
 
 import numpy as np
 
-from bondem._types import Floats
+from bondem._tables.columns import ExactWord
+from bondem._types import Floats, Ints
 
 
 def lines(n: int) -> Floats:
@@ -10,3 +11,8 @@ def lines(n: int) -> Floats:
     room = np.zeros(8 * n + 8)
     first = -room.ctypes.data % 64 // 8
     return room[first : first + 8 * n].reshape(n, 8)
+
+
+def exact_sums(count: int = 1) -> Ints:
+    """Return empty sums, a row each (`core/exact_sum.hpp`)."""
+    return np.zeros((count, ExactWord.COUNT), dtype=np.int64)

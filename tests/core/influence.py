@@ -146,9 +146,9 @@ class Step:
             lists = lists._replace(forces=self._compose(entries), resume=self._compose(resume or []))
             done = np.zeros(4, dtype=np.int64)
             span = StepSpan(self.state.step, 1 + self.goes_on, 0, still, still, True, self.n, self.m, done)
-            portions = self.shared.portions._replace(found=np.array([0, 0, 0, 1]))
-            self._live += [lists, span, portions, entries, resume]
-            self._runs[key] = bound_pass(calls.take_steps(lists, self.cut, self.scheme, span, portions))
+            ledger = self.shared.ledger._replace(found=np.array([0, 0, 0, 1]))
+            self._live += [lists, span, ledger, entries, resume]
+            self._runs[key] = bound_pass(calls.take_steps(lists, self.cut, self.scheme, span, ledger))
         return self._runs[key]
 
     def entries(self) -> Iterator[tuple[str, list[StepEntry], StepEntry]]:

@@ -92,12 +92,12 @@ class Rank:
         )
         done = np.zeros(4, dtype=np.int64)
         span = StepSpan(before, 0 if looks else 2 - pauses, 0, looks, False, not looks, self.n, self.m, done)
-        portions = self.shared.portions._replace(found=np.array([0, 0, 0, 1]))
-        assert bound_pass(calls.take_steps(made, self.cut, self.scheme, span, portions))() in ("sound", "out_of_date")
+        ledger = self.shared.ledger._replace(found=np.array([0, 0, 0, 1]))
+        assert bound_pass(calls.take_steps(made, self.cut, self.scheme, span, ledger))() in ("sound", "out_of_date")
 
     @property
     def is_out_of_date(self) -> bool:
-        return bool(self.shared.portions.found[_OUT_OF_DATE])
+        return bool(self.shared.ledger.found[_OUT_OF_DATE])
 
     def renew(self) -> None:
         """Renew the lists of contacts."""

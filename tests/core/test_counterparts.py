@@ -29,7 +29,7 @@ def test_each_launch_finds_its_tables() -> None:
 
 
 def test_a_launch_without_one_of_its_tables_is_found() -> None:
-    assert lacking("measure_cracks", over(kernels.measure_crack, lambda *_: 1)) == ["measure_crack: LossesOfCracks"]
+    assert lacking("load_cracks", over(kernels.load_crack, lambda *_: 1)) == ["load_crack: FallenCracks"]
 
 
 @pytest.mark.parametrize("passes", [steps, kernels], ids=["steps", "kernels"])

@@ -72,7 +72,7 @@ def test_these_runs_have_all_that_acts_on_bodies() -> None:
         records, work = cpu.history.records, cpu.state.work
         assert np.abs(cpu.state.pose[:, STRESS]).max() > 1e3
         assert abs(records[-1, HistoryColumn.WORK]) > 0.1 * records[-1, 1 : HistoryColumn.WORK].sum()
-        assert abs(work[-1]) > 0.01 * np.abs(work).max()  # of walls and tractions
+        assert np.abs(work).max() > 0.1 * abs(records[-1, HistoryColumn.WORK])  # of walls and tractions, by row
         assert (np.abs(records[-1, HistoryColumn.COUNT:]) > 0.0).all()
     for make in (*CASES.values(), *CRACKING.values(), *YIELDING.values()):
         model, start, _, dt, options = make()

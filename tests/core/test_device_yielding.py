@@ -42,8 +42,8 @@ TEETH = {
     "add_surface_stress": "crushed between walls", "stretch_wall_of_cell": "crushed between walls",
     "add_yielding_work_of_row": "crushed between walls",
     "mark_plane": "planes", "begin_marked_crack": "planes",
-    "follow_lever": "warming and cracking", "sum_portion_of_crack_powers": "warming and cracking",
-    "add_crack_powers": "warming and cracking", "follow_cell_factors": "warming and cracking",
+    "follow_lever": "warming and cracking", "add_crack_power": "warming and cracking",
+    "follow_cell_factors": "warming and cracking",
     "stretch_facet_of_step": "warming and cracking", "stretch_wall_of_step": "warming and cracking",
     "keep_base_levers": "warming and crushed", "stretch_cell_anew": "warming and crushed",
     "stretch_wall_anew": "warming and crushed",
@@ -51,7 +51,7 @@ TEETH = {
 #: Those that matter where a run resumes, and where forces of the present are found without a step.
 TEETH_OF_RESUMED = {
     "stretch_yielded_cell": "crushed", "find_still_stress": "crushed between walls",
-    "add_still_surface_stress": "crushed between walls", "begin_portion_of_crack_powers": "warming and cracking",
+    "add_still_surface_stress": "crushed between walls", "begin_crack_power": "warming and cracking",
 }  # fmt: skip
 
 
@@ -144,7 +144,7 @@ def test_a_state_that_has_been_changed_continues_as_on_the_cpu(case: str) -> Non
 
 @pytest.mark.filterwarnings("ignore::bondem.errors.ImbalanceWarning")
 @pytest.mark.parametrize("name", [
-    name if name in ("judge_cell", "add_crack_powers") else pytest.param(name, marks=pytest.mark.validate)
+    name if name in ("judge_cell", "add_crack_power") else pytest.param(name, marks=pytest.mark.validate)
     for name in TEETH
 ])  # fmt: skip
 def test_a_run_without_a_pass_is_another_one(name: str) -> None:

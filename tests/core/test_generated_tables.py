@@ -27,4 +27,4 @@ def test_launches_of_counterparts_are_read_from_the_sources():
     assert not [name for name in set(COUNTERPARTS) - softened if not name.startswith(tuple(read))]
     assert read["stress_cells"] == {"set_stress"}
     assert read["judge_facets_by_"] > {"judge_facet_by_"}
-    assert read["follow_strains"] == {"follow_strain_factors", "strain_portion", "add_work_of_strains"}
+    assert read["follow_strains"] == {"follow_strain_factors", "stretch_strained_beam", "add_work_of_strains"}

@@ -13,16 +13,16 @@ CRACKS = {"CohesiveCracks", "CrackLists"}
 EVENTS = {"Candidates", "CandidateFacets", "CrackOnset", "CrackLists", "EventLog"}
 KEPT = {"Postponed"}
 # Numbers that a body has once.
-TOTALS = {"Portions", "Travel", "HistoryRows"}
+TOTALS = {"Ledger", "Travel", "HistoryRows"}
 # Of each kind: tables of which a pass takes one, and those that it does not take.
 RULES = {
-    "of_rows": (set(), CRACKS | KEPT | {"Portions", "Travel"}),
-    "of_cracks": (CRACKS, KEPT | {"Candidates", "Portions", "Travel"}),
+    "of_rows": (set(), CRACKS | KEPT | {"Travel"}),
+    "of_cracks": (CRACKS, KEPT | {"Candidates", "Travel"}),
     "of_events": (EVENTS, TOTALS),
     "single": (TOTALS, CRACKS | KEPT),
 }
-# Tables without rows of their own for a pass: all elements, time, what a record and an event are written to.
-COMMON = {"Moving", "Timeline", "HistoryRows", "EventLog", "Candidates"}
+# Tables without rows of their own for a pass: all elements, time, what a record and an event are written to, sums.
+COMMON = {"Moving", "Timeline", "HistoryRows", "Ledger", "EventLog", "Candidates"}
 
 
 def fault(kind: str, tables: tuple[str, ...]) -> str:
@@ -45,7 +45,7 @@ def test_passes_called_once_take_the_tables_of_their_kind():
 
 @pytest.mark.parametrize(
     ("kind", "name"),
-    [("of_rows", "log_cracks"), ("of_rows", "write_ledger"), ("of_rows", "write_released"),
+    [("of_rows", "log_cracks"), ("of_rows", "check_travel"), ("of_rows", "write_released"),
      ("of_rows", "break_beams"), ("of_cracks", "follow_drives"), ("of_events", "load_walls"),
      ("of_events", "write_ledger"), ("single", "list_cracks"), ("single", "break_facets"),
      ("single", "follow_tractions")],
@@ -54,10 +54,18 @@ def test_another_kind_is_found(kind, name):
     assert fault(kind, pass_tables("steps")[name])
 
 
-def test_only_passes_of_cracks_share_their_portions_among_threads():
-    shares = re.compile(r"\bover_(?:places|treated)\(|\bturn\.threads\b")
-    sharing = set()
+def kinds_with(words: str) -> set[str]:
+    """Return the kinds of the passes whose sources have an expression."""
+    found = set()
     for path in (SOURCE / "core/passes").rglob("*.cpp"):
         parts = re.split(r"^BONDEM_PASS(?:_AS)?\(\w+, (\w+).*$", path.read_text(), flags=re.MULTILINE)
-        sharing |= {kind for text, kind in zip(parts[::2], parts[1::2], strict=False) if shares.search(text)}
-    assert sharing == {"of_cracks"}
+        found |= {kind for text, kind in zip(parts[::2], parts[1::2], strict=False) if re.search(words, text)}
+    return found
+
+
+def test_only_passes_of_cracks_share_their_portions_among_threads():
+    assert kinds_with(r"\bover_places\(|\bturn\.threads\b") == {"of_cracks"}
+
+
+def test_only_single_passes_read_sums_of_the_ledger_to_which_all_may_add():
+    assert kinds_with(r"\bsum_of\(ledger, \w+\)\.(?:take|value)\(") == {"single"}

@@ -11,7 +11,7 @@ from bondem.dynamics import core_loop
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.explicit import integrate
 from bondem.dynamics.plan import Plan
-from bondem.dynamics.step_tables import new_portions
+from bondem.dynamics.step_tables import new_ledger
 from bondem.dynamics.timestep import critical_step
 from bondem.errors import InputError
 from bondem.model.state import State
@@ -150,7 +150,7 @@ def test_arrays_that_do_not_fit_a_list_are_refused():
     with pytest.raises(InputError, match=r"Moving.motion = array of shape \(7, 8\): an axis has to be 8 long"):
         Composer()([steps.open_elements(table._replace(motion=table.motion[:7]))])
     composer = Composer()
-    two = composer([steps.open_elements(table), steps.sum_element_energies(table, new_portions(8, 12))])
+    two = composer([steps.open_elements(table), steps.sum_element_energies(table, new_ledger())])
     assert two.shape == (2, 8)
     assert composer([]).shape == (0, 8)
 

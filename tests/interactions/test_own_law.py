@@ -71,7 +71,7 @@ class Springs(BeamInteraction, SteppingInteraction):
             calls[:] += beams.integrity[: calls.shape[1]] > 0.0
 
         forces = Part(
-            {"loads": [marked]}, record=lambda _: [steps.sum_beam_energies(moving, beams, run.portions)], keep=keep
+            {"loads": [marked]}, record=lambda _: [steps.sum_beam_energies(moving, beams, run.ledger)], keep=keep
         )
         return LawParts([forces, run.failing([judge], [remove], beams.integrity)], beams.integrity)
 

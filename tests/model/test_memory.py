@@ -69,7 +69,7 @@ def counted(model: bd.Model) -> int:
 
 @pytest.mark.parametrize(
     ("lattice", "law", "most"),
-    [(crooked_cells((6, 6, 6)), CELLS, 2860), (crooked_block((6, 6, 6)), BEAMS, 1377)],
+    [(crooked_cells((6, 6, 6)), CELLS, 2892), (crooked_block((6, 6, 6)), BEAMS, 1410)],
     ids=["cells", "beams"],
 )  # fmt: skip
 def test_a_run_keeps_no_further_array_of_bonds(lattice, law, most):

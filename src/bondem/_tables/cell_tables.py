@@ -51,7 +51,6 @@ class DilatationGradients(NamedTuple):
     weight: Floats  #: J λ / V² for both directions [Pa/m], (layered, 2)
     bend: Floats  #: J λ χ / V for both directions [Pa·m], (layered, 2)
     torque: Floats  #: on each cell by bent layers [N·m], (layered, 3)
-    energy: Floats  #: of both in portions of cells [J], (element_portions,)
 
 
 class CorrectedMass(NamedTuple):
@@ -66,12 +65,6 @@ class CorrectedMass(NamedTuple):
     acceleration: Floats  #: of each element by its loads [m/s², rad/s²], (n, 6)
     inertia: Floats  #: ρ β θ̈ of each cell [Pa], (n,)
     force: Floats  #: force and torque of the correction on each element [N, N·m], (n, 6)
-
-
-class DilatationEnergy(NamedTuple):
-    """Energy of dilatation in portions of cells."""
-
-    energy: Floats  #: [J], (element_portions,)
 
 
 class CellEnergies(NamedTuple):
@@ -138,7 +131,6 @@ class WallConstraints(NamedTuple):
     times: Floats  #: schedules, one after the other, (hold_times,)
     values: Floats  #: schedules, as `Timeline` has them, (hold_times,)
     start: Ints  #: (hold_schedules + 1,)
-    place: int  #: of the walls in the list of works
     wall: Floats  #: displacement of the wall now [m], (held, 3)
     came: Floats  #: its increment in this step [m], (held, 3)
     load: Floats  #: force and torque on the cell [N, N·m], (held, 6)
@@ -151,7 +143,6 @@ class FacetTractions(NamedTuple):
 
     value: Floats  #: contribution of each to V θ at full load [m³], (tractions, n)
     schedule: Ints  #: (tractions,)
-    place: int  #: in the list of works
     factor: Floats  #: present factors, (tractions,)
     came: Floats  #: their increments in this step, (tractions,)
 
@@ -169,8 +160,7 @@ class CellStrains(NamedTuple):
     wall_part: Floats  #: (strains, held)
     place: int  #: of their work in the list of works
     factor: Floats  #: of each strain: now, its increment, ∂U/∂factor before and now [J], (4, strains)
-    power: Floats  #: ∂U/∂factor of portions of facets [J], (bond_portions, strains)
-    cracked: Floats  #: ∂U/∂factor of cracks, where there are any [J], (strains,)
+    power: Ints  #: exact sums of ∂U/∂factor [J], zero between steps, (strains, 68)
     due: Bytes  #: 1 where ∂U/∂factor is needed, and where levers have changed, (2,)
 
 

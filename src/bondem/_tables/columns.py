@@ -4,12 +4,14 @@ from enum import IntEnum
 
 ELEMENTS_OF_PORTION = 1024  #: elements of a portion
 BONDS_OF_PORTION = 2048  #: bonds or facets of a portion
-WORKS_OF_PORTION = 1024  #: works, or walls, of a portion on a device
-PORTIONS_OF_GROUP = 64  #: portions that a device sums first
-DEVICE_SUMS = 13  #: columns of a record on a device that are sums over portions
-CRACKS_OF_PORTION = 256  #: facets of a portion of what cracks dissipate on a device
-PORTIONS_OF_LOSSES = 64  #: portions of what cracks dissipate that a device sums first
 STRESS_COLUMN = 3  #: column of a pose, `pose.stress`, that holds the stress λ θ of a cell [Pa]
+
+
+class ExactWord(IntEnum):
+    """Words of a sum without rounding (`core/exact_sum.hpp`): its limbs, and flags of terms that are not finite."""
+
+    FLAGS = 67
+    COUNT = 68
 
 
 class HistoryColumn(IntEnum):
@@ -33,34 +35,6 @@ class HistoryColumn(IntEnum):
     COUNT = 15
 
 
-class DeviceColumn(IntEnum):
-    """Columns of a record on a device before those of gauges. The first are sums over portions: energies of elements
-    and of bonds [J], numbers of bonds turned wide and lost and of portions with a number that is not finite,
-    works [J]. Energies as in the history and the work of walls follow [J].
-    """
-
-    TRANSLATION = 0
-    ROTATION = 1
-    DAMPED = 2
-    RUBBED = 3
-    NORMAL = 4
-    SHEAR = 5
-    BENDING = 6
-    TWISTING = 7
-    WIDE = 8
-    LOST = 9
-    NOT_FINITE = 10
-    WORK = 11
-    SUPPLIED = 12
-    CONTACT = 13
-    EXTRA_WORK = 14
-    RELEASED = 15
-    PLASTIC = 16
-    CRUSHING = 17
-    WALLS = 18
-    COUNT = 19
-
-
 class StepCount(IntEnum):
     """Counts of what a call of the core has done."""
 
@@ -81,12 +55,28 @@ class GuardNumber(IntEnum):
     OUT_OF_DATE = 3
 
 
+class TurnCount(IntEnum):
+    """Counts of bonds turned wide and lost, and of portions with a number that is not finite."""
+
+    WIDE = 0
+    LOST = 1
+    NOT_FINITE = 2
+
+
+class WallSum(IntEnum):
+    """Sums of the forces on a wall, as `WallLoad` has them."""
+
+    FORCE = 0
+    NORMAL = 3
+    TORQUE = 4
+    COUNT = 7
+
+
 class GuardEnergy(IntEnum):
-    """Energies of the guard: at the start, the most that was supplied since, and the supply of walls."""
+    """Energies of the guard: at the start, and the most that was supplied since."""
 
     START = 0
     SUPPLIED = 1
-    WALLS = 2
 
 
 class LogCount(IntEnum):
@@ -160,7 +150,7 @@ class LoadColumn(IntEnum):
 
 
 class StrainDue(IntEnum):
-    """Bytes of strains that change: whether ∂U/∂factor is needed, and whether levers have changed."""
+    """Bytes of strains that change: whether ∂U/∂factor is needed, and whether lengths or levers have changed."""
 
     POWER = 0
     LEVERS = 1

@@ -107,6 +107,7 @@ class FacePairs(NamedTuple):
     #: torque on the earlier one [N·m], (pairs, 12)
     output: Floats
     gained: Floats  #: energy taken over from facets that part [J], (pairs,)
+    begun: Ints  #: exact sum of it, zero between steps, (1, 68)
     count: Ints  #: close pairs of each portion of elements, (element_portions,)
 
 
@@ -126,12 +127,6 @@ class ContactSums(NamedTuple):
     sums: Floats  #: force [N], lost to dashpots [J], torque [N·m], lost to friction [J], (n, 8)
 
 
-class ContactEnergies(NamedTuple):
-    """Elastic energy of the contacts of each portion of elements."""
-
-    energy: Floats  #: [J], (element_portions,)
-
-
 class WallContacts(NamedTuple):
     """Contacts of elements with walls, b of them."""
 
@@ -142,6 +137,7 @@ class WallContacts(NamedTuple):
     memory: Floats  #: as that of pairs, (wall_contacts, 6)
     touch: Bytes  #: (wall_contacts,)
     output: Floats  #: rows of `WallLoad`, (wall_contacts, 7)
+    sums: Ints  #: exact sums of `WallLoad` of each wall by `wall_sum`, zero between steps, (*, 68)
 
 
 class Walls(NamedTuple):

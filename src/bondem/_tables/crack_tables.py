@@ -123,18 +123,10 @@ class CrackLists(NamedTuple):
     half: Floats
     sum: Floats  #: of the first eight columns of loads over the halves of a cell, (n, 8)
     slip: Floats  #: by how much the cracks of a cell slip in this step [m], and `crack::Slipping`, (n, 4)
-    lost: Floats  #: energy of portions dissipated, and that of cracks that part [J], (crack_portions, 2)
+    lost: Ints  #: exact sum of the energy dissipated in a step [J], (1, 68)
 
 
 class PartedReach(NamedTuple):
     """Distances at which elements touch whose facet has parted."""
 
     apart: Floats  #: by facet [m], (*,)
-
-
-class CrackEnergies(NamedTuple):
-    """Energies of cells with cracks."""
-
-    dilatation: Floats  #: of portions of cells [J], (element_portions,)
-    heat: Floats  #: dissipated by yielding, of portions of cells [J], (element_portions,)
-    cracked: Floats  #: across and along cracks, and of bending [J], (3,)

@@ -38,12 +38,6 @@ class BondMarks(NamedTuple):
     mode: Bytes  #: how, (bonds,)
 
 
-class SofteningLosses(NamedTuple):
-    """Energy that beams dissipate in a step."""
-
-    lost: Floats  #: by the place of their rows in the lists of `SofteningBeams` [J], (bonds,)
-
-
 class BondsOfElements(NamedTuple):
     """Bonds of each element, both lists ascending."""
 
@@ -66,39 +60,11 @@ class RowOrder(NamedTuple):
     load: Ints  #: (*,)
 
 
-class WorkPortions(NamedTuple):
-    """Sums over portions of the works."""
+class FallenCracks(NamedTuple):
+    """Cracks that break in a step."""
 
-    works: Floats  #: work and its absolute value [J], (work_portions, 2)
-
-
-class StrainPortions(NamedTuple):
-    """Changes of strains in a step, and portions of their power."""
-
-    due: Ints  #: whether any changes, and whether ∂U/∂factor is needed, (2,)
-    power: Floats  #: ∂U/∂factor [J], (*, *)
-
-
-class WallEnergy(NamedTuple):
-    """Energy of portions of walls that hold facets."""
-
-    energy: Floats  #: [J], (wall_portions,)
-
-
-class LossesOfCracks(NamedTuple):
-    """Energies that cracks dissipate in a step, and cracks that break."""
-
-    lost: Floats  #: of each facet [J], (*,)
-    portion: Floats  #: sums of it, (loss_portions,)
-    group: Floats  #: sums of it, (loss_groups,)
     fallen: Ints  #: facets, in any order until they are logged, (*,)
     number: Ints  #: how many, (1,)
-
-
-class BegunFaces(NamedTuple):
-    """Energy that faces store as they begin to touch."""
-
-    gained: Floats  #: of each portion of elements [J], (element_portions,)
 
 
 class FacetArms(NamedTuple):
@@ -107,26 +73,9 @@ class FacetArms(NamedTuple):
     arm: Floats  #: [m], and T_b² [Pa²], (7, *)
 
 
-class CrackPortions(NamedTuple):
-    """Energies of cracks of portions of facets."""
-
-    energy: Floats  #: across and along cracks, and of bending [J], (*, 3)
-
-
-class CrushingPortions(NamedTuple):
-    """Energies that portions of facets have released beyond their fracture energy."""
-
-    energy: Floats  #: [J], (*,)
-
-
-class FoldedPortions(NamedTuple):
-    """Sums over groups of portions."""
-
-    sums: Floats  #: first columns of `device_column`, (folds, 13)
-
-
 class GaugeParts(NamedTuple):
-    """Parts of the sums or largest values of gauges."""
+    """Sums of gauges, and largest values of their parts."""
 
-    each: int  #: for each gauge
-    parts: Floats  #: (*, 3)
+    each: int  #: parts of each gauge
+    sums: Ints  #: exact sums of their components, zero between records, (*, 68)
+    largest: Floats  #: (*, 3)

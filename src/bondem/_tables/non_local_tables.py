@@ -20,12 +20,6 @@ class NonLocalBonds(NamedTuple):
     output: Floats  #: force on i, torque on i, minus torque on j, now [N, N·m], (9, m)
 
 
-class NonLocalWork(NamedTuple):
-    """Work of extra forces."""
-
-    taken: Floats  #: in each portion of bonds [J], (bond_portions,)
-
-
 class SmallPairs(NamedTuple):
     """Bonds at small strain, and the stresses and gaps of the iteration before."""
 

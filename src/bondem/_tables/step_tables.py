@@ -119,7 +119,8 @@ class Rows(NamedTuple):
     full: Floats  #: prescribed velocities now, (rows, 6)
     reaction: Floats  #: minus the bond forces [N, N·m], (rows, 6)
     grip: Floats  #: of walls that hold facets of cells [N, N·m], (r, 6), or (0, 6) without any, (*, 6)
-    #: of loads and drives on each row [J], then of body forces, strains and walls that hold cells, (works,)
+    #: of loads, drives, walls that hold cells and tractions on each row [J], then of body forces and strains,
+    #: (works,)
     work: Floats
 
 
@@ -194,16 +195,17 @@ class Strain(NamedTuple):
     shear: Floats  #: ks [N/m], (strained,)
     lever: Floats  #: a [m], (strained,)
     factor: Floats  #: rows: present factors, those to come, energy by factor [J] a step ago and now, (4, strains)
+    power: Ints  #: their energy by factor, zero between steps, (strains, 68)
+    due: Bytes  #: 1 where that energy is needed, and where lengths have changed, (2,)
     place: int  #: in the list of works
 
 
-class Portions(NamedTuple):
-    """Sums over portions of elements and bonds, and their totals."""
+class Ledger(NamedTuple):
+    """Exact sums of a record or a guard, zero between them, to which passes add in any order."""
 
-    elements: Floats  #: translation, rotation, damped, rubbed [J], (element_portions, 4)
-    bonds: Floats  #: energy of the four modes [J], (bond_portions, 4)
-    turned: Ints  #: unbroken bonds turned wide, and lost; whether a number was not finite, (bond_portions, 3)
-    budget: Floats  #: energy at the start, the most that was put in since, and the supply of walls [J], (3,)
+    sums: Ints  #: energies by `history_column` [J], (15, 68)
+    turned: Ints  #: unbroken bonds turned wide, and lost; portions with a number that is not finite, (3,)
+    budget: Floats  #: energy at the start, and the most that was put in since [J], (2,)
     found: Ints  #: bonds turned wide, and lost; 1 not finite, 2 a runaway; 1 for a list out of date, (4,)
 
 

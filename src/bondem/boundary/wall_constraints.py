@@ -218,20 +218,19 @@ class Grips:
         own[:, 3:, 3:] += self.H
         return own, -np.hstack([self.share, np.cross(b, self.share)])
 
-    def table(self, layout: Layout, row_of: Ints, place: int, base: Floats | None = None) -> WallConstraints:
+    def table(self, layout: Layout, row_of: Ints, base: Floats | None = None) -> WallConstraints:
         """Return the held facets as the core takes them; arrays that change are those of the table.
 
         Args:
             layout: order of the elements.
             row_of: row of the boundary of each element, internal order.
-            place: place of the walls in the list of works.
             base: initial places of the walls, (g, 7); the reference if None, or of another number of facets.
         """
         if base is not None and len(base) == len(self.cell):
-            return self.taken(base)._table(layout, row_of, place, base)
-        return self._table(layout, row_of, place, reference_base(len(self.cell)))
+            return self.taken(base)._table(layout, row_of, base)
+        return self._table(layout, row_of, reference_base(len(self.cell)))
 
-    def _table(self, layout: Layout, row_of: Ints, place: int, base: Floats) -> WallConstraints:
+    def _table(self, layout: Layout, row_of: Ints, base: Floats) -> WallConstraints:
         cell, count, holds = layout.rank[self.cell], len(self.cell), self.holds
         tables = [schedule.table for schedule in holds.drives]
         inward = np.eye(3)[holds.across]
@@ -243,7 +242,7 @@ class Grips:
             axes=self.axes, drive=holds.drive,
             rate=np.array(holds.rate, dtype=np.uint8), times=np.concatenate([np.zeros(0), *(t for t, _ in tables)]),
             values=np.concatenate([np.zeros(0), *(values for _, values in tables)]),
-            start=np.cumsum([0, *(len(t) for t, _ in tables)]).astype(np.int64), place=place,
+            start=np.cumsum([0, *(len(t) for t, _ in tables)]).astype(np.int64),
             wall=base[:, :3].copy(), came=np.zeros((count, 3)), load=np.zeros((count, 6)),
             friction=holds.friction, inward=inward,
         )  # fmt: skip

@@ -25,20 +25,19 @@ namespace bondem {
 
 #define F BONDEM_FIELD
 BONDEM_TABLE(SofteningBounds, F(limit, "m"), F(of_force, ""), F(of_moment, ""), F(coefficient, "bonds 4"), F(station, "bonds"), F(tear, "bonds"), F(slide, "bonds"), F(integrity, "m"), F(hold, "*"), F(press, "m"), F(onset, "bonds 4"))
-BONDEM_TABLE(SofteningBeams, F(row, "bonds 7"), F(begun, "1"), F(listed, "bonds"), F(number, "bond_portions"), F(parted, "bond_portions"), F(lost, "bond_portions"))
+BONDEM_TABLE(SofteningBeams, F(row, "bonds 7"), F(begun, "1"), F(listed, "bonds"), F(number, "bond_portions"), F(parted, "bond_portions"), F(lost, "1 68"))
 BONDEM_TABLE(ElasticFacets, F(i, "m"), F(j, "m"), F(integrity, "m"), F(k, "m"), F(pitch, "3"), F(lever_i, "3 m"), F(lever_j, "3 m"), F(share_i, "3 m"), F(share_j, "3 m"), F(H, "6 m"), F(normal, "3 m"), F(period, "6"))
 BONDEM_TABLE(CellDilatation, F(weight, "n"), F(given, "n"), F(swelling, "*"), F(to_i, "m"))
-BONDEM_TABLE(DilatationGradients, F(start, "n+1"), F(other, "springs"), F(spring, "springs"), F(difference, "n"), F(layer, "layered+1"), F(next, "turns"), F(way, "turns 12"), F(hold, "layered+1"), F(wall, "layer_walls"), F(wall_way, "layer_walls 6"), F(weight, "layered 2"), F(bend, "layered 2"), F(torque, "layered 3"), F(energy, "element_portions"))
+BONDEM_TABLE(DilatationGradients, F(start, "n+1"), F(other, "springs"), F(spring, "springs"), F(difference, "n"), F(layer, "layered+1"), F(next, "turns"), F(way, "turns 12"), F(hold, "layered+1"), F(wall, "layer_walls"), F(wall_way, "layer_walls 6"), F(weight, "layered 2"), F(bend, "layered 2"), F(torque, "layered 3"))
 BONDEM_TABLE(CorrectedMass, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"), F(factor, "n"), F(wall_start, "n+1"), F(wall, "held"), F(acceleration, "n 6"), F(inertia, "n"), F(force, "n 6"))
-BONDEM_TABLE(DilatationEnergy, F(energy, "element_portions"))
 BONDEM_TABLE(CellEnergies, F(energy, "4"))
 BONDEM_TABLE(CellPoses, F(pose, "n 8"), F(rest, "n 3"))
 BONDEM_TABLE(FacetForces, F(bends, "m"), F(force, "3 m"), F(moment, "n 7"), F(sums, "* 8"))
 BONDEM_TABLE(FacetsOfCells, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"))
 BONDEM_TABLE(FacetRelease, F(whole, "n"), F(weight, "n"), F(given, "n"), F(slack_i, "bonds"), F(slack_j, "bonds"), F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "bonds"), F(wall_start, "n+1"), F(wall, "held"), F(changed, "n"), F(changes, "1"))
-BONDEM_TABLE(WallConstraints, F(cell, "held"), F(row, "held"), F(k, "held"), F(lever, "held 3"), F(arm, "held 3"), F(share, "held 3"), F(H, "held 6"), F(base, "held 7"), F(axes, "held 3"), F(drive, "held 3"), F(rate, "hold_schedules"), F(times, "hold_times"), F(values, "hold_times"), F(start, "hold_schedules+1"), F(place, ""), F(wall, "held 3"), F(came, "held 3"), F(load, "held 6"), F(friction, "held"), F(inward, "held 3"))
-BONDEM_TABLE(FacetTractions, F(value, "tractions n"), F(schedule, "tractions"), F(place, ""), F(factor, "tractions"), F(came, "tractions"))
-BONDEM_TABLE(CellStrains, F(schedule, "strains"), F(base_i, "3 strained"), F(base_j, "3 strained"), F(still, "strained"), F(part, "strains strained"), F(wall_base, "held 3"), F(wall_still, "held"), F(wall_part, "strains held"), F(place, ""), F(factor, "4 strains"), F(power, "bond_portions strains"), F(cracked, "strains"), F(due, "2"))
+BONDEM_TABLE(WallConstraints, F(cell, "held"), F(row, "held"), F(k, "held"), F(lever, "held 3"), F(arm, "held 3"), F(share, "held 3"), F(H, "held 6"), F(base, "held 7"), F(axes, "held 3"), F(drive, "held 3"), F(rate, "hold_schedules"), F(times, "hold_times"), F(values, "hold_times"), F(start, "hold_schedules+1"), F(wall, "held 3"), F(came, "held 3"), F(load, "held 6"), F(friction, "held"), F(inward, "held 3"))
+BONDEM_TABLE(FacetTractions, F(value, "tractions n"), F(schedule, "tractions"), F(factor, "tractions"), F(came, "tractions"))
+BONDEM_TABLE(CellStrains, F(schedule, "strains"), F(base_i, "3 strained"), F(base_j, "3 strained"), F(still, "strained"), F(part, "strains strained"), F(wall_base, "held 3"), F(wall_still, "held"), F(wall_part, "strains held"), F(place, ""), F(factor, "4 strains"), F(power, "strains 68"), F(due, "2"))
 BONDEM_TABLE(WallTime, F(time, ""))
 BONDEM_TABLE(TurnedVectors, F(quaternion, "vectors 4"), F(vector, "vectors 3"), F(turned, "vectors 3"))
 BONDEM_TABLE(MomentsOfForces, F(moment, "* 6"), F(owner, "vectors"), F(arm, "vectors 3"), F(force, "vectors 3"), F(sign, ""))
@@ -49,11 +48,10 @@ BONDEM_TABLE(NearPairs, F(near, "pairs+1"), F(close, "pairs+1"), F(output, "pair
 BONDEM_TABLE(AdheringPairs, F(force, "pairs 3"))
 BONDEM_TABLE(RolledPairs, F(rolled, "pairs 3"), F(output, "pairs 4"))
 BONDEM_TABLE(RolledWalls, F(rolled, "wall_contacts 3"))
-BONDEM_TABLE(FacePairs, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"), F(lever_i, "3 m"), F(lever_j, "3 m"), F(pitch, "3"), F(normal, "3 m"), F(j, "m"), F(k, "m"), F(area, "m"), F(listed, "m"), F(plane, "m"), F(open, "m"), F(faced, "n"), F(outer, "n"), F(earlier_start, "n+1"), F(earlier, "pairs"), F(chosen, "pairs"), F(whole, "pairs"), F(close, "pairs"), F(output, "pairs 12"), F(gained, "pairs"), F(count, "element_portions"))
+BONDEM_TABLE(FacePairs, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"), F(lever_i, "3 m"), F(lever_j, "3 m"), F(pitch, "3"), F(normal, "3 m"), F(j, "m"), F(k, "m"), F(area, "m"), F(listed, "m"), F(plane, "m"), F(open, "m"), F(faced, "n"), F(outer, "n"), F(earlier_start, "n+1"), F(earlier, "pairs"), F(chosen, "pairs"), F(whole, "pairs"), F(close, "pairs"), F(output, "pairs 12"), F(gained, "pairs"), F(begun, "1 68"), F(count, "element_portions"))
 BONDEM_TABLE(Travel, F(listed, "n 3"), F(measured, "n 3"), F(portion, "element_portions 3"), F(far, "2"), F(reach, ""))
 BONDEM_TABLE(ContactSums, F(sums, "n 8"))
-BONDEM_TABLE(ContactEnergies, F(energy, "element_portions"))
-BONDEM_TABLE(WallContacts, F(start, "n+1"), F(element, "wall_contacts"), F(wall, "wall_contacts"), F(gap, "wall_contacts"), F(memory, "wall_contacts 6"), F(touch, "wall_contacts"), F(output, "wall_contacts 7"))
+BONDEM_TABLE(WallContacts, F(start, "n+1"), F(element, "wall_contacts"), F(wall, "wall_contacts"), F(gap, "wall_contacts"), F(memory, "wall_contacts 6"), F(touch, "wall_contacts"), F(output, "wall_contacts 7"), F(sums, "* 68"))
 BONDEM_TABLE(Walls, F(shape, "walls 12"), F(body, "walls 27"), F(inertia, "walls 8"), F(listed, "walls 8"))
 BONDEM_TABLE(WallMotions, F(times, "wall_times"), F(values, "wall_times"), F(start, "wall_schedules+1"), F(drive_wall, "wall_drives"), F(drive_component, "wall_drives"), F(drive_schedule, "wall_drives"), F(drive_rate, "wall_drives"), F(drive_axis, "wall_drives 3"), F(servo_wall, "servos"), F(servo_schedule, "servos"), F(servo_speed, "servos"), F(servo_mass, "servos"), F(servo_damping, "servos"), F(free_wall, "free_walls"), F(free_mass, "free_walls"), F(free_force, "free_walls 3"), F(free_torque, "free_walls 3"))
 BONDEM_TABLE(PairSources, F(bond_start, "n+1"), F(bond_first, "m"), F(wanted, "m"), F(rest_start, "n+1"), F(rest_first, "rest"), F(rest_gap, "rest"), F(kept_start, "n+1"), F(kept_first, "kept"), F(kept_memory, "kept 8"))
@@ -70,9 +68,8 @@ BONDEM_TABLE(FacetStrengths, F(area, "m"), F(strength, "m"), F(absorbed, "m"), F
 BONDEM_TABLE(CrackOnset, F(cracked, "n"), F(judged, "n"), F(marked, "m"), F(listed, "m"), F(found, "bond_portions+1"))
 BONDEM_TABLE(CohesiveCracks, F(shape, "facets 8"), F(face, "facets 8"), F(state, "facets 8"), F(frame, "facets 8"), F(past, "facets 8"), F(softening, "facets 8"), F(history, "facets 8"), F(pull, "facets 4"), F(lever, "facets 8"), F(pitch, "3"), F(order, "facets"), F(listed, "m"), F(integrity, "facets"), F(size, "2"), F(slide, ""))
 BONDEM_TABLE(CellSlack, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"), F(slack_i, "m"), F(slack_j, "m"), F(weight, "n"))
-BONDEM_TABLE(CrackLists, F(size, "4"), F(treated, "places"), F(resting, "places"), F(treated_i, "places"), F(treated_j, "places"), F(resting_i, "places"), F(resting_j, "places"), F(parted, "places"), F(cell, "*"), F(head, "n"), F(next, "halves"), F(flag, "places"), F(waking, "places"), F(flagged, "crack_portions"), F(woken, "crack_portions"), F(stale, "n"), F(leader, "n"), F(base, "n"), F(half, "halves 16"), F(sum, "n 8"), F(slip, "n 4"), F(lost, "crack_portions 2"))
+BONDEM_TABLE(CrackLists, F(size, "4"), F(treated, "places"), F(resting, "places"), F(treated_i, "places"), F(treated_j, "places"), F(resting_i, "places"), F(resting_j, "places"), F(parted, "places"), F(cell, "*"), F(head, "n"), F(next, "halves"), F(flag, "places"), F(waking, "places"), F(flagged, "crack_portions"), F(woken, "crack_portions"), F(stale, "n"), F(leader, "n"), F(base, "n"), F(half, "halves 16"), F(sum, "n 8"), F(slip, "n 4"), F(lost, "1 68"))
 BONDEM_TABLE(PartedReach, F(apart, "*"))
-BONDEM_TABLE(CrackEnergies, F(dilatation, "element_portions"), F(heat, "element_portions"), F(cracked, "3"))
 BONDEM_TABLE(FailureBounds, F(limit, "m"), F(of_force, ""), F(of_moment, ""))
 BONDEM_TABLE(Strengths, F(coefficient, "bonds 4"), F(station, "bonds"))
 BONDEM_TABLE(Candidates, F(begin, "blocks+1"), F(marked, "bonds"), F(mode, "bonds"), F(count, "blocks"), F(any, "1"))
@@ -87,24 +84,15 @@ BONDEM_TABLE(DeviceSpan, F(clock, "9"), F(postponed, "*"), F(halted, "1"), F(n, 
 BONDEM_TABLE(Tick, F(ahead, ""), F(goes_on, ""), F(still, ""), F(first, ""))
 BONDEM_TABLE(LoadsOfBonds, F(load, "9 *"))
 BONDEM_TABLE(BondMarks, F(mark, "bonds"), F(failing, "bonds"), F(mode, "bonds"))
-BONDEM_TABLE(SofteningLosses, F(lost, "bonds"))
 BONDEM_TABLE(BondsOfElements, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"))
 BONDEM_TABLE(EarlierPairs, F(start, "n+1"), F(pair, "pairs"))
 BONDEM_TABLE(RowOrder, F(start, "*"), F(load, "*"))
-BONDEM_TABLE(WorkPortions, F(works, "work_portions 2"))
-BONDEM_TABLE(StrainPortions, F(due, "2"), F(power, "* *"))
-BONDEM_TABLE(WallEnergy, F(energy, "wall_portions"))
-BONDEM_TABLE(LossesOfCracks, F(lost, "*"), F(portion, "loss_portions"), F(group, "loss_groups"), F(fallen, "*"), F(number, "1"))
-BONDEM_TABLE(BegunFaces, F(gained, "element_portions"))
+BONDEM_TABLE(FallenCracks, F(fallen, "*"), F(number, "1"))
 BONDEM_TABLE(FacetArms, F(arm, "7 *"))
-BONDEM_TABLE(CrackPortions, F(energy, "* 3"))
-BONDEM_TABLE(CrushingPortions, F(energy, "*"))
-BONDEM_TABLE(FoldedPortions, F(sums, "folds 13"))
-BONDEM_TABLE(GaugeParts, F(each, ""), F(parts, "* 3"))
+BONDEM_TABLE(GaugeParts, F(each, ""), F(sums, "* 68"), F(largest, "* 3"))
 BONDEM_TABLE(StoredLoads, F(kb, "m"), F(history, "6 m"))
 BONDEM_TABLE(LoadsOfEach, F(found, "9 m"))
 BONDEM_TABLE(NonLocalBonds, F(area, "m"), F(kn, "m"), F(kt, "m"), F(normal, "3 m"), F(lever_i, "3 m"), F(lever_j, "3 m"), F(nu, ""), F(limited, ""), F(history, "7 m"), F(output, "9 m"))
-BONDEM_TABLE(NonLocalWork, F(taken, "bond_portions"))
 BONDEM_TABLE(SmallPairs, F(pairs, "m 2"), F(area, "m"), F(kt, "m"), F(nu, ""), F(limited, ""), F(normal, "m 3"), F(stress, "n 6"), F(gap, "m 3"))
 BONDEM_TABLE(SmallSprings, F(kn, "m"), F(lever_i, "m 3"), F(lever_j, "m 3"), F(along, "m"), F(across, "m"))
 BONDEM_TABLE(SmallSteps, F(dt, ""), F(gamma, ""), F(weight, "n 6"), F(volume, "n"), F(motion, "n 6"), F(speed, "n 6"), F(load, "n 6"), F(moment, "n 6"), F(stress, "n 6"), F(gap, "m 3"), F(size, "steps"))
@@ -142,8 +130,8 @@ BONDEM_TABLE(RowLoads, F(row, "loads"), F(schedule, "loads"), F(value, "loads 6"
 BONDEM_TABLE(CoupleTable, F(start, "couples+1"), F(schedule, "couples"), F(moment, "couples 3"), F(element, "points"), F(row, "points"), F(arm, "points 3"), F(share, "points"))
 BONDEM_TABLE(BodyForces, F(group, "n"), F(member, "groups bodies"), F(pull, "bodies 3"), F(schedule, "bodies"), F(present, "groups 3"), F(factor, "bodies"), F(work, "n 1"))
 BONDEM_TABLE(Resistance, F(gamma, ""), F(alpha, ""), F(viscous, ""), F(dashed, "* 8"), F(absorbing, "* 6"))
-BONDEM_TABLE(Strain, F(schedule, "strains"), F(bond, "strained"), F(part, "strains strained"), F(still, "strained"), F(length, "strained"), F(shear, "strained"), F(lever, "strained"), F(factor, "4 strains"), F(place, ""))
-BONDEM_TABLE(Portions, F(elements, "element_portions 4"), F(bonds, "bond_portions 4"), F(turned, "bond_portions 3"), F(budget, "3"), F(found, "4"))
+BONDEM_TABLE(Strain, F(schedule, "strains"), F(bond, "strained"), F(part, "strains strained"), F(still, "strained"), F(length, "strained"), F(shear, "strained"), F(lever, "strained"), F(factor, "4 strains"), F(power, "strains 68"), F(due, "2"), F(place, ""))
+BONDEM_TABLE(Ledger, F(sums, "15 68"), F(turned, "3"), F(budget, "2"), F(found, "4"))
 BONDEM_TABLE(Gauges, F(start, "gauges+1"), F(element, "gauged"), F(quantity, "gauges"), F(reduction, "gauges"))
 BONDEM_TABLE(HistoryRows, F(record, "* columns"))
 BONDEM_TABLE(StepPasses, F(present, "* 8"), F(opening, "* 8"), F(travel, "* 8"), F(forces, "* 8"), F(resume, "* 8"), F(reopening, "* 8"), F(guard, "* 8"), F(record, "* 8"))
@@ -187,7 +175,6 @@ BONDEM_TABLE(WallLoad, F(force, "3"), F(normal, ""), F(torque, "3"))
     described<CellDilatation>(), \
     described<DilatationGradients>(), \
     described<CorrectedMass>(), \
-    described<DilatationEnergy>(), \
     described<CellEnergies>(), \
     described<CellPoses>(), \
     described<FacetForces>(), \
@@ -209,7 +196,6 @@ BONDEM_TABLE(WallLoad, F(force, "3"), F(normal, ""), F(torque, "3"))
     described<FacePairs>(), \
     described<Travel>(), \
     described<ContactSums>(), \
-    described<ContactEnergies>(), \
     described<WallContacts>(), \
     described<Walls>(), \
     described<WallMotions>(), \
@@ -229,7 +215,6 @@ BONDEM_TABLE(WallLoad, F(force, "3"), F(normal, ""), F(torque, "3"))
     described<CellSlack>(), \
     described<CrackLists>(), \
     described<PartedReach>(), \
-    described<CrackEnergies>(), \
     described<FailureBounds>(), \
     described<Strengths>(), \
     described<Candidates>(), \
@@ -244,24 +229,15 @@ BONDEM_TABLE(WallLoad, F(force, "3"), F(normal, ""), F(torque, "3"))
     described<Tick>(), \
     described<LoadsOfBonds>(), \
     described<BondMarks>(), \
-    described<SofteningLosses>(), \
     described<BondsOfElements>(), \
     described<EarlierPairs>(), \
     described<RowOrder>(), \
-    described<WorkPortions>(), \
-    described<StrainPortions>(), \
-    described<WallEnergy>(), \
-    described<LossesOfCracks>(), \
-    described<BegunFaces>(), \
+    described<FallenCracks>(), \
     described<FacetArms>(), \
-    described<CrackPortions>(), \
-    described<CrushingPortions>(), \
-    described<FoldedPortions>(), \
     described<GaugeParts>(), \
     described<StoredLoads>(), \
     described<LoadsOfEach>(), \
     described<NonLocalBonds>(), \
-    described<NonLocalWork>(), \
     described<SmallPairs>(), \
     described<SmallSprings>(), \
     described<SmallSteps>(), \
@@ -300,7 +276,7 @@ BONDEM_TABLE(WallLoad, F(force, "3"), F(normal, ""), F(torque, "3"))
     described<BodyForces>(), \
     described<Resistance>(), \
     described<Strain>(), \
-    described<Portions>(), \
+    described<Ledger>(), \
     described<Gauges>(), \
     described<HistoryRows>(), \
     described<StepPasses>(), \

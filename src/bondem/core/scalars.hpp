@@ -41,16 +41,23 @@ inline double absolute(double a) { return __builtin_fabs(a); }
 inline double arc_tangent(double y, double x) { return __builtin_atan2(y, x); }
 #endif
 
-// Numbers that several threads write: a number to which all write the same value, and a count.
+// Numbers that several threads write: a number to which all write the same value, a sum, bits and a count.
 #if defined(__CUDACC_RTC__)
 template <class T> inline void put_shared(T &place, T value) { *const_cast<volatile T *>(&place) = value; }
 template <class T> inline T get_shared(const T &place) { return *const_cast<const volatile T *>(&place); }
-inline Index count_up(Index &count) { return Index(atomicAdd(reinterpret_cast<unsigned long long *>(&count), 1ull)); }
+inline Index add_to_shared(Index &place, Index value) {
+    return Index(atomicAdd(reinterpret_cast<unsigned long long *>(&place), (unsigned long long)value));
+}
+inline void set_in_shared(Index &place, Index bits) {
+    atomicOr(reinterpret_cast<unsigned long long *>(&place), (unsigned long long)bits);
+}
 #else
 template <class T> inline void put_shared(T &place, T value) { __atomic_store_n(&place, value, __ATOMIC_RELAXED); }
 template <class T> inline T get_shared(const T &place) { return __atomic_load_n(&place, __ATOMIC_RELAXED); }
-inline Index count_up(Index &count) { return __atomic_fetch_add(&count, Index(1), __ATOMIC_RELAXED); }
+inline Index add_to_shared(Index &place, Index value) { return __atomic_fetch_add(&place, value, __ATOMIC_RELAXED); }
+inline void set_in_shared(Index &place, Index bits) { __atomic_fetch_or(&place, bits, __ATOMIC_RELAXED); }
 #endif
+inline Index count_up(Index &count) { return add_to_shared(count, 1); }
 
 // Prefetches a line of memory.
 BONDEM_INLINE void prefetch([[maybe_unused]] const void *at) {

@@ -165,7 +165,7 @@ Clock clock_at(const StepScheme &scheme, Index step) {
 // The acceleration is that of the present state on entry and on return. Where no record and no guard comes between two
 // steps, the end of one and the start of the next are one pass over the elements.
 Index take_steps(Index threads, const StepPasses &passes, const StepCut &cut, const StepScheme &scheme, const StepSpan &span,
-                 const Portions &portions) {
+                 const Ledger &ledger) {
     const StepDriver driver(threads, cut, span);
     const List present(passes.present), opening(passes.opening), travel(passes.travel), forces(passes.forces),
         resume(passes.resume), reopening(passes.reopening), guard(passes.guard), record(passes.record);
@@ -189,7 +189,7 @@ Index take_steps(Index threads, const StepPasses &passes, const StepCut &cut, co
         if (!moved) {
             if (paused) driver.through(opening, clock);
             driver.through(travel, clock);
-            if (portions.found(guard_number::out_of_date) != 0) return out_of_date;
+            if (ledger.found(guard_number::out_of_date) != 0) return out_of_date;
         }
         done++;
         clock = clock_at(scheme, span.step + done);
@@ -203,9 +203,9 @@ Index take_steps(Index threads, const StepPasses &passes, const StepCut &cut, co
         driver.resume(resume, reopening, clock);
         if (guarded) {
             driver.through(guard, clock);
-            wide = most(wide, portions.found(guard_number::wide));
-            span.done(step_count::lost) = portions.found(guard_number::lost);
-            const Index ending = portions.found(guard_number::ending);
+            wide = most(wide, ledger.found(guard_number::wide));
+            span.done(step_count::lost) = ledger.found(guard_number::lost);
+            const Index ending = ledger.found(guard_number::ending);
             if (span.done(step_count::lost) > 0 || ending != 0) return ending;
         }
         if (recorded) {

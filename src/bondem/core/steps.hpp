@@ -51,7 +51,7 @@ struct Turn {
 // Parts of a step that a pass runs over. Passes up to `single` are called once, with all parts: those of rows go through
 // a table such as loads, walls or strains; those of cracks go through cracks or their cells, and only they share portions
 // among threads; those of events go through what begins, changes or ends in the step, in its order; single ones find
-// numbers that a body has once, such as sums of portions.
+// numbers that a body has once, such as whether its energy is sound.
 enum PassKind : Index {
     of_rows,  // rows of a table, in the order of the table
     of_cracks,  // cracks or their cells, of which threads may share portions

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from bondem._cache_lines import lines
+from bondem._cache_lines import exact_sums, lines
 from bondem._tables.cell_tables import ElasticFacets, FacetForces, WallConstraints
 from bondem._tables.columns import CrackNumber, CrackStatus, PlasticColumn
 from bondem._tables.crack_tables import CohesiveCracks, CrackLists, YieldingCells
@@ -98,7 +98,7 @@ def new_crack_lists(n: int, m: int) -> CrackLists:
         np.zeros(portions, np.int64), np.zeros(portions, np.int64), np.zeros(n, np.uint8), np.full(n, -1, np.int32),
         np.zeros(n),
         lines(2 * halves).reshape(halves, 16), lines(n),
-        np.zeros((n, 4)), np.zeros((portions, 2)),
+        np.zeros((n, 4)), exact_sums(),
     )  # fmt: skip
 
 

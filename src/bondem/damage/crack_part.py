@@ -14,10 +14,9 @@ from bondem._tables.cell_tables import (
     FacetTractions,
     WallConstraints,
 )
-from bondem._tables.columns import LogCount
+from bondem._tables.columns import BONDS_OF_PORTION, LogCount
 from bondem._tables.crack_tables import (
     CellSlack,
-    CrackEnergies,
     CrackOnset,
     StressesOfCells,
 )
@@ -89,13 +88,14 @@ class CrackingBody:
         self.strengths = table.strengths(_LOSS * np.minimum(dt * swing, 1.0), with_zeros)
         listed = np.zeros(len(body.facets.k), dtype=np.uint8)
         listed[m:] = 1  # no facets: they fill a group of lanes
-        self.by_stress = OnsetByStress.of(table, self.strengths, len(shared.portions.bonds))
+        portions = -(-m // BONDS_OF_PORTION)
+        self.by_stress = OnsetByStress.of(table, self.strengths, portions)
         self.cracks = new_cohesive_cracks(state, listed, _SLIDE_TO_NEXT if touches else _SLIDE)
         cracked, facet = np.zeros(n, dtype=np.uint8), state.cracks[:, FACET].astype(np.int64)
         cracked[layout.i[facet]] = cracked[layout.j[facet]] = 1
         self.onset = CrackOnset(
             cracked, np.zeros(n, dtype=np.uint8), np.zeros(len(listed), dtype=np.uint8), listed,
-            np.zeros(len(shared.portions.bonds) + 1, dtype=np.int64),
+            np.zeros(portions + 1, dtype=np.int64),
         )  # fmt: skip
         self.stresses = StressesOfCells(constants.volume, lines(n), np.zeros((n, 12)), pressed)
         slack_i, slack_j = map(with_zeros, constants.slack())
@@ -105,11 +105,9 @@ class CrackingBody:
         self.of_cells = FacetsOfCells(*adjacency)
         self.lists = new_crack_lists(n, m)
         self.yielding = yielding_of(state, table, body.facets, body.walls, constants)
-        portions = len(shared.portions.elements)
-        self.energies = CrackEnergies(np.zeros(portions), np.zeros(portions), np.zeros(3))
         self.log = new_event_log(state)
         none = np.zeros(0, dtype=np.int64)
-        self.tractions, *_ = *body.tractions, FacetTractions(np.zeros((0, n)), none, 0, np.zeros(0), np.zeros(0))
+        self.tractions, *_ = *body.tractions, FacetTractions(np.zeros((0, n)), none, np.zeros(0), np.zeros(0))
 
     @property
     def joints(self) -> CrackJoints:
@@ -210,13 +208,12 @@ class CrackingBody:
         )  # fmt: skip
 
     def _record(self, history: HistoryRows) -> Passes:
-        moving, body, energies = self.shared.moving, self.body, self.energies
+        moving, body, ledger = self.shared.moving, self.body, self.shared.ledger
         return [
-            steps.sum_stressed_dilatation(moving, body.cells, energies),
-            *(steps.sum_heat(self.stresses, yielding, energies) for yielding in self.yielding),
-            steps.sum_crack_energies(moving, body.facets, self.cracks, energies),
-            steps.add_crack_energies(moving, body.walls, energies, self.shared.portions),
-            steps.write_released(self.log, history), steps.write_heat(energies, history),
+            steps.sum_stressed_dilatation(moving, body.cells, ledger),
+            *(steps.sum_heat(self.stresses, yielding, ledger) for yielding in self.yielding),
+            steps.sum_crack_energies(moving, body.facets, self.cracks, ledger),
+            steps.write_released(self.log, history),
             steps.write_crushing_of_facets(self.strengths, self.cracks, self.log, history),
         ]  # fmt: skip
 

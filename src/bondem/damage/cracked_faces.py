@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from bondem._cache_lines import exact_sums
 from bondem._tables.columns import CrackStatus
 from bondem._tables.contact_tables import ContactPairs, FacePairs
 from bondem._types import Floats, PerElement
@@ -55,5 +56,6 @@ class CrackedFaces:
             *self._joints.of_cells, facets.lever_i, facets.lever_j, facets.pitch, facets.normal, facets.j, facets.k,
             strengths.area, self._joints.cracks.listed, strengths.plane, self._open, self._faced, self.outer,
             earlier.astype(np.int64), np.argsort(pairs.first, kind="stable").astype(np.uint32), chosen, whole,
-            np.zeros(c, dtype=np.uint32), np.zeros((c, 12)), np.zeros(c), np.zeros(portions, dtype=np.int64),
+            np.zeros(c, dtype=np.uint32), np.zeros((c, 12)), np.zeros(c), exact_sums(),
+            np.zeros(portions, dtype=np.int64),
         )  # fmt: skip

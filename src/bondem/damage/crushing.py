@@ -1,5 +1,7 @@
 """Energy that bonds have released beyond their fracture energy."""
 
+from math import fsum
+
 import numpy as np
 
 from bondem._tables.columns import SoftColumn
@@ -14,7 +16,7 @@ def crushing_of(
 ) -> Floats:
     """Return the energy that facets or softening beams have released beyond their fracture energy [J], (1,).
 
-    The terms are added one by one, as the core does: a run that begins from damage has no crushing at first.
+    The sum is rounded once, as that of the core: a run that begins from damage has no crushing at first.
 
     Args:
         facets: table of softening facets, or None.
@@ -22,9 +24,9 @@ def crushing_of(
         cracks: rows of cracked facets (`bondem.damage.crack_columns`), (c, 14).
         softened: rows of softening beams (`SoftColumn`), (c, 7).
     """
-    beyond = np.zeros(1)
+    beyond = np.zeros(0)
     if facets is not None:
-        beyond = np.append(beyond, np.maximum(cracks[:, SPENT] - facets.absorbed_by(cracks), 0.0))
+        beyond = cracks[:, SPENT] - facets.absorbed_by(cracks)
     if beams is not None:
-        beyond = np.append(beyond, np.maximum(softened[:, SoftColumn.SPENT] - beams.absorbed(softened), 0.0))
-    return np.cumsum(beyond)[-1:]
+        beyond = np.append(beyond, softened[:, SoftColumn.SPENT] - beams.absorbed(softened))
+    return np.array([fsum(np.maximum(beyond, 0.0))])

@@ -2,7 +2,7 @@
 
 from typing import Protocol
 
-from bondem._tables.step_tables import Moving, Portions, Rows, StepCut
+from bondem._tables.step_tables import Ledger, Moving, Rows, StepCut
 from bondem._types import Floats, PerBond
 
 
@@ -32,4 +32,4 @@ class StepTables(Protocol):
     @property
     def cut(self) -> StepCut: ...
     @property
-    def portions(self) -> Portions: ...
+    def ledger(self) -> Ledger: ...

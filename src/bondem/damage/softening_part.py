@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._cache_lines import exact_sums
 from bondem._passes import steps
 from bondem._tables.beam_softening_tables import SofteningBeams, SofteningBounds
 from bondem._tables.columns import BONDS_OF_PORTION, SoftColumn
@@ -57,7 +58,7 @@ class SofteningTables:
             ),
             soft=SofteningBeams(
                 row=row, begun=np.array([begun], dtype=np.int64), listed=listed, number=count,
-                parted=np.zeros(portions, dtype=np.int64), lost=np.zeros(portions),
+                parted=np.zeros(portions, dtype=np.int64), lost=exact_sums(),
             ),
         )  # fmt: skip
 
@@ -82,7 +83,7 @@ def softening(
             "apply": [steps.begin_softening(candidates, bounds, soft, damage.log)],
         },
         record=lambda history: [
-            steps.sum_pressed_energies(moving, beams, bounds, shared.portions),
+            steps.sum_pressed_energies(moving, beams, bounds, shared.ledger),
             steps.write_released(damage.log, history),
             steps.write_crushing_of_beams(bounds, soft, damage.log, history),
         ],

@@ -79,7 +79,7 @@ class CoreLoop:
         done = np.zeros(4, dtype=np.int64)
         span = StepSpan(self.state.step, 0, 0, True, False, False, self._n, self._m, done)
         t = self._tables
-        run_pass(calls.take_steps(lists, t.cut, self._scheme, span, t.portions), threads=self._threads)
+        run_pass(calls.take_steps(lists, t.cut, self._scheme, span, t.ledger), threads=self._threads)
 
     def _list(self, *stages: str) -> np.ndarray:
         return self._compose(composed(self._parts, *stages))
@@ -100,7 +100,7 @@ class CoreLoop:
         span = StepSpan(state.step, steps, self._every, looks, stale, moved, self._n, self._m, done)
         compose, history = Composer(self._compose), HistoryRows(records)  # live as long as this call
         lists = self._lists._replace(record=compose(one for part in self._parts for one in part.record(history)))
-        ending = run_pass(calls.take_steps(lists, t.cut, self._scheme, span, t.portions), threads=self._threads)
+        ending = run_pass(calls.take_steps(lists, t.cut, self._scheme, span, t.ledger), threads=self._threads)
         if done[0]:
             state.step += int(done[0])
             state.time = self._origin + state.step * self._scheme.dt
@@ -110,7 +110,7 @@ class CoreLoop:
 
     def look(self) -> np.ndarray:
         """Bring the acceleration up to date and record the present."""
-        state, budget = self.state, self._tables.portions.budget
+        state, budget = self.state, self._tables.ledger.budget
         begins = state.stale or budget[0] == 0.0  # what a run gains as it goes on is no budget of its own
         records = np.zeros((1, self._width))
         self._take(0, records, looks=True)

@@ -12,10 +12,9 @@ import numpy as np
 
 from bondem._device import Device, DeviceTables, Enqueue, HostCall, Launch, passes_of
 from bondem._passes import kernels
-from bondem._tables.columns import DeviceColumn, HistoryColumn, LogCount
+from bondem._tables.columns import GuardNumber, HistoryColumn, LogCount
 from bondem._tables.device_tables import Tick
 from bondem._tables.step_tables import HistoryRows, StepScheme
-from bondem.boundary.wall_rows import wall_rows
 from bondem.dynamics.core_loop import STORED, noticeable
 from bondem.dynamics.damping import DampingTerms
 from bondem.dynamics.on_device.breakage_counterparts import Postponement, end, resuming
@@ -23,25 +22,15 @@ from bondem.dynamics.on_device.contact_counterparts import deepest_overlaps, lis
 from bondem.dynamics.on_device.counterparts import FURTHER, launches_of
 from bondem.dynamics.on_device.translation import Translation, names_of
 from bondem.dynamics.parts.parts_of_model import parts_in_one_block
-from bondem.dynamics.plan import FINE, NOT_FINITE, RUNAWAY, Plan
+from bondem.dynamics.plan import FINE, NOT_FINITE, Plan
 from bondem.interactions.step_part import FORCES, RESUME, Passes, composed
 from bondem.model.model import Model
 from bondem.model.state import State
 
 # Steps between two guards of relative rotations, of numbers that are not finite, and of the energy.
 GUARD_INTERVAL = 100
-# Kinetic energy over all energy that was there or came in from which a run is unstable: the error of the scheme stays
-# below it at any stable step, and an unstable mode grows by orders of magnitude within an interval.
-BEYOND = 1000.0
 # Steps of a graph at most.
 _RECORDED = 64
-# Columns of a record, of those of the device.
-_SAME = {one.name for one in HistoryColumn} & {one.name for one in DeviceColumn} - {"COUNT"}
-_COLUMNS = [
-    *((HistoryColumn[name], DeviceColumn[name]) for name in sorted(_SAME)),
-    (HistoryColumn.LOSS, DeviceColumn.DAMPED), (HistoryColumn.FRICTION, DeviceColumn.RUBBED),
-    (HistoryColumn.WORK, DeviceColumn.WALLS),
-]  # fmt: skip
 # Word of the clock that is the number of the step.
 _STEP = 5
 
@@ -65,14 +54,12 @@ class DeviceLoop:
         late = _postponement(composed(self._parts, *FORCES))
         names = names_of(composed(self._parts, *FORCES))
         self._run = Translation(
-            model.layout, self._shared.cut, len(state.reaction), len(state.work),
+            model.layout, self._shared.cut, self._shared.ledger, len(state.reaction),
             np.zeros(0, dtype=np.uint8) if late is None else late[1].held, further=not FURTHER.isdisjoint(names),
         )  # fmt: skip
         self._tables = DeviceTables(device)
-        self._first_gauge = int(DeviceColumn.COUNT)
-        self._gauges = len(plan.gauges)
-        self._width = self._first_gauge + 3 * self._gauges
-        self._budget, self._still = np.zeros(2), noticeable(model, dt)
+        self._width = HistoryColumn.COUNT + 3 * len(plan.gauges)
+        self._ledger, self._still = self._shared.ledger, noticeable(model, dt)
         self._late, self._listed = late, model.contact is not None
         begins = self._launches("begin")
         self._compose()
@@ -117,7 +104,7 @@ class DeviceLoop:
 
     def look(self) -> np.ndarray:
         """Bring the acceleration up to date and record the present state."""
-        state, budget = self.state, self._budget
+        state, budget = self.state, self._ledger.budget
         begins = state.stale or budget[0] == 0.0  # what a run gains as it goes on is no budget of its own
         self._set_clock()
         _run(self._begin)
@@ -130,6 +117,7 @@ class DeviceLoop:
         found = records.finished([state.step])
         if begins:
             budget[0] = max(budget[0], self._still + np.abs(found[0, STORED]).sum())
+            self._tables.send(budget)
         return found
 
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
@@ -223,18 +211,9 @@ class DeviceLoop:
     def _guard(self) -> tuple[int, int, int]:
         """Return bonds turned wide, bonds lost, and whether the run is sound, as `judge_energy` finds them."""
         _run(self._guarding)
-        folded = self._run.folded.sums
-        self._tables.fetch(folded)
-        sums = folded.sum(axis=0)
-        wide, lost = int(sums[DeviceColumn.WIDE]), int(sums[DeviceColumn.LOST])
-        kinetic, supplied = sums[0] + sums[1], sums[DeviceColumn.SUPPLIED]
-        for walls in self._run.walls:
-            self._tables.fetch(walls)
-            supplied += np.abs(wall_rows(walls)["work"]).sum()
-        if sums[DeviceColumn.NOT_FINITE] > 0.0 or not (kinetic < np.inf and supplied < np.inf):
-            return wide, lost, NOT_FINITE
-        self._budget[1] = max(self._budget[1], supplied)
-        return wide, lost, RUNAWAY if kinetic > BEYOND * self._budget.sum() else FINE
+        found = self._ledger.found
+        self._tables.fetch(found)
+        return int(found[GuardNumber.WIDE]), int(found[GuardNumber.LOST]), int(found[GuardNumber.ENDING])
 
     def _set_clock(self) -> None:
         """Set the clock of the device to the step of the state; records and events begin with the first row."""
@@ -271,14 +250,11 @@ class _Records:
     def finished(self, steps: Sequence[int]) -> np.ndarray:
         """Return the records of some steps in the form of the history, and free their memory."""
         loop, found = self._loop, self._rows.record
-        whole = np.zeros((len(steps), HistoryColumn.COUNT + 3 * loop._gauges))
         if len(steps):
             loop._tables.fetch(found)
-            whole[:, 0] = [loop._scheme.origin + step * loop._scheme.dt for step in steps]
-            for column, of_sums in _COLUMNS:
-                whole[:, column] += found[: len(steps), of_sums]
-            whole[:, HistoryColumn.COUNT:] = found[: len(steps), loop._first_gauge :]
         loop._tables.forget(self._rows)
+        whole = found[: len(steps)].copy()
+        whole[:, 0] = [loop._scheme.origin + step * loop._scheme.dt for step in steps]
         return whole
 
 

@@ -1,15 +1,13 @@
-"""Room for the sums of a step over portions of elements and of bonds."""
+"""Room for the energy balance of a run."""
 
 import numpy as np
 
-from bondem._tables.columns import BONDS_OF_PORTION, ELEMENTS_OF_PORTION
-from bondem._tables.step_tables import Portions
+from bondem._cache_lines import exact_sums
+from bondem._tables.columns import HistoryColumn
+from bondem._tables.step_tables import Ledger
 
 
-def new_portions(n: int, m: int) -> Portions:
-    """Return room for the portions of n elements and m bonds."""
-    element, bond = -(-n // ELEMENTS_OF_PORTION), -(-m // BONDS_OF_PORTION)
-    return Portions(
-        np.zeros((element, 4)), np.zeros((bond, 4)), np.zeros((bond, 3), dtype=np.int64), np.zeros(3),
-        np.zeros(4, dtype=np.int64),
-    )  # fmt: skip
+def new_ledger() -> Ledger:
+    """Return an energy balance whose sums are empty."""
+    counts = np.zeros(3, dtype=np.int64), np.zeros(4, dtype=np.int64)
+    return Ledger(exact_sums(HistoryColumn.COUNT), counts[0], np.zeros(2), counts[1])

@@ -18,7 +18,7 @@ from scipy.sparse import bsr_array
 from bondem._core import run_pass
 from bondem._passes import calls
 from bondem._tables.damage_tables import Candidates, EventLog, FailureIndices, Postponed, Strengths
-from bondem._tables.step_tables import Beams, BeamSums, Dashpots, LaggedStresses, Moving, Portions, Poses, StepCut
+from bondem._tables.step_tables import Beams, BeamSums, Dashpots, LaggedStresses, Ledger, Moving, Poses, StepCut
 from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement, PerElement3, PerElement6
 from bondem.boundary.conditions import BoundaryCondition
 from bondem.boundary.wall_constraints import Grips
@@ -89,7 +89,7 @@ class Run:
     Attributes:
         moving: motion of the elements.
         cut: cut of a step into domains and blocks.
-        portions: sums over portions of elements and bonds.
+        ledger: sums of a record or a guard.
         arrays: arrays of the state that the law owns.
         dashpots: dashpots beside the bonds, or None.
         damage: damage pipeline, or None if bonds do not fail.
@@ -100,7 +100,7 @@ class Run:
 
     moving: Moving
     cut: StepCut
-    portions: Portions
+    ledger: Ledger
     arrays: Arrays
     dashpots: Dashpots | None
     damage: DamageOfRun | None

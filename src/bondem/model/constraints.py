@@ -250,12 +250,12 @@ class Constraints:
         return self.values[self.start[schedules + 1] - 1]
 
     @property
-    def works(self) -> tuple[int, int, int, int]:
-        """Starts of the works of body forces (one per element), strains and walls in the list, and its end."""
+    def works(self) -> tuple[int, int, int]:
+        """Starts of the works of body forces (one per element) and of strains in the list, and its end."""
         body = len(self.element)
         strain = body + (len(self.row_of) if len(self.body_on) else 0)
-        walls = strain + (1 if len(self.strain_part) else 0)
-        return body, strain, walls, walls + (1 if self.holding or len(self.press_schedule) else 0)
+        # run files have one number behind them where walls or tractions do work, which versions before added up there
+        return body, strain, strain + bool(len(self.strain_part)) + bool(self.holding or len(self.press_schedule))
 
     def final_motion(self, n: int) -> Floats:
         """Return prescribed displacements and rotations at the end of all schedules [m, rad], shape (n, 6).

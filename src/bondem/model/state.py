@@ -56,8 +56,8 @@ class State(StateMotion):
       else (0, 6). A law may own arrays of other names, which follow all others in run files.
     - `eigenstrain`: ε* of each bond [-], whose rest length is L (1 + ε*); shape (m,), or (0,) if none was set.
     - `reaction`: minus the bond forces on the rows of the boundary [N, N·m], shape (r, 6).
-    - `work`: work of loads and drives on each row since the start [J], shape (r,). The works of body forces on each
-      element and of strains follow, if there are any.
+    - `work`: work of loads, drives and walls that hold cells on each row since the start [J], shape (r,). The works
+      of body forces on each element and of strains follow, if there are any.
     - `loss`: energy that damping has taken from each element, its present power, and energy lost to friction
       [J, W, J], shape (n, 3).
     - `touching`: internal pairs i < j in contact or with faces between them, sorted by j, then i, shape (c, 2).

@@ -179,6 +179,6 @@ def wall_places(model: Model, state: State, base: Floats | None = None) -> Float
     Their initial places are `base`, (g, 7), or those of the state.
     """
     base = state.grips if base is None else base
-    walls = model.interaction.grips.table(model.layout, model.constraints.row_of, 0, base)
+    walls = model.interaction.grips.table(model.layout, model.constraints.row_of, base)
     place_held_walls(walls, state.time)
     return walls.wall

@@ -7,14 +7,13 @@ from bondem._passes import Kernel
 from bondem._tables.contact_tables import (
     AdheringPairs,
     ContactConstants,
-    ContactEnergies,
     ContactPairs,
     ContactSums,
     WallContacts,
     Walls,
 )
 from bondem._tables.device_tables import DeviceSpan, EarlierPairs
-from bondem._tables.step_tables import Moving
+from bondem._tables.step_tables import Ledger, Moving
 
 
 def add_adhesion_of_element(
@@ -54,25 +53,23 @@ def adhere_one_pair(
 
 def sum_portion_of_adhesion(
     device_span: DeviceSpan, moving: Moving, contact_constants: ContactConstants, contact_pairs: ContactPairs,
-    contact_energies: ContactEnergies
+    ledger: Ledger
 ) -> Kernel:
     """Adds the energy of adhesion of the pairs of a portion, below 0 [J].
 
     Over one index.
     """
-    return Kernel("sum_portion_of_adhesion", (
-        device_span, moving, contact_constants, contact_pairs, contact_energies
-    ))
+    return Kernel("sum_portion_of_adhesion", (device_span, moving, contact_constants, contact_pairs, ledger))
 
 
 def sum_portion_of_adhesion_at_walls(
     device_span: DeviceSpan, moving: Moving, contact_constants: ContactConstants, wall_contacts: WallContacts,
-    walls: Walls, contact_energies: ContactEnergies
+    walls: Walls, ledger: Ledger
 ) -> Kernel:
     """Adds the energy of adhesion at walls of a portion of elements, below 0 [J].
 
     Over one index.
     """
     return Kernel("sum_portion_of_adhesion_at_walls", (
-        device_span, moving, contact_constants, wall_contacts, walls, contact_energies
+        device_span, moving, contact_constants, wall_contacts, walls, ledger
     ))

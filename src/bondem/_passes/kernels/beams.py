@@ -5,15 +5,15 @@ Written by `python -m tests.core.passes`.
 
 from bondem._passes import Kernel
 from bondem._tables.device_tables import DeviceSpan, LoadsOfBonds
-from bondem._tables.step_tables import AlikeBeams, Beams, Dashpots, Moving, Portions
+from bondem._tables.step_tables import AlikeBeams, Beams, Dashpots, Ledger, Moving
 
 
-def check_portion(device_span: DeviceSpan, moving: Moving, beams: Beams, portions: Portions) -> Kernel:
+def check_portion(device_span: DeviceSpan, moving: Moving, beams: Beams, ledger: Ledger) -> Kernel:
     """Counts unbroken beams of a portion that are turned beyond the range of their energy, and beyond its end.
 
     Over one index.
     """
-    return Kernel("check_portion", (device_span, moving, beams, portions))
+    return Kernel("check_portion", (device_span, moving, beams, ledger))
 
 
 def load_alike_beam(moving: Moving, beams: Beams, alike_beams: AlikeBeams, loads_of_bonds: LoadsOfBonds) -> Kernel:
@@ -40,9 +40,9 @@ def load_dashpot(moving: Moving, beams: Beams, dashpots: Dashpots, loads_of_bond
     return Kernel("load_dashpot", (moving, beams, dashpots, loads_of_bonds))
 
 
-def sum_portion_of_beams(device_span: DeviceSpan, moving: Moving, beams: Beams, portions: Portions) -> Kernel:
+def sum_portion_of_beams(device_span: DeviceSpan, moving: Moving, beams: Beams, ledger: Ledger) -> Kernel:
     """Sums normal, shear, bending and twisting energy of a portion [J].
 
     Over one index.
     """
-    return Kernel("sum_portion_of_beams", (device_span, moving, beams, portions))
+    return Kernel("sum_portion_of_beams", (device_span, moving, beams, ledger))

@@ -7,7 +7,7 @@ from bondem._passes import Kernel
 from bondem._tables.contact_tables import ContactConstants, ContactPairs, FacePairs, NearPairs
 from bondem._tables.crack_tables import CohesiveCracks, CrackLists, PartedReach
 from bondem._tables.damage_tables import EventLog, Postponed
-from bondem._tables.device_tables import BegunFaces, BondMarks, BondsOfElements, DeviceSpan
+from bondem._tables.device_tables import BondMarks, BondsOfElements
 from bondem._tables.step_tables import Moving
 
 
@@ -59,24 +59,14 @@ def settle_faces_of_cell(face_pairs: FacePairs) -> Kernel:
     return Kernel("settle_faces_of_cell", (face_pairs,))
 
 
-def sum_portion_of_begun(
-    device_span: DeviceSpan, contact_pairs: ContactPairs, face_pairs: FacePairs, begun_faces: BegunFaces
-) -> Kernel:
-    """Launched for `begin_face_contacts`: begins the contact of faces that part in this step.
-
-    Over one index.
-    """
-    return Kernel("sum_portion_of_begun", (device_span, contact_pairs, face_pairs, begun_faces))
-
-
 def take_over_energies(contact_pairs: ContactPairs, near_pairs: NearPairs, event_log: EventLog) -> Kernel:
-    """Subtracts the energies that contacts store from the energy released in the run, in the order of the events."""
+    """Subtracts the energies that contacts store from the energy released in the run."""
     return Kernel("take_over_energies", (contact_pairs, near_pairs, event_log))
 
 
-def take_over_from_cracks(begun_faces: BegunFaces, event_log: EventLog) -> Kernel:
+def take_over_from_cracks(face_pairs: FacePairs, event_log: EventLog) -> Kernel:
     """Subtracts the energy that faces store as they begin to touch from the released energy."""
-    return Kernel("take_over_from_cracks", (begun_faces, event_log))
+    return Kernel("take_over_from_cracks", (face_pairs, event_log))
 
 
 def touch_parted_face(

@@ -7,31 +7,21 @@ from bondem._passes import Kernel
 from bondem._tables.cell_tables import (
     CellDilatation,
     CorrectedMass,
-    DilatationEnergy,
     DilatationGradients,
     ElasticFacets,
     FacetTractions,
     WallConstraints,
 )
-from bondem._tables.device_tables import BondsOfElements, DeviceSpan, LoadsOfBonds, RowOrder, WallEnergy
-from bondem._tables.step_tables import Moving, Portions, Rows, StepCut, Timeline
+from bondem._tables.device_tables import BondsOfElements, DeviceSpan, LoadsOfBonds, RowOrder
+from bondem._tables.step_tables import Ledger, Moving, Rows, StepCut, Timeline
 
 
-def add_energies(dilatation_energy: DilatationEnergy, wall_energy: WallEnergy, portions: Portions) -> Kernel:
-    """Launched for `add_cell_energies`: adds the energy of dilatation, and that of half facets at walls, to the
-    normal energy of the first portion of facets.
-
-    Over one index.
-    """
-    return Kernel("add_energies", (dilatation_energy, wall_energy, portions))
-
-
-def add_gradient_energy(dilatation_gradients: DilatationGradients, portions: Portions) -> Kernel:
-    """Adds the energies of gradients to those of the facets.
+def add_energy_of_hold(moving: Moving, wall_constraints: WallConstraints, ledger: Ledger) -> Kernel:
+    """Sums the energies of half facets at walls.
 
     Over one index.
     """
-    return Kernel("add_gradient_energy", (dilatation_gradients, portions))
+    return Kernel("add_energy_of_hold", (moving, wall_constraints, ledger))
 
 
 def add_inertia_force_of(corrected_mass: CorrectedMass, step_cut: StepCut) -> Kernel:
@@ -99,13 +89,13 @@ def bend_layer(
 
 
 def check_portion_of_facets(
-    device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, portions: Portions
+    device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, ledger: Ledger
 ) -> Kernel:
     """Counts unbroken facets of a portion that are turned beyond the range of their energy, and beyond its end.
 
     Over one index.
     """
-    return Kernel("check_portion_of_facets", (device_span, moving, elastic_facets, portions))
+    return Kernel("check_portion_of_facets", (device_span, moving, elastic_facets, ledger))
 
 
 def dilate_facet(moving: Moving, elastic_facets: ElasticFacets, loads_of_bonds: LoadsOfBonds) -> Kernel:
@@ -208,53 +198,46 @@ def set_stress(moving: Moving, cell_dilatation: CellDilatation) -> Kernel:
 
 def subtract_portion_of_dilatation(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, wall_constraints: WallConstraints,
-    corrected_mass: CorrectedMass, portions: Portions
+    corrected_mass: CorrectedMass, ledger: Ledger
 ) -> Kernel:
-    """Subtracts the correction of the mass from the kinetic energies of cells.
+    """Subtracts the correction of the mass from the kinetic energies of a portion of cells.
 
     Over one index.
     """
     return Kernel("subtract_portion_of_dilatation", (
-        device_span, moving, elastic_facets, wall_constraints, corrected_mass, portions
+        device_span, moving, elastic_facets, wall_constraints, corrected_mass, ledger
     ))
 
 
-def sum_portion_of_cells(
-    device_span: DeviceSpan, cell_dilatation: CellDilatation, dilatation_energy: DilatationEnergy
-) -> Kernel:
+def sum_portion_of_cells(device_span: DeviceSpan, cell_dilatation: CellDilatation, ledger: Ledger) -> Kernel:
     """Sums the energy of dilatation of a portion of cells, whose V θ is complete and is set to zero [J].
 
     Over one index.
     """
-    return Kernel("sum_portion_of_cells", (device_span, cell_dilatation, dilatation_energy))
+    return Kernel("sum_portion_of_cells", (device_span, cell_dilatation, ledger))
 
 
 def sum_portion_of_facets(
-    device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, portions: Portions
+    device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, ledger: Ledger
 ) -> Kernel:
     """Sums normal, shear, bending and twisting energy of the facets of a portion, without dilatation [J].
 
     Over one index.
     """
-    return Kernel("sum_portion_of_facets", (device_span, moving, elastic_facets, portions))
+    return Kernel("sum_portion_of_facets", (device_span, moving, elastic_facets, ledger))
 
 
 def sum_portion_of_gradients(
     device_span: DeviceSpan, moving: Moving, cell_dilatation: CellDilatation, wall_constraints: WallConstraints,
-    dilatation_gradients: DilatationGradients
+    dilatation_gradients: DilatationGradients, ledger: Ledger
 ) -> Kernel:
-    """Sums the energies of gradients in portions of cells, for the dilatation that facets have added up.
+    """Sums the energies of gradients in a portion of cells, for the dilatation that facets have added up.
 
     Over one index.
     """
     return Kernel("sum_portion_of_gradients", (
-        device_span, moving, cell_dilatation, wall_constraints, dilatation_gradients
+        device_span, moving, cell_dilatation, wall_constraints, dilatation_gradients, ledger
     ))
-
-
-def sum_portion_of_walls(moving: Moving, wall_constraints: WallConstraints, wall_energy: WallEnergy) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cells.hpp`."""
-    return Kernel("sum_portion_of_walls", (moving, wall_constraints, wall_energy))
 
 
 def sum_stress_difference(moving: Moving, dilatation_gradients: DilatationGradients) -> Kernel:

@@ -6,7 +6,6 @@ Written by `python -m tests.core.passes`.
 from bondem._passes import Kernel
 from bondem._tables.contact_tables import (
     ContactConstants,
-    ContactEnergies,
     ContactPairs,
     ContactSums,
     FacePairs,
@@ -17,7 +16,7 @@ from bondem._tables.contact_tables import (
     Walls,
 )
 from bondem._tables.device_tables import DeviceSpan, EarlierPairs, RowOrder
-from bondem._tables.step_tables import Gauges, HistoryRows, Moving, StepCut
+from bondem._tables.step_tables import Gauges, HistoryRows, Ledger, Moving, StepCut
 
 
 def add_contact_load(device_span: DeviceSpan, moving: Moving, step_cut: StepCut, contact_sums: ContactSums) -> Kernel:
@@ -57,6 +56,14 @@ def check_travel_of_wall(device_span: DeviceSpan, travel: Travel, walls: Walls) 
     Over one index.
     """
     return Kernel("check_travel_of_wall", (device_span, travel, walls))
+
+
+def count_work_of_walls(device_span: DeviceSpan, walls: Walls, ledger: Ledger) -> Kernel:
+    """Adds the sizes of the works of walls to the energy balance, for its guard.
+
+    Over one index.
+    """
+    return Kernel("count_work_of_walls", (device_span, walls, ledger))
 
 
 def kick_free_wall(device_span: DeviceSpan, wall_motions: WallMotions, walls: Walls) -> Kernel:
@@ -126,62 +133,42 @@ def press_walls_on_element(
 
 def sum_portion_at_walls(
     device_span: DeviceSpan, moving: Moving, contact_constants: ContactConstants, wall_contacts: WallContacts,
-    walls: Walls, contact_energies: ContactEnergies
+    walls: Walls, ledger: Ledger
 ) -> Kernel:
     """Adds the elastic energy of contacts of a portion with walls [J].
 
     Over one index.
     """
-    return Kernel("sum_portion_at_walls", (
-        device_span, moving, contact_constants, wall_contacts, walls, contact_energies
-    ))
+    return Kernel("sum_portion_at_walls", (device_span, moving, contact_constants, wall_contacts, walls, ledger))
 
 
 def sum_portion_of_faces(
     device_span: DeviceSpan, moving: Moving, contact_constants: ContactConstants, contact_pairs: ContactPairs,
-    face_pairs: FacePairs, contact_energies: ContactEnergies
+    face_pairs: FacePairs, ledger: Ledger
 ) -> Kernel:
     """Adds the elastic energy of the pairs of a portion that touch by faces [J].
 
     Over one index.
     """
-    return Kernel("sum_portion_of_faces", (
-        device_span, moving, contact_constants, contact_pairs, face_pairs, contact_energies
-    ))
+    return Kernel("sum_portion_of_faces", (device_span, moving, contact_constants, contact_pairs, face_pairs, ledger))
 
 
 def sum_portion_of_pairs(
     device_span: DeviceSpan, moving: Moving, contact_constants: ContactConstants, contact_pairs: ContactPairs,
-    contact_energies: ContactEnergies
+    ledger: Ledger
 ) -> Kernel:
     """Sums the elastic energy of the pairs of a portion [J].
 
     Over one index.
     """
-    return Kernel("sum_portion_of_pairs", (device_span, moving, contact_constants, contact_pairs, contact_energies))
+    return Kernel("sum_portion_of_pairs", (device_span, moving, contact_constants, contact_pairs, ledger))
 
 
-def write_energy_of_contacts(
-    device_span: DeviceSpan, contact_energies: ContactEnergies, history_rows: HistoryRows
+def write_all_walls(
+    device_span: DeviceSpan, walls: Walls, gauges: Gauges, ledger: Ledger, history_rows: HistoryRows
 ) -> Kernel:
-    """Adds the energy of contacts to a record.
+    """Adds the works of walls to the energy balance, and writes gauges of walls.
 
     Over one index.
     """
-    return Kernel("write_energy_of_contacts", (device_span, contact_energies, history_rows))
-
-
-def write_gauge_of_wall(device_span: DeviceSpan, walls: Walls, gauges: Gauges, history_rows: HistoryRows) -> Kernel:
-    """Launched for `write_walls`: adds the work of walls to a record, and writes gauges of walls.
-
-    Over one index.
-    """
-    return Kernel("write_gauge_of_wall", (device_span, walls, gauges, history_rows))
-
-
-def write_work_of_walls(device_span: DeviceSpan, walls: Walls, history_rows: HistoryRows) -> Kernel:
-    """Launched for `write_walls`: adds the work of walls to a record, and writes gauges of walls.
-
-    Over one index.
-    """
-    return Kernel("write_work_of_walls", (device_span, walls, history_rows))
+    return Kernel("write_all_walls", (device_span, walls, gauges, ledger, history_rows))

@@ -7,7 +7,7 @@ from bondem._passes import Kernel
 from bondem._tables.cell_tables import CellDilatation, CellStrains, ElasticFacets, FacetForces
 from bondem._tables.crack_tables import CellSlack, CohesiveCracks, CrackLists, FacetStrengths, StressesOfCells
 from bondem._tables.damage_tables import EventLog
-from bondem._tables.device_tables import BondsOfElements, DeviceSpan, LossesOfCracks
+from bondem._tables.device_tables import BondsOfElements, DeviceSpan, FallenCracks
 from bondem._tables.step_tables import Moving, StepCut
 
 
@@ -71,8 +71,8 @@ def link_halves(
 
 def load_crack(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, facet_strengths: FacetStrengths,
-    stresses_of_cells: StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists,
-    losses_of_cracks: LossesOfCracks
+    stresses_of_cells: StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists, fallen_cracks:
+    FallenCracks
 ) -> Kernel:
     """Computes forces, torques and dissipation of the cracks that are treated one by one.
 
@@ -80,26 +80,25 @@ def load_crack(
     """
     return Kernel("load_crack", (
         device_span, moving, elastic_facets, facet_strengths, stresses_of_cells, cohesive_cracks, crack_lists,
-        losses_of_cracks
+        fallen_cracks
     ))
 
 
 def log_all_cracks(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks,
-    event_log: EventLog, losses_of_cracks: LossesOfCracks
+    crack_lists: CrackLists, event_log: EventLog, fallen_cracks: FallenCracks
 ) -> Kernel:
-    """Adds up what cracks have dissipated, and logs those that have no integrity left, by the numbers of their
+    """Takes what cracks have dissipated, and logs those that have no integrity left, by the numbers of their
     facets.
     """
     return Kernel("log_all_cracks", (
-        device_span, moving, elastic_facets, cohesive_cracks, event_log, losses_of_cracks
+        device_span, moving, elastic_facets, cohesive_cracks, crack_lists, event_log, fallen_cracks
     ))
 
 
 def measure_crack(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, cell_slack: CellSlack,
-    stresses_of_cells: StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists,
-    losses_of_cracks: LossesOfCracks
+    stresses_of_cells: StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> Kernel:
     """Finds faces and halves of the cracks that are treated one by one, and axes of cracks before any loss of
     integrity.
@@ -107,19 +106,18 @@ def measure_crack(
     Over one index.
     """
     return Kernel("measure_crack", (
-        device_span, moving, elastic_facets, cell_slack, stresses_of_cells, cohesive_cracks, crack_lists,
-        losses_of_cracks
+        device_span, moving, elastic_facets, cell_slack, stresses_of_cells, cohesive_cracks, crack_lists
     ))
 
 
 def part_crack(
     moving: Moving, elastic_facets: ElasticFacets, cell_slack: CellSlack, cohesive_cracks: CohesiveCracks,
-    crack_lists: CrackLists, losses_of_cracks: LossesOfCracks
+    crack_lists: CrackLists
 ) -> Kernel:
     """Energy of a crack that parts, in the state without the cracks that the CPU treats earlier: whole ones first,
     then broken ones by their numbers.
     """
-    return Kernel("part_crack", (moving, elastic_facets, cell_slack, cohesive_cracks, crack_lists, losses_of_cracks))
+    return Kernel("part_crack", (moving, elastic_facets, cell_slack, cohesive_cracks, crack_lists))
 
 
 def relax_cell(moving: Moving, cell_dilatation: CellDilatation, crack_lists: CrackLists) -> Kernel:
@@ -184,22 +182,6 @@ def sum_cracks_of_cell(
     Over one index.
     """
     return Kernel("sum_cracks_of_cell", (stresses_of_cells, cohesive_cracks, crack_lists))
-
-
-def sum_group_of_losses(losses_of_cracks: LossesOfCracks) -> Kernel:
-    """Launched for `log_cracks`: adds up the dissipation of cracks, and logs cracks without integrity.
-
-    Over one index.
-    """
-    return Kernel("sum_group_of_losses", (losses_of_cracks,))
-
-
-def sum_portion_of_losses(device_span: DeviceSpan, losses_of_cracks: LossesOfCracks) -> Kernel:
-    """Launched for `log_cracks`: adds up the dissipation of cracks, and logs cracks without integrity.
-
-    Over one index.
-    """
-    return Kernel("sum_portion_of_losses", (device_span, losses_of_cracks))
 
 
 def take_leaving(

@@ -7,8 +7,8 @@ from bondem._passes import Kernel
 from bondem._tables.contact_tables import ContactConstants, ContactPairs, NearPairs, WallContacts, Walls
 from bondem._tables.damage_tables import BeamIntegrity, Candidates, EventLog, Postponed, Strengths
 from bondem._tables.device_tables import BondMarks, BondsOfElements, DeviceSpan, EarlierPairs, LoadsOfBonds
-from bondem._tables.non_local_tables import NonLocalBonds, NonLocalWork
-from bondem._tables.step_tables import Beams, HistoryRows, LaggedStresses, Moving, Portions
+from bondem._tables.non_local_tables import NonLocalBonds
+from bondem._tables.step_tables import Beams, LaggedStresses, Ledger, Moving
 
 
 def add_all_begun_contacts(
@@ -108,14 +108,13 @@ def relieve_element(
 
 
 def sum_portion_of_springs(
-    device_span: DeviceSpan, moving: Moving, beams: Beams, non_local_bonds: NonLocalBonds, portions: Portions,
-    non_local_work: NonLocalWork
+    device_span: DeviceSpan, moving: Moving, beams: Beams, non_local_bonds: NonLocalBonds, ledger: Ledger
 ) -> Kernel:
     """Sums normal and shear energy of the springs of a portion, and the work of extra forces [J].
 
     Over one index.
     """
-    return Kernel("sum_portion_of_springs", (device_span, moving, beams, non_local_bonds, portions, non_local_work))
+    return Kernel("sum_portion_of_springs", (device_span, moving, beams, non_local_bonds, ledger))
 
 
 def take_pairs_off_element(
@@ -148,13 +147,3 @@ def write_pair_failure(
     Over one index.
     """
     return Kernel("write_pair_failure", (device_span, moving, beams, non_local_bonds, candidates, event_log))
-
-
-def write_work_of_extra_forces(
-    device_span: DeviceSpan, non_local_work: NonLocalWork, history_rows: HistoryRows
-) -> Kernel:
-    """Writes the work of the extra forces of bonds to the energy balance.
-
-    Over one index.
-    """
-    return Kernel("write_work_of_extra_forces", (device_span, non_local_work, history_rows))

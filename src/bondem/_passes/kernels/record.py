@@ -4,13 +4,16 @@ Written by `python -m tests.core.passes`.
 """
 
 from bondem._passes import Kernel
-from bondem._tables.device_tables import DeviceSpan, FoldedPortions, GaugeParts, WorkPortions
-from bondem._tables.step_tables import Gauges, HistoryRows, Moving, Portions, Rows
+from bondem._tables.device_tables import DeviceSpan, GaugeParts
+from bondem._tables.step_tables import Gauges, HistoryRows, Ledger, Moving, Rows
 
 
-def fold_portions(portions: Portions, work_portions: WorkPortions, folded_portions: FoldedPortions) -> Kernel:
-    """Column k % 13 of group k / 13."""
-    return Kernel("fold_portions", (portions, work_portions, folded_portions))
+def judge_all_energy(device_span: DeviceSpan, rows: Rows, ledger: Ledger) -> Kernel:
+    """Finds whether a number is not finite, or the motion has more energy than can have come in.
+
+    Over one index.
+    """
+    return Kernel("judge_all_energy", (device_span, rows, ledger))
 
 
 def read_part_of_gauge(moving: Moving, rows: Rows, gauges: Gauges, gauge_parts: GaugeParts) -> Kernel:
@@ -18,17 +21,12 @@ def read_part_of_gauge(moving: Moving, rows: Rows, gauges: Gauges, gauge_parts: 
     return Kernel("read_part_of_gauge", (moving, rows, gauges, gauge_parts))
 
 
-def sum_portion_of_elements(device_span: DeviceSpan, moving: Moving, portions: Portions) -> Kernel:
+def sum_portion_of_elements(device_span: DeviceSpan, moving: Moving, ledger: Ledger) -> Kernel:
     """Sums kinetic energies and losses of a portion [J].
 
     Over one index.
     """
-    return Kernel("sum_portion_of_elements", (device_span, moving, portions))
-
-
-def sum_portion_of_works(rows: Rows, work_portions: WorkPortions) -> Kernel:
-    """Pass of one index, defined in `core/gpu/record.hpp`."""
-    return Kernel("sum_portion_of_works", (rows, work_portions))
+    return Kernel("sum_portion_of_elements", (device_span, moving, ledger))
 
 
 def write_gauge(
@@ -38,6 +36,9 @@ def write_gauge(
     return Kernel("write_gauge", (device_span, gauges, gauge_parts, history_rows))
 
 
-def write_sum(device_span: DeviceSpan, folded_portions: FoldedPortions, history_rows: HistoryRows) -> Kernel:
-    """Column c of the present row of records."""
-    return Kernel("write_sum", (device_span, folded_portions, history_rows))
+def write_whole_ledger(device_span: DeviceSpan, rows: Rows, ledger: Ledger, history_rows: HistoryRows) -> Kernel:
+    """Writes time and the entries of the energy balance.
+
+    Over one index.
+    """
+    return Kernel("write_whole_ledger", (device_span, rows, ledger, history_rows))

@@ -6,7 +6,6 @@ Written by `python -m tests.core.passes`.
 from bondem._passes import Kernel
 from bondem._tables.contact_tables import (
     ContactConstants,
-    ContactEnergies,
     ContactPairs,
     ContactSums,
     NearPairs,
@@ -16,7 +15,7 @@ from bondem._tables.contact_tables import (
     Walls,
 )
 from bondem._tables.device_tables import DeviceSpan, EarlierPairs
-from bondem._tables.step_tables import Moving
+from bondem._tables.step_tables import Ledger, Moving
 
 
 def add_rolling_of_element(
@@ -55,25 +54,23 @@ def roll_one_pair(
 
 def sum_portion_of_rolling(
     device_span: DeviceSpan, contact_constants: ContactConstants, contact_pairs: ContactPairs, rolled_pairs:
-    RolledPairs, contact_energies: ContactEnergies
+    RolledPairs, ledger: Ledger
 ) -> Kernel:
     """Adds the energy that springs of rolling store in the pairs of a portion [J].
 
     Over one index.
     """
-    return Kernel("sum_portion_of_rolling", (
-        device_span, contact_constants, contact_pairs, rolled_pairs, contact_energies
-    ))
+    return Kernel("sum_portion_of_rolling", (device_span, contact_constants, contact_pairs, rolled_pairs, ledger))
 
 
 def sum_portion_of_rolling_at_walls(
     device_span: DeviceSpan, contact_constants: ContactConstants, wall_contacts: WallContacts, rolled_walls:
-    RolledWalls, contact_energies: ContactEnergies
+    RolledWalls, ledger: Ledger
 ) -> Kernel:
     """Adds the energy that springs of rolling store at walls, of a portion of elements [J].
 
     Over one index.
     """
     return Kernel("sum_portion_of_rolling_at_walls", (
-        device_span, contact_constants, wall_contacts, rolled_walls, contact_energies
+        device_span, contact_constants, wall_contacts, rolled_walls, ledger
     ))

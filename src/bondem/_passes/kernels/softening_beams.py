@@ -7,8 +7,8 @@ from bondem._passes import Kernel
 from bondem._tables.beam_softening_tables import SofteningBeams, SofteningBounds
 from bondem._tables.contact_tables import ContactConstants, ContactPairs, ContactSums, NearPairs
 from bondem._tables.damage_tables import Candidates, EventLog
-from bondem._tables.device_tables import BondMarks, DeviceSpan, LoadsOfBonds, SofteningLosses
-from bondem._tables.step_tables import AlikeBeams, Beams, HistoryRows, Moving, Portions
+from bondem._tables.device_tables import BondMarks, DeviceSpan, LoadsOfBonds
+from bondem._tables.step_tables import AlikeBeams, Beams, HistoryRows, Ledger, Moving
 
 
 def begin_all_softened_contacts(
@@ -55,14 +55,12 @@ def begin_beam_by_peripheral_stress(
     ))
 
 
-def end_portion_of_softening(
-    softening_bounds: SofteningBounds, softening_beams: SofteningBeams, softening_losses: SofteningLosses
-) -> Kernel:
+def end_portion_of_softening(softening_bounds: SofteningBounds, softening_beams: SofteningBeams) -> Kernel:
     """Launched for `soften_beams`: lowers the integrity of beams of a portion that soften, before the forces.
 
     Over one index.
     """
-    return Kernel("end_portion_of_softening", (softening_bounds, softening_beams, softening_losses))
+    return Kernel("end_portion_of_softening", (softening_bounds, softening_beams))
 
 
 def load_softening_alike_beam(
@@ -103,20 +101,20 @@ def release_all_pressure(device_span: DeviceSpan, event_log: EventLog, softening
 
 def soften_listed(
     device_span: DeviceSpan, moving: Moving, beams: Beams, softening_bounds: SofteningBounds, softening_beams:
-    SofteningBeams, softening_losses: SofteningLosses
+    SofteningBeams
 ) -> Kernel:
     """The row at place e of the lists."""
-    return Kernel("soften_listed", (device_span, moving, beams, softening_bounds, softening_beams, softening_losses))
+    return Kernel("soften_listed", (device_span, moving, beams, softening_bounds, softening_beams))
 
 
 def sum_portion_of_pressure(
-    device_span: DeviceSpan, moving: Moving, beams: Beams, softening_bounds: SofteningBounds, portions: Portions
+    device_span: DeviceSpan, moving: Moving, beams: Beams, softening_bounds: SofteningBounds, ledger: Ledger
 ) -> Kernel:
     """Adds the energy of the pressure on softened beams of a portion to their normal energy.
 
     Over one index.
     """
-    return Kernel("sum_portion_of_pressure", (device_span, moving, beams, softening_bounds, portions))
+    return Kernel("sum_portion_of_pressure", (device_span, moving, beams, softening_bounds, ledger))
 
 
 def write_all_crushing_of_beams(

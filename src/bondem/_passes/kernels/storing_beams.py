@@ -6,7 +6,7 @@ Written by `python -m tests.core.passes`.
 from bondem._passes import Kernel
 from bondem._tables.device_tables import DeviceSpan, LoadsOfBonds
 from bondem._tables.incremental_tables import StoredLoads
-from bondem._tables.step_tables import Beams, Moving, Portions
+from bondem._tables.step_tables import Beams, Ledger, Moving
 
 
 def load_stored_beam(
@@ -21,10 +21,10 @@ def load_stored_beam(
 
 
 def sum_portion_of_stored(
-    device_span: DeviceSpan, moving: Moving, beams: Beams, stored_loads: StoredLoads, portions: Portions
+    device_span: DeviceSpan, moving: Moving, beams: Beams, stored_loads: StoredLoads, ledger: Ledger
 ) -> Kernel:
     """Sums normal, shear, bending and twisting energy of a portion [J].
 
     Over one index.
     """
-    return Kernel("sum_portion_of_stored", (device_span, moving, beams, stored_loads, portions))
+    return Kernel("sum_portion_of_stored", (device_span, moving, beams, stored_loads, ledger))

@@ -5,7 +5,7 @@ Written by `python -m tests.core.passes`.
 
 from bondem._passes import Kernel
 from bondem._tables.cell_tables import CellStrains, ElasticFacets, WallConstraints
-from bondem._tables.device_tables import DeviceSpan, StrainPortions
+from bondem._tables.device_tables import DeviceSpan
 from bondem._tables.step_tables import Beams, Moving, Rows, Strain, Timeline
 
 
@@ -20,14 +20,12 @@ def add_work_of_cell_strains(
     return Kernel("add_work_of_cell_strains", (device_span, moving, cell_strains, wall_constraints, rows))
 
 
-def add_work_of_strains(
-    device_span: DeviceSpan, strain: Strain, strain_portions: StrainPortions, rows: Rows
-) -> Kernel:
+def add_work_of_strains(device_span: DeviceSpan, strain: Strain, rows: Rows) -> Kernel:
     """Launched for `follow_strains`: sets rest lengths L (1 + ε*), and adds the work of the strains.
 
     Over one index.
     """
-    return Kernel("add_work_of_strains", (device_span, strain, strain_portions, rows))
+    return Kernel("add_work_of_strains", (device_span, strain, rows))
 
 
 def begin_cell_strains(
@@ -41,6 +39,17 @@ def begin_cell_strains(
     return Kernel("begin_cell_strains", (device_span, moving, cell_strains, wall_constraints))
 
 
+def begin_strain_portion(
+    device_span: DeviceSpan, moving: Moving, cell_strains: CellStrains, elastic_facets: ElasticFacets
+) -> Kernel:
+    """Launched for `begin_strain_work`: finds ∂U/∂factor by the stresses in the poses, where the time of the clock
+    was not reached by a step.
+
+    Over one index.
+    """
+    return Kernel("begin_strain_portion", (device_span, moving, cell_strains, elastic_facets))
+
+
 def follow_cell_factors(device_span: DeviceSpan, timeline: Timeline, cell_strains: CellStrains) -> Kernel:
     """Launched for `follow_cell_strains`: sets stress-free strains, and with them the levers of facets and walls,
     to the time of the clock.
@@ -50,22 +59,12 @@ def follow_cell_factors(device_span: DeviceSpan, timeline: Timeline, cell_strain
     return Kernel("follow_cell_factors", (device_span, timeline, cell_strains))
 
 
-def follow_strain_factors(
-    device_span: DeviceSpan, timeline: Timeline, strain: Strain, strain_portions: StrainPortions
-) -> Kernel:
+def follow_strain_factors(device_span: DeviceSpan, timeline: Timeline, strain: Strain) -> Kernel:
     """Launched for `follow_strains`: sets rest lengths L (1 + ε*), and adds the work of the strains.
 
     Over one index.
     """
-    return Kernel("follow_strain_factors", (device_span, timeline, strain, strain_portions))
-
-
-def strain_portion(moving: Moving, strain: Strain, beams: Beams, strain_portions: StrainPortions) -> Kernel:
-    """Launched for `follow_strains`: sets rest lengths L (1 + ε*), and adds the work of the strains.
-
-    Over one index.
-    """
-    return Kernel("strain_portion", (moving, strain, beams, strain_portions))
+    return Kernel("follow_strain_factors", (device_span, timeline, strain))
 
 
 def stretch_facet_of_step(cell_strains: CellStrains, elastic_facets: ElasticFacets) -> Kernel:
@@ -75,6 +74,14 @@ def stretch_facet_of_step(cell_strains: CellStrains, elastic_facets: ElasticFace
     Over one index.
     """
     return Kernel("stretch_facet_of_step", (cell_strains, elastic_facets))
+
+
+def stretch_strained_beam(moving: Moving, strain: Strain, beams: Beams) -> Kernel:
+    """Launched for `follow_strains`: sets rest lengths L (1 + ε*), and adds the work of the strains.
+
+    Over one index.
+    """
+    return Kernel("stretch_strained_beam", (moving, strain, beams))
 
 
 def stretch_wall_of_step(cell_strains: CellStrains, wall_constraints: WallConstraints) -> Kernel:
@@ -89,5 +96,8 @@ def stretch_wall_of_step(cell_strains: CellStrains, wall_constraints: WallConstr
 def sum_strain_portion(
     device_span: DeviceSpan, moving: Moving, cell_strains: CellStrains, elastic_facets: ElasticFacets
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/strains.hpp`."""
+    """Sums ∂U/∂factor of the facets of a portion, where it is needed.
+
+    Over one index.
+    """
     return Kernel("sum_strain_portion", (device_span, moving, cell_strains, elastic_facets))

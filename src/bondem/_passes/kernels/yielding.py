@@ -5,14 +5,19 @@ Written by `python -m tests.core.passes`.
 
 from bondem._passes import Kernel
 from bondem._tables.cell_tables import CellStrains, ElasticFacets, FacetsOfCells, FacetTractions, WallConstraints
-from bondem._tables.crack_tables import CohesiveCracks, CrackEnergies, CrackOnset, StressesOfCells, YieldingCells
-from bondem._tables.device_tables import DeviceSpan, StrainPortions
-from bondem._tables.step_tables import Moving, Rows, StepCut
+from bondem._tables.crack_tables import CohesiveCracks, CrackOnset, StressesOfCells, YieldingCells
+from bondem._tables.device_tables import DeviceSpan
+from bondem._tables.step_tables import Ledger, Moving, Rows, StepCut
 
 
-def add_crack_powers(cell_strains: CellStrains, strain_portions: StrainPortions) -> Kernel:
-    """Adds up the portions of strain g."""
-    return Kernel("add_crack_powers", (cell_strains, strain_portions))
+def add_crack_power(
+    moving: Moving, cell_strains: CellStrains, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks
+) -> Kernel:
+    """Adds ∂U/∂factor of the stress-free strains at cracks that are treated one by one, where it is needed.
+
+    Over one index.
+    """
+    return Kernel("add_crack_power", (moving, cell_strains, elastic_facets, cohesive_cracks))
 
 
 def add_yielding_work_of_row(
@@ -25,18 +30,16 @@ def add_yielding_work_of_row(
     ))
 
 
-def begin_portion_of_crack_powers(
+def begin_crack_power(
     device_span: DeviceSpan, moving: Moving, cell_strains: CellStrains, elastic_facets: ElasticFacets,
-    cohesive_cracks: CohesiveCracks, strain_portions: StrainPortions
+    cohesive_cracks: CohesiveCracks
 ) -> Kernel:
-    """Launched for `begin_crack_powers`: sets ∂U/∂factor of the stress-free strains by the forces that cracks
-    have, where the time of the clock was not reached by a step.
+    """Adds ∂U/∂factor of the stress-free strains by the forces that cracks have, where the time of the clock was
+    not reached by a step.
 
     Over one index.
     """
-    return Kernel("begin_portion_of_crack_powers", (
-        device_span, moving, cell_strains, elastic_facets, cohesive_cracks, strain_portions
-    ))
+    return Kernel("begin_crack_power", (device_span, moving, cell_strains, elastic_facets, cohesive_cracks))
 
 
 def keep_base_levers(
@@ -113,29 +116,14 @@ def stretch_yielded_cell(
     return Kernel("stretch_yielded_cell", (elastic_facets, facets_of_cells, yielding_cells))
 
 
-def sum_portion_of_crack_powers(
-    device_span: DeviceSpan, moving: Moving, cell_strains: CellStrains, elastic_facets: ElasticFacets,
-    cohesive_cracks: CohesiveCracks, strain_portions: StrainPortions
-) -> Kernel:
-    """Launched for `sum_crack_powers`: sets ∂U/∂factor of the stress-free strains at cracks that are treated one
-    by one, where it is needed.
-
-    Over one index.
-    """
-    return Kernel("sum_portion_of_crack_powers", (
-        device_span, moving, cell_strains, elastic_facets, cohesive_cracks, strain_portions
-    ))
-
-
 def sum_portion_of_heat(
-    device_span: DeviceSpan, stresses_of_cells: StressesOfCells, yielding_cells: YieldingCells, crack_energies:
-    CrackEnergies
+    device_span: DeviceSpan, stresses_of_cells: StressesOfCells, yielding_cells: YieldingCells, ledger: Ledger
 ) -> Kernel:
     """Sums the energy that the cells of a portion have dissipated by yielding [J].
 
     Over one index.
     """
-    return Kernel("sum_portion_of_heat", (device_span, stresses_of_cells, yielding_cells, crack_energies))
+    return Kernel("sum_portion_of_heat", (device_span, stresses_of_cells, yielding_cells, ledger))
 
 
 def yield_cell(

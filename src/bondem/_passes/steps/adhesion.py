@@ -7,14 +7,13 @@ from bondem._passes import StepEntry
 from bondem._tables.contact_tables import (
     AdheringPairs,
     ContactConstants,
-    ContactEnergies,
     ContactPairs,
     ContactSums,
     NearPairs,
     WallContacts,
     Walls,
 )
-from bondem._tables.step_tables import Moving
+from bondem._tables.step_tables import Ledger, Moving
 
 
 def add_adhesion_loads(
@@ -50,22 +49,20 @@ def adhere_pairs(
 
 
 def sum_adhesion_at_walls(
-    moving: Moving, contact_constants: ContactConstants, wall_contacts: WallContacts, walls: Walls,
-    contact_energies: ContactEnergies
+    moving: Moving, contact_constants: ContactConstants, wall_contacts: WallContacts, walls: Walls, ledger: Ledger
 ) -> StepEntry:
     """Adds the energy of adhesion at walls of a portion of elements, below 0 [J].
 
     Over elements, in portions.
     """
-    return StepEntry("sum_adhesion_at_walls", (moving, contact_constants, wall_contacts, walls, contact_energies))
+    return StepEntry("sum_adhesion_at_walls", (moving, contact_constants, wall_contacts, walls, ledger))
 
 
 def sum_adhesion_energies(
-    moving: Moving, contact_constants: ContactConstants, contact_pairs: ContactPairs, contact_energies:
-    ContactEnergies
+    moving: Moving, contact_constants: ContactConstants, contact_pairs: ContactPairs, ledger: Ledger
 ) -> StepEntry:
     """Adds the energy of adhesion of the pairs of a portion, below 0 [J].
 
     Over elements, in portions.
     """
-    return StepEntry("sum_adhesion_energies", (moving, contact_constants, contact_pairs, contact_energies))
+    return StepEntry("sum_adhesion_energies", (moving, contact_constants, contact_pairs, ledger))

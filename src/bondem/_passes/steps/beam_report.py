@@ -4,20 +4,20 @@ Written by `python -m tests.core.passes`.
 """
 
 from bondem._passes import StepEntry
-from bondem._tables.step_tables import Beams, Moving, Portions
+from bondem._tables.step_tables import Beams, Ledger, Moving
 
 
-def check_beams(moving: Moving, beams: Beams, portions: Portions) -> StepEntry:
+def check_beams(moving: Moving, beams: Beams, ledger: Ledger) -> StepEntry:
     """Counts unbroken beams of a portion that are turned beyond the range of their energy, and beyond its end.
 
     Over bonds, in portions. Reads `pose` at both ends.
     """
-    return StepEntry("check_beams", (moving, beams, portions))
+    return StepEntry("check_beams", (moving, beams, ledger))
 
 
-def sum_beam_energies(moving: Moving, beams: Beams, portions: Portions) -> StepEntry:
+def sum_beam_energies(moving: Moving, beams: Beams, ledger: Ledger) -> StepEntry:
     """Sums normal, shear, bending and twisting energy of a portion [J].
 
     Over bonds, in portions. Reads `pose` at both ends.
     """
-    return StepEntry("sum_beam_energies", (moving, beams, portions))
+    return StepEntry("sum_beam_energies", (moving, beams, ledger))

@@ -6,7 +6,7 @@ Written by `python -m tests.core.passes`.
 from bondem._passes import StepEntry
 from bondem._tables.beam_softening_tables import SofteningBeams, SofteningBounds
 from bondem._tables.damage_tables import Candidates, EventLog
-from bondem._tables.step_tables import Beams, HistoryRows, Moving, Portions
+from bondem._tables.step_tables import Beams, HistoryRows, Ledger, Moving
 
 
 def begin_softening(
@@ -41,13 +41,13 @@ def soften_beams(
 
 
 def sum_pressed_energies(
-    moving: Moving, beams: Beams, softening_bounds: SofteningBounds, portions: Portions
+    moving: Moving, beams: Beams, softening_bounds: SofteningBounds, ledger: Ledger
 ) -> StepEntry:
     """Adds the energy of the pressure on softened beams of a portion to their normal energy.
 
     Over bonds, in portions. Reads `pose` at both ends.
     """
-    return StepEntry("sum_pressed_energies", (moving, beams, softening_bounds, portions))
+    return StepEntry("sum_pressed_energies", (moving, beams, softening_bounds, ledger))
 
 
 def write_crushing_of_beams(

@@ -4,16 +4,8 @@ Written by `python -m tests.core.passes`.
 """
 
 from bondem._passes import StepEntry
-from bondem._tables.contact_tables import (
-    ContactConstants,
-    ContactEnergies,
-    ContactPairs,
-    ContactSums,
-    FacePairs,
-    NearPairs,
-    Travel,
-)
-from bondem._tables.step_tables import HistoryRows, Moving, StepCut
+from bondem._tables.contact_tables import ContactConstants, ContactPairs, ContactSums, FacePairs, NearPairs, Travel
+from bondem._tables.step_tables import Ledger, Moving, StepCut
 
 
 def add_contact_loads(moving: Moving, step_cut: StepCut, contact_sums: ContactSums) -> StepEntry:
@@ -62,19 +54,10 @@ def press_pairs_and_faces(
 
 
 def sum_pair_energies(
-    moving: Moving, contact_constants: ContactConstants, contact_pairs: ContactPairs, contact_energies:
-    ContactEnergies
+    moving: Moving, contact_constants: ContactConstants, contact_pairs: ContactPairs, ledger: Ledger
 ) -> StepEntry:
     """Sums the elastic energy of the pairs of a portion [J].
 
     Over elements, in portions.
     """
-    return StepEntry("sum_pair_energies", (moving, contact_constants, contact_pairs, contact_energies))
-
-
-def write_contact_energy(contact_energies: ContactEnergies, history_rows: HistoryRows) -> StepEntry:
-    """Adds the energy of contacts to a record.
-
-    Over numbers that a body has once, such as those of a record.
-    """
-    return StepEntry("write_contact_energy", (contact_energies, history_rows))
+    return StepEntry("sum_pair_energies", (moving, contact_constants, contact_pairs, ledger))

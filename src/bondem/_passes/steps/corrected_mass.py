@@ -5,7 +5,7 @@ Written by `python -m tests.core.passes`.
 
 from bondem._passes import StepEntry
 from bondem._tables.cell_tables import CorrectedMass, ElasticFacets, WallConstraints
-from bondem._tables.step_tables import Moving, Portions, Rows, StepCut
+from bondem._tables.step_tables import Ledger, Moving, Rows, StepCut
 
 
 def add_inertia_forces(corrected_mass: CorrectedMass, step_cut: StepCut) -> StepEntry:
@@ -51,12 +51,12 @@ def find_inertia_forces(
 
 def subtract_dilatation_energies(
     moving: Moving, elastic_facets: ElasticFacets, wall_constraints: WallConstraints, corrected_mass:
-    CorrectedMass, portions: Portions
+    CorrectedMass, ledger: Ledger
 ) -> StepEntry:
-    """Subtracts the correction of the mass from the kinetic energies of cells.
+    """Subtracts the correction of the mass from the kinetic energies of a portion of cells.
 
     Over elements, in portions.
     """
     return StepEntry("subtract_dilatation_energies", (
-        moving, elastic_facets, wall_constraints, corrected_mass, portions
+        moving, elastic_facets, wall_constraints, corrected_mass, ledger
     ))

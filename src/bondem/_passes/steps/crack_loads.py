@@ -4,27 +4,10 @@ Written by `python -m tests.core.passes`.
 """
 
 from bondem._passes import StepEntry
-from bondem._tables.cell_tables import CellDilatation, ElasticFacets, WallConstraints
-from bondem._tables.crack_tables import (
-    CohesiveCracks,
-    CrackEnergies,
-    CrackLists,
-    FacetStrengths,
-    StressesOfCells,
-    YieldingCells,
-)
+from bondem._tables.cell_tables import CellDilatation, ElasticFacets
+from bondem._tables.crack_tables import CohesiveCracks, CrackLists, FacetStrengths, StressesOfCells, YieldingCells
 from bondem._tables.damage_tables import EventLog
-from bondem._tables.step_tables import HistoryRows, Moving, Portions, StepCut
-
-
-def add_crack_energies(
-    moving: Moving, wall_constraints: WallConstraints, crack_energies: CrackEnergies, portions: Portions
-) -> StepEntry:
-    """Adds the energies of cracks and walls to those of the first portion of facets.
-
-    Over numbers that a body has once, such as those of a record.
-    """
-    return StepEntry("add_crack_energies", (moving, wall_constraints, crack_energies, portions))
+from bondem._tables.step_tables import HistoryRows, Ledger, Moving, StepCut
 
 
 def add_crack_loads(moving: Moving, crack_lists: CrackLists, step_cut: StepCut) -> StepEntry:
@@ -61,33 +44,29 @@ def log_cracks(
 
 
 def sum_crack_energies(
-    moving: Moving, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks, crack_energies: CrackEnergies
+    moving: Moving, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks, ledger: Ledger
 ) -> StepEntry:
     """Sums the energies of the cracks that are treated one by one [J].
 
     Over cracks or their cells, of which threads may share portions. Reads `pose`, `pose.stress` at both ends.
     """
-    return StepEntry("sum_crack_energies", (moving, elastic_facets, cohesive_cracks, crack_energies))
+    return StepEntry("sum_crack_energies", (moving, elastic_facets, cohesive_cracks, ledger))
 
 
-def sum_heat(
-    stresses_of_cells: StressesOfCells, yielding_cells: YieldingCells, crack_energies: CrackEnergies
-) -> StepEntry:
+def sum_heat(stresses_of_cells: StressesOfCells, yielding_cells: YieldingCells, ledger: Ledger) -> StepEntry:
     """Sums the energy that the cells of a portion have dissipated by yielding [J].
 
     Over elements, in portions.
     """
-    return StepEntry("sum_heat", (stresses_of_cells, yielding_cells, crack_energies))
+    return StepEntry("sum_heat", (stresses_of_cells, yielding_cells, ledger))
 
 
-def sum_stressed_dilatation(
-    moving: Moving, cell_dilatation: CellDilatation, crack_energies: CrackEnergies
-) -> StepEntry:
+def sum_stressed_dilatation(moving: Moving, cell_dilatation: CellDilatation, ledger: Ledger) -> StepEntry:
     """Sums the energy of dilatation of a portion of cells by their stresses [J].
 
     Over elements, in portions.
     """
-    return StepEntry("sum_stressed_dilatation", (moving, cell_dilatation, crack_energies))
+    return StepEntry("sum_stressed_dilatation", (moving, cell_dilatation, ledger))
 
 
 def write_crushing_of_facets(
@@ -99,11 +78,3 @@ def write_crushing_of_facets(
     Over cracks or their cells, of which threads may share portions.
     """
     return StepEntry("write_crushing_of_facets", (facet_strengths, cohesive_cracks, event_log, history_rows))
-
-
-def write_heat(crack_energies: CrackEnergies, history_rows: HistoryRows) -> StepEntry:
-    """Writes the heat of yielding into a record.
-
-    Over numbers that a body has once, such as those of a record.
-    """
-    return StepEntry("write_heat", (crack_energies, history_rows))

@@ -12,7 +12,7 @@ from bondem._tables.step_tables import Moving
 def begin_crack_powers(
     moving: Moving, cell_strains: CellStrains, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks
 ) -> StepEntry:
-    """Sets ∂U/∂factor of the stress-free strains by the forces that cracks have, where the time of the clock was
+    """Adds ∂U/∂factor of the stress-free strains by the forces that cracks have, where the time of the clock was
     not reached by a step.
 
     Over cracks or their cells, of which threads may share portions. Reads `pose` at both ends.
@@ -23,7 +23,7 @@ def begin_crack_powers(
 def sum_crack_powers(
     moving: Moving, cell_strains: CellStrains, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks
 ) -> StepEntry:
-    """Sets ∂U/∂factor of the stress-free strains at cracks that are treated one by one, where it is needed.
+    """Adds ∂U/∂factor of the stress-free strains at cracks that are treated one by one, where it is needed.
 
     Over cracks or their cells, of which threads may share portions. Reads `pose` at both ends.
     """

@@ -5,15 +5,7 @@ Written by `python -m tests.core.passes`.
 
 from bondem._passes import StepEntry
 from bondem._tables.cell_tables import CellDilatation, DilatationGradients, WallConstraints
-from bondem._tables.step_tables import Moving, Portions, StepCut
-
-
-def add_gradient_energies(dilatation_gradients: DilatationGradients, portions: Portions) -> StepEntry:
-    """Adds the energies of gradients to those of the facets.
-
-    Over numbers that a body has once, such as those of a record.
-    """
-    return StepEntry("add_gradient_energies", (dilatation_gradients, portions))
+from bondem._tables.step_tables import Ledger, Moving, StepCut
 
 
 def add_layer_torques(dilatation_gradients: DilatationGradients, step_cut: StepCut) -> StepEntry:
@@ -47,13 +39,15 @@ def bend_layers(
 
 def sum_gradient_energies(
     moving: Moving, cell_dilatation: CellDilatation, wall_constraints: WallConstraints, dilatation_gradients:
-    DilatationGradients
+    DilatationGradients, ledger: Ledger
 ) -> StepEntry:
-    """Sums the energies of gradients in portions of cells, for the dilatation that facets have added up.
+    """Sums the energies of gradients in a portion of cells, for the dilatation that facets have added up.
 
     Over elements, in portions. Reads `pose` at both ends; adds `bend` to elements.
     """
-    return StepEntry("sum_gradient_energies", (moving, cell_dilatation, wall_constraints, dilatation_gradients))
+    return StepEntry("sum_gradient_energies", (
+        moving, cell_dilatation, wall_constraints, dilatation_gradients, ledger
+    ))
 
 
 def sum_stress_differences(moving: Moving, dilatation_gradients: DilatationGradients) -> StepEntry:

@@ -4,8 +4,8 @@ Written by `python -m tests.core.passes`.
 """
 
 from bondem._passes import StepEntry
-from bondem._tables.non_local_tables import NonLocalBonds, NonLocalWork
-from bondem._tables.step_tables import Beams, HistoryRows, LaggedStresses, Moving, Portions, StepCut
+from bondem._tables.non_local_tables import NonLocalBonds
+from bondem._tables.step_tables import Beams, LaggedStresses, Ledger, Moving, StepCut
 
 
 def add_lasting_loads(
@@ -38,19 +38,9 @@ def find_non_local_forces(
     return StepEntry("find_non_local_forces", (moving, beams, non_local_bonds, lagged_stresses))
 
 
-def sum_non_local_energies(
-    moving: Moving, beams: Beams, non_local_bonds: NonLocalBonds, portions: Portions, non_local_work: NonLocalWork
-) -> StepEntry:
+def sum_non_local_energies(moving: Moving, beams: Beams, non_local_bonds: NonLocalBonds, ledger: Ledger) -> StepEntry:
     """Sums normal and shear energy of the springs of a portion, and the work of extra forces [J].
 
     Over bonds, in portions. Reads `pose` at both ends.
     """
-    return StepEntry("sum_non_local_energies", (moving, beams, non_local_bonds, portions, non_local_work))
-
-
-def write_non_local_work(non_local_work: NonLocalWork, history_rows: HistoryRows) -> StepEntry:
-    """Writes the work of the extra forces of bonds to the energy balance.
-
-    Over numbers that a body has once, such as those of a record.
-    """
-    return StepEntry("write_non_local_work", (non_local_work, history_rows))
+    return StepEntry("sum_non_local_energies", (moving, beams, non_local_bonds, ledger))

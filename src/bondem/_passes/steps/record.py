@@ -4,15 +4,15 @@ Written by `python -m tests.core.passes`.
 """
 
 from bondem._passes import StepEntry
-from bondem._tables.step_tables import Gauges, HistoryRows, Moving, Portions, Rows
+from bondem._tables.step_tables import Gauges, HistoryRows, Ledger, Moving, Rows
 
 
-def judge_energy(rows: Rows, portions: Portions) -> StepEntry:
+def judge_energy(rows: Rows, ledger: Ledger) -> StepEntry:
     """Finds whether a number is not finite, or the motion has more energy than can have come in.
 
     Over numbers that a body has once, such as those of a record.
     """
-    return StepEntry("judge_energy", (rows, portions))
+    return StepEntry("judge_energy", (rows, ledger))
 
 
 def read_gauges(moving: Moving, rows: Rows, gauges: Gauges, history_rows: HistoryRows) -> StepEntry:
@@ -23,17 +23,17 @@ def read_gauges(moving: Moving, rows: Rows, gauges: Gauges, history_rows: Histor
     return StepEntry("read_gauges", (moving, rows, gauges, history_rows))
 
 
-def sum_element_energies(moving: Moving, portions: Portions) -> StepEntry:
+def sum_element_energies(moving: Moving, ledger: Ledger) -> StepEntry:
     """Sums kinetic energies and losses of a portion [J].
 
     Over elements, in portions.
     """
-    return StepEntry("sum_element_energies", (moving, portions))
+    return StepEntry("sum_element_energies", (moving, ledger))
 
 
-def write_ledger(rows: Rows, portions: Portions, history_rows: HistoryRows) -> StepEntry:
+def write_ledger(rows: Rows, ledger: Ledger, history_rows: HistoryRows) -> StepEntry:
     """Writes time and the entries of the energy balance.
 
     Over numbers that a body has once, such as those of a record.
     """
-    return StepEntry("write_ledger", (rows, portions, history_rows))
+    return StepEntry("write_ledger", (rows, ledger, history_rows))

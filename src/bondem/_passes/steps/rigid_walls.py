@@ -6,7 +6,6 @@ Written by `python -m tests.core.passes`.
 from bondem._passes import StepEntry
 from bondem._tables.contact_tables import (
     ContactConstants,
-    ContactEnergies,
     ContactSums,
     NearPairs,
     Travel,
@@ -14,15 +13,15 @@ from bondem._tables.contact_tables import (
     WallMotions,
     Walls,
 )
-from bondem._tables.step_tables import Gauges, HistoryRows, Moving, Portions
+from bondem._tables.step_tables import Gauges, HistoryRows, Ledger, Moving
 
 
-def count_wall_work(walls: Walls, portions: Portions) -> StepEntry:
-    """Finds the work supplied by walls, for the guard of the energy.
+def count_wall_work(walls: Walls, ledger: Ledger) -> StepEntry:
+    """Adds the sizes of the works of walls to the energy balance, for its guard.
 
-    Over numbers that a body has once, such as those of a record.
+    Over rows of a table, in the order of the table.
     """
-    return StepEntry("count_wall_work", (walls, portions))
+    return StepEntry("count_wall_work", (walls, ledger))
 
 
 def load_walls(wall_contacts: WallContacts, wall_motions: WallMotions, walls: Walls) -> StepEntry:
@@ -65,19 +64,18 @@ def press_walls(
 
 
 def sum_wall_energies(
-    moving: Moving, contact_constants: ContactConstants, wall_contacts: WallContacts, walls: Walls,
-    contact_energies: ContactEnergies
+    moving: Moving, contact_constants: ContactConstants, wall_contacts: WallContacts, walls: Walls, ledger: Ledger
 ) -> StepEntry:
     """Adds the elastic energy of contacts of a portion with walls [J].
 
     Over elements, in portions.
     """
-    return StepEntry("sum_wall_energies", (moving, contact_constants, wall_contacts, walls, contact_energies))
+    return StepEntry("sum_wall_energies", (moving, contact_constants, wall_contacts, walls, ledger))
 
 
-def write_walls(walls: Walls, gauges: Gauges, history_rows: HistoryRows) -> StepEntry:
-    """Adds the work of walls to a record, and writes gauges of walls.
+def write_walls(walls: Walls, gauges: Gauges, ledger: Ledger, history_rows: HistoryRows) -> StepEntry:
+    """Adds the works of walls to the energy balance, and writes gauges of walls.
 
     Over rows of a table, in the order of the table.
     """
-    return StepEntry("write_walls", (walls, gauges, history_rows))
+    return StepEntry("write_walls", (walls, gauges, ledger, history_rows))

@@ -6,7 +6,6 @@ Written by `python -m tests.core.passes`.
 from bondem._passes import StepEntry
 from bondem._tables.contact_tables import (
     ContactConstants,
-    ContactEnergies,
     ContactPairs,
     ContactSums,
     NearPairs,
@@ -15,7 +14,7 @@ from bondem._tables.contact_tables import (
     WallContacts,
     Walls,
 )
-from bondem._tables.step_tables import Moving
+from bondem._tables.step_tables import Ledger, Moving
 
 
 def add_rolling_loads(
@@ -51,22 +50,20 @@ def roll_pairs(
 
 
 def sum_rolling_at_walls(
-    contact_constants: ContactConstants, wall_contacts: WallContacts, rolled_walls: RolledWalls, contact_energies:
-    ContactEnergies
+    contact_constants: ContactConstants, wall_contacts: WallContacts, rolled_walls: RolledWalls, ledger: Ledger
 ) -> StepEntry:
     """Adds the energy that springs of rolling store at walls, of a portion of elements [J].
 
     Over elements, in portions.
     """
-    return StepEntry("sum_rolling_at_walls", (contact_constants, wall_contacts, rolled_walls, contact_energies))
+    return StepEntry("sum_rolling_at_walls", (contact_constants, wall_contacts, rolled_walls, ledger))
 
 
 def sum_rolling_energies(
-    contact_constants: ContactConstants, contact_pairs: ContactPairs, rolled_pairs: RolledPairs, contact_energies:
-    ContactEnergies
+    contact_constants: ContactConstants, contact_pairs: ContactPairs, rolled_pairs: RolledPairs, ledger: Ledger
 ) -> StepEntry:
     """Adds the energy that springs of rolling store in the pairs of a portion [J].
 
     Over elements, in portions.
     """
-    return StepEntry("sum_rolling_energies", (contact_constants, contact_pairs, rolled_pairs, contact_energies))
+    return StepEntry("sum_rolling_energies", (contact_constants, contact_pairs, rolled_pairs, ledger))

@@ -5,7 +5,7 @@ Written by `python -m tests.core.passes`.
 
 from bondem._passes import StepEntry
 from bondem._tables.incremental_tables import StoredLoads
-from bondem._tables.step_tables import Beams, Moving, Portions, StepCut
+from bondem._tables.step_tables import Beams, Ledger, Moving, StepCut
 
 
 def add_stored_loads(moving: Moving, beams: Beams, stored_loads: StoredLoads, step_cut: StepCut) -> StepEntry:
@@ -17,9 +17,9 @@ def add_stored_loads(moving: Moving, beams: Beams, stored_loads: StoredLoads, st
     return StepEntry("add_stored_loads", (moving, beams, stored_loads, step_cut))
 
 
-def sum_stored_energies(moving: Moving, beams: Beams, stored_loads: StoredLoads, portions: Portions) -> StepEntry:
+def sum_stored_energies(moving: Moving, beams: Beams, stored_loads: StoredLoads, ledger: Ledger) -> StepEntry:
     """Sums normal, shear, bending and twisting energy of a portion [J].
 
     Over bonds, in portions. Reads `pose` at both ends.
     """
-    return StepEntry("sum_stored_energies", (moving, beams, stored_loads, portions))
+    return StepEntry("sum_stored_energies", (moving, beams, stored_loads, ledger))

@@ -5,15 +5,15 @@ Written by `python -m tests.core.passes`.
 
 from bondem._passes import StepEntry
 from bondem._tables.contact_tables import NearPairs, Travel, Walls
-from bondem._tables.step_tables import Moving, Portions
+from bondem._tables.step_tables import Ledger, Moving
 
 
-def check_travel(travel: Travel, walls: Walls, portions: Portions) -> StepEntry:
+def check_travel(travel: Travel, walls: Walls, ledger: Ledger) -> StepEntry:
     """Finds whether the list may miss a contact by now, also where a centre is not a number.
 
     Over numbers that a body has once, such as those of a record.
     """
-    return StepEntry("check_travel", (travel, walls, portions))
+    return StepEntry("check_travel", (travel, walls, ledger))
 
 
 def keep_measures(near_pairs: NearPairs, travel: Travel) -> StepEntry:

@@ -12,9 +12,9 @@ from bondem._tables.step_tables import Moving, Rows
 def add_yielding_work(
     facet_tractions: FacetTractions, stresses_of_cells: StressesOfCells, yielding_cells: YieldingCells, rows: Rows
 ) -> StepEntry:
-    """Adds the work of loads on free facets that move as their cells yield.
+    """Adds the work of loads on free facets that move as their cells yield to the rows of these cells.
 
-    Over rows of a table, in the order of the table.
+    Over elements of a block, then shared ones. Reads `plastic`, `tensor` of an element.
     """
     return StepEntry("add_yielding_work", (facet_tractions, stresses_of_cells, yielding_cells, rows))
 

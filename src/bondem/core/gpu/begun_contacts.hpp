@@ -39,12 +39,15 @@ inline void add_begun_contacts_of_element(Index p, const BondsOfElements &bonds,
         add_begun(&postponed.kept(p, 0), pairs.second(k) == Short(p), c.radius(p), begun);
     });
 }
-// Subtracts the energies that contacts store from the energy released in the run, in the order of the events.
+// Subtracts the energies that contacts store from the energy released in the run.
 inline void take_over_energies(Index, const ContactPairs &pairs, const NearPairs &near, const EventLog &log) {
-    for (Index event = log.written(log_count::before); event < log.written(log_count::events); event++) {
-        const Index k = pair_of_event(pairs, log, event);
-        if (k >= 0) log.released(0) -= near.output(k, 3);
-    }
+    if (!any_event(log)) return;
+    ExactSum stored = {};
+    for_each_event(log, [&](Index bond, Index) {
+        const Index k = pairs.of_bond(bond);
+        if (k >= 0) stored.add(near.output(k, 3));
+    });
+    log.released(0) -= stored.value();
 }
 
 // ---- cells whose crack has parted
@@ -64,13 +67,7 @@ inline void open_face(Index k, const ContactPairs &pairs, const FacePairs &faces
 inline void begin_faces_of_pair(Index k, const Moving &all, const ContactPairs &pairs, const FacePairs &faces) {
     const bool begins = faces.faced(pairs.first(k)) == 2 || faces.faced(pairs.second(k)) == 2;
     faces.gained(k) = begins ? begin_by_faces(all, pairs, faces, k) : 0.0;
-}
-inline void sum_portion_of_begun(Index b, const DeviceSpan &span, const ContactPairs &pairs, const FacePairs &faces,
-                                 const BegunFaces &begun) {
-    const Turn turn = portion_of(span, b, elements_of_portion, span.n);
-    double sum = 0.0;
-    for (Index k = pairs.start(turn.first); k < pairs.start(turn.last); k++) sum += faces.gained(k);
-    begun.gained(b) = sum;
+    if (begins) exact_sum(faces.begun, 0).add_shared(faces.gained(k));
 }
 inline void settle_face(Index k, const FacePairs &faces) {
     if (faces.open(k) == 2) faces.open(k) = 1;
@@ -79,8 +76,8 @@ inline void settle_faces_of_cell(Index p, const FacePairs &faces) {
     if (faces.faced(p) == 2) faces.faced(p) = 1;
 }
 // Subtracts the energy that faces store as they begin to touch from the released energy.
-inline void take_over_from_cracks(Index, const BegunFaces &begun, const EventLog &log) {
-    for (Index b = 0; b < begun.gained.size(); b++) log.released(0) -= begun.gained(b);
+inline void take_over_from_cracks(Index, const FacePairs &faces, const EventLog &log) {
+    log.released(0) -= exact_sum(faces.begun, 0).take();
 }
 
 }  // namespace bondem

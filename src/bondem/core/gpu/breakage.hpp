@@ -104,10 +104,9 @@ inline void count_failures(Index, const Candidates &candidates, const EventLog &
     log.written(log_count::before) = log.written(log_count::events);
     if (!any_fails(candidates)) return;
     log.written(log_count::events) += candidates.count(0);
-    double released = log.released(0);
-    const Index before = log.written(log_count::before), last = log.written(log_count::events);
-    for (Index event = before; event < last; event++) released += log.event(event, event_column::energy);
-    log.released(0) = released;
+    ExactSum released = {};
+    for_each_event(log, [&](Index, Index event) { released.add(log.event(event, event_column::energy)); });
+    log.released(0) += released.value();
 }
 
 BONDEM_INLINE BeamLoads<double> loads_in(const LoadsOfBonds &from, Index k) {
@@ -209,7 +208,7 @@ inline void end_all_failures(Index, const Candidates &candidates) {
     if (any_fails(candidates)) end_failures(candidates);
 }
 inline void write_released_energy(Index, const DeviceSpan &span, const EventLog &log, const HistoryRows &history) {
-    history.record(clock_of(span).record, device_column::released) = log.released(0);
+    history.record(clock_of(span).record, history_column::released) = log.released(0);
 }
 
 }  // namespace bondem

@@ -1,6 +1,5 @@
 // Bodies of cells on a device: a thread computes one facet, or adds up one cell, or brings the walls and the tractions of
-// one row of the boundary up to date. The work of walls and tractions is added to the rows of their cells, where the CPU
-// has one number for all of them.
+// one row of the boundary up to date.
 #pragma once
 #include "../passes/cells/accumulation.hpp"
 #include "../passes/cells/cell_report.hpp"
@@ -9,6 +8,7 @@
 #include "../passes/cells/dilatation_rates.hpp"
 #include "../passes/cells/energies.hpp"
 #include "../passes/cells/gradients.hpp"
+#include "../passes/cells/tractions.hpp"
 #include "../passes/cells/walls.hpp"
 #include "turns.hpp"
 
@@ -53,18 +53,7 @@ inline void twist_layer(Index p, const Moving &all, const WallConstraints &walls
 inline void add_layer_torque(Index e, const DilatationGradients &gradients, const StepCut &cut) {
     for (Index axis = 0; axis < 3; axis++) cut.sums(cut.ready_row(e), 4 + axis) += gradients.torque(cut.ready(e), axis);
 }
-inline void sum_portion_of_gradients(Index b, const DeviceSpan &span, const Moving &all, const CellDilatation &cells,
-                                     const WallConstraints &walls, const DilatationGradients &gradients) {
-    const Turn turn = portion_of(span, b, elements_of_portion, span.n);
-    double sum = 0.0;
-    for (Index p = turn.first; p < turn.last; p++) sum += energy_of_gradients(all.pose, cells, walls, gradients, p);
-    gradients.energy(turn.block) = sum;
-}
-inline void add_gradient_energy(Index, const DilatationGradients &gradients, const Portions &portions) {
-    double sum = 0.0;
-    for (Index q = 0; q < gradients.energy.size(); q++) sum += gradients.energy(q);
-    if (portions.bonds.size() > 0) portions.bonds(0, 0) += sum;
-}
+constexpr auto sum_portion_of_gradients = portion_of_elements<sum_gradient_energies>;
 
 // ---- the mass of waves of pressure
 
@@ -86,15 +75,7 @@ inline void find_inertia_force_of(Index p, const Moving &all, const ElasticFacet
 inline void add_inertia_force_of(Index e, const CorrectedMass &mass, const StepCut &cut) {
     add_inertia_force(mass, &cut.sums(cut.ready_row(e), 0), cut.ready(e));
 }
-inline void subtract_portion_of_dilatation(Index b, const DeviceSpan &span, const Moving &all,
-                                           const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass,
-                                           const Portions &portions) {
-    const Turn turn = portion_of(span, b, elements_of_portion, span.n);
-    double sum = 0.0;
-    for (Index p = turn.first; p < turn.last; p++)
-        sum += surplus_of_kinetic_energy(all, facets, walls, mass, p);
-    portions.elements(b, 0) -= sum;
-}
+constexpr auto subtract_portion_of_dilatation = portion_of_elements<subtract_dilatation_energies>;
 
 // ---- forces
 
@@ -132,13 +113,6 @@ BONDEM_INLINE void load_row(Index r, const Moving &all, const WallConstraints &w
     for (Index e = order.start(r); e < order.start(r + 1); e++) load_hold(all.pose, all.rest, walls, order.load(e));
     sum_row(r, walls, order, rows);
 }
-BONDEM_INLINE double half_work(Index r, const WallConstraints &walls, const RowOrder &order) {
-    double work = 0.0;
-    for (Index e = order.start(r); e < order.start(r + 1); e++)
-        for (Index axis = 0; axis < 3; axis++)
-            work += 0.5 * walls.load(order.load(e), axis) * walls.came(order.load(e), axis);
-    return work;
-}
 // Sets the forces of walls on row r anew where the time of the clock was not reached by a step.
 inline void begin_walls_of_row(Index r, const DeviceSpan &span, const Moving &all, const WallConstraints &walls,
                                const RowOrder &order, const Rows &rows) {
@@ -151,11 +125,11 @@ inline void dilate_walls_of_row(Index r, const Moving &all, const WallConstraint
 }
 inline void apply_walls_of_row(Index r, const Moving &all, const WallConstraints &walls, const RowOrder &order,
                                const Rows &rows) {
-    const double before = half_work(r, walls, order);
+    for (Index e = order.start(r); e < order.start(r + 1); e++) add_half_work(walls, rows, order.load(e));
     for (Index e = order.start(r); e < order.start(r + 1); e++)
         all.loss(walls.cell(order.load(e)), rubbed_loss) += slide_hold(all.pose, all.rest, walls, order.load(e));
     load_row(r, all, walls, order, rows);
-    rows.work(r) += before + half_work(r, walls, order);
+    for (Index e = order.start(r); e < order.start(r + 1); e++) add_half_work(walls, rows, order.load(e));
 }
 // Tractions of element number h of those that own rows of the boundary.
 inline void add_wall_load(Index h, const Rows &rows, const StepCut &cut) {
@@ -186,11 +160,7 @@ inline void give_dilatation(Index p, const DeviceSpan &span, const FacetTraction
 // Number h of the elements that own rows, as cells with tractions do.
 inline void add_traction_work_of_row(Index h, const Moving &all, const StepCut &cut, const FacetTractions &tractions,
                                      const Rows &rows) {
-    const Index p = cut.ready(cut.held(0) + h);
-    double work = 0.0;
-    for (Index l = 0; l < tractions.schedule.size(); l++)
-        work += 0.5 * tractions.came(l) * all.pose(p, stress_column) * tractions.value(l, p);
-    rows.work(rows.of(p)) += work;
+    add_traction_work_of(all, tractions, rows, cut.ready(cut.held(0) + h));
 }
 
 // ---- sums for the guard and the history
@@ -198,17 +168,8 @@ inline void add_traction_work_of_row(Index h, const Moving &all, const StepCut &
 constexpr auto check_portion_of_facets = portion_of_bonds<check_facets>;
 constexpr auto sum_portion_of_facets = portion_of_bonds<sum_facet_energies>;
 constexpr auto sum_portion_of_cells = portion_of_elements<sum_dilatation_energies>;
-inline void sum_portion_of_walls(Index b, const Moving &all, const WallConstraints &walls, const WallEnergy &found) {
-    const Index last = least((b + 1) * works_of_portion, walls.cell.size());
-    double sum = 0.0;
-    for (Index g = b * works_of_portion; g < last; g++) sum += energy_of_hold(all.pose, all.rest, walls, g);
-    found.energy(b) = sum;
-}
-inline void add_energies(Index, const DilatationEnergy &of_cells, const WallEnergy &of_walls, const Portions &portions) {
-    double sum = 0.0;
-    for (Index q = 0; q < of_cells.energy.size(); q++) sum += of_cells.energy(q);
-    for (Index q = 0; q < of_walls.energy.size(); q++) sum += of_walls.energy(q);
-    if (portions.bonds.size() > 0) portions.bonds(0, 0) += sum;
+inline void add_energy_of_hold(Index g, const Moving &all, const WallConstraints &walls, const Ledger &ledger) {
+    sum_of(ledger, history_column::normal).add_shared(energy_of_hold(all.pose, all.rest, walls, g));
 }
 
 }  // namespace bondem

@@ -104,14 +104,8 @@ constexpr auto add_contact_load = listed_element<add_contact_loads>;
 // Sums the forces of elements on wall w, and adds its work.
 inline void load_wall(Index w, const DeviceSpan &span, const WallContacts &contacts, const RowOrder &order,
                       const Walls &walls) {
-    const double half = 0.5 * clock_of(span).dt;
-    WallRow &row = walls.body.row<WallRow>(w);
-    begin_loads(row, half);
-    WallLoad sum = load_of(row);
-    for (Index e = order.start(w); e < order.start(w + 1); e++)
-        sum = sum + contacts.output.row<const WallLoad>(order.load(e));
-    put_load(row, sum);
-    end_loads(walls, w, half);
+    for (Index e = order.start(w); e < order.start(w + 1); e++) add_to_wall(contacts, order.load(e));
+    load_wall_by_sums(contacts, walls, w, 0.5 * clock_of(span).dt);
 }
 // Applies half a kick to free wall e, when the forces on the wall are known.
 inline void kick_free_wall(Index e, const DeviceSpan &span, const WallMotions &motions, const Walls &walls) {
@@ -142,22 +136,7 @@ inline void measure_overlaps(Index b, const DeviceSpan &span, const Moving &all,
 constexpr auto sum_portion_of_pairs = portion_of_elements<sum_pair_energies>;
 constexpr auto sum_portion_of_faces = portion_of_elements<sum_face_energies>;
 constexpr auto sum_portion_at_walls = portion_of_elements<sum_wall_energies>;
-inline void write_energy_of_contacts(Index, const DeviceSpan &span, const ContactEnergies &energies,
-                                     const HistoryRows &history) {
-    double sum = 0.0;
-    for (Index q = 0; q < energies.energy.size(); q++) sum += energies.energy(q);
-    history.record(clock_of(span).record, device_column::contact) = sum;
-}
-inline void write_work_of_walls(Index, const DeviceSpan &span, const Walls &walls, const HistoryRows &history) {
-    double sum = 0.0;
-    for (Index w = 0; w < walls.body.size(); w++) sum += walls.body.row<const WallRow>(w).work;
-    history.record(clock_of(span).record, device_column::walls) = sum;
-}
-inline void write_gauge_of_wall(Index g, const DeviceSpan &span, const Walls &walls, const Gauges &gauges,
-                                const HistoryRows &history) {
-    if (gauges.quantity(g) < gauge_quantity::of_walls) return;
-    const WallRow &row = walls.body.row<const WallRow>(gauges.element(gauges.start(g)));
-    write_wall(row, gauges.quantity(g), &history.record(clock_of(span).record, device_column::count + 3 * g));
-}
+constexpr auto count_work_of_walls = once<count_wall_work>;
+constexpr auto write_all_walls = once<write_walls>;
 
 }  // namespace bondem

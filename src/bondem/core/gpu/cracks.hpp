@@ -81,10 +81,9 @@ inline void link_halves(Index p, const CohesiveCracks &cracks, const CrackLists 
 constexpr auto begin_base = one_element<begin_bases>;
 inline void measure_crack(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
                           const CellSlack &slack, const StressesOfCells &stresses, const CohesiveCracks &cracks,
-                          const CrackLists &lists, const LossesOfCracks &losses) {
+                          const CrackLists &lists) {
     if (k == 0) cracks.size(crack_number::out_of_date) = 0;  // all halves are linked
     lists.flag(k) = lists.waking(k) = crack::unchanged;
-    losses.lost(k) = 0.0;
     if (!is_treated(cracks, k)) return;
     measure_each(OneCrack(facets, k), all, facets, slack, stresses, cracks, lists, 0, takes_time(span));
 }
@@ -156,7 +155,7 @@ inline void soften_crack(Index k, const DeviceSpan &span, const Moving &all, con
 // Energy of a crack that parts, in the state without the cracks that the CPU treats earlier: whole ones first, then
 // broken ones by their numbers.
 inline void part_crack(Index k, const Moving &all, const ElasticFacets &facets, const CellSlack &slack,
-                       const CohesiveCracks &cracks, const CrackLists &lists, const LossesOfCracks &losses) {
+                       const CohesiveCracks &cracks, const CrackLists &lists) {
     if (lists.flag(k) != crack::parts) return;
     const auto left_before = [&](Index other) {
         return leaves(lists.flag(other)) && (cracks.integrity(other) > 0.0 || other < k);
@@ -167,8 +166,9 @@ inline void part_crack(Index k, const Moving &all, const ElasticFacets &facets, 
         });
         return stiffness_without(all, lists, weight, p, half, [&](Index h) { return left_before(facet_of(h)); });
     };
-    losses.lost(k) = energy_of_parting(SingleCrack(all.pose, facets, cracks, k), facets, cracks, lists, k, stiffness);
-    history_of(cracks, k).spent += losses.lost(k);
+    const double lost = energy_of_parting(SingleCrack(all.pose, facets, cracks, k), facets, cracks, lists, k, stiffness);
+    exact_sum(lists.lost, 0).add_shared(lost);
+    history_of(cracks, k).spent += lost;
 }
 inline void leave_crack(Index k, const ElasticFacets &facets, const CohesiveCracks &cracks, const CrackLists &lists) {
     const Byte flag = lists.flag(k);
@@ -186,14 +186,14 @@ inline void take_leaving(Index p, const DeviceSpan &span, const Moving &all, con
 
 inline void load_crack(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
                        const FacetStrengths &strengths, const StressesOfCells &stresses, const CohesiveCracks &cracks,
-                       const CrackLists &lists, const LossesOfCracks &losses) {
+                       const CrackLists &lists, const FallenCracks &fallen) {
     const bool treated = is_treated(cracks, k);
     if (!treated && !leaves(lists.flag(k))) return;
     if (treated) lists.flag(k) = crack::unchanged;
-    double lost = 0.0;
+    ExactSum lost = {};
     load_each(OneCrack(facets, k), all, facets.period.data, strengths, stresses, cracks, lists, 0, takes_time(span), lost);
-    if (treated) losses.lost(k) = lost;
-    if (lists.flag(k) == crack::fell) losses.fallen(count_up(losses.number(0))) = k;
+    if (treated) exact_sum(lists.lost, 0).add_shared(lost);
+    if (lists.flag(k) == crack::fell) fallen.fallen(count_up(fallen.number(0))) = k;
 }
 inline void sum_cracks_of_cell(Index p, const StressesOfCells &stresses, const CohesiveCracks &cracks,
                                const CrackLists &lists) {
@@ -205,32 +205,17 @@ inline void slide_crack_of(Index k, const DeviceSpan &span, const Moving &all, c
 }
 constexpr auto add_crack_load = listed_element<add_crack_loads>;
 
-
-inline void sum_portion_of_losses(Index q, const DeviceSpan &span, const LossesOfCracks &losses) {
-    const Index last = least((q + 1) * cracks_of_portion, span.m);
-    double sum = 0.0;
-    for (Index k = q * cracks_of_portion; k < last; k++) sum += losses.lost(k);
-    losses.portion(q) = sum;
-}
-inline void sum_group_of_losses(Index g, const LossesOfCracks &losses) {
-    const Index last = least((g + 1) * portions_of_losses, losses.portion.size());
-    double sum = 0.0;
-    for (Index q = g * portions_of_losses; q < last; q++) sum += losses.portion(q);
-    losses.group(g) = sum;
-}
-// Adds up what cracks have dissipated, and logs those that have no integrity left, by the numbers of their facets.
+// Takes what cracks have dissipated, and logs those that have no integrity left, by the numbers of their facets.
 inline void log_all_cracks(Index, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
-                           const CohesiveCracks &cracks, const EventLog &log, const LossesOfCracks &losses) {
+                           const CohesiveCracks &cracks, const CrackLists &lists, const EventLog &log,
+                           const FallenCracks &of) {
     if (!takes_time(span)) return;
-    double sum = 0.0;
-    for (Index g = 0; g < losses.group.size(); g++) sum += losses.group(g);
-    log.released(0) += sum;
+    log.released(0) += exact_sum(lists.lost, 0).take();
     log.written(log_count::before) = log.written(log_count::events);
-    const auto key = [&](Index e) { return losses.fallen(e); };
-    sort_by_heap(losses.number(0), key, [&](Index a, Index b) { exchange(losses.fallen(a), losses.fallen(b)); });
-    for (Index e = 0; e < losses.number(0); e++)
-        log_crack(clock_of(span), all, facets, cracks, log, losses.fallen(e));
-    losses.number(0) = 0;
+    const auto key = [&](Index e) { return of.fallen(e); };
+    sort_by_heap(of.number(0), key, [&](Index a, Index b) { exchange(of.fallen(a), of.fallen(b)); });
+    for (Index e = 0; e < of.number(0); e++) log_crack(clock_of(span), all, facets, cracks, log, of.fallen(e));
+    of.number(0) = 0;
 }
 
 }  // namespace bondem

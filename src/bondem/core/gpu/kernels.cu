@@ -5,6 +5,8 @@
 #include "../passes/cells/cell_report.cpp"
 #include "../passes/cells/cell_strains.cpp"
 #include "../passes/cells/cell_stress.cpp"
+#include "../passes/cells/corrected_mass.cpp"
+#include "../passes/cells/dilatation_gradients.cpp"
 #include "../passes/cells/facet_failure.cpp"
 #include "../passes/contacts/adhesion.cpp"
 #include "../passes/contacts/contact_loads.cpp"

@@ -115,8 +115,5 @@ constexpr auto add_all_begun_contacts = once<add_begun_contacts>;
 // ---- sums for the history
 
 constexpr auto sum_portion_of_springs = portion_of_bonds<sum_non_local_energies>;
-inline void write_work_of_extra_forces(Index, const DeviceSpan &span, const NonLocalWork &work, const HistoryRows &history) {
-    history.record(clock_of(span).record, device_column::extra_work) = sum_of(work);
-}
 
 }  // namespace bondem

@@ -16,19 +16,14 @@ namespace bondem {
 
 // The row at place e of the lists.
 inline void soften_listed(Index e, const DeviceSpan &span, const Moving &all, const Beams &beams,
-                          const SofteningBounds &bounds, const SofteningBeams &soft, const SofteningLosses &losses) {
+                          const SofteningBounds &bounds, const SofteningBeams &soft) {
     const Index q = e / bonds_of_portion;
     if (e - q * bonds_of_portion >= soft.number(q)) return;
     const Index c = soft.listed(e);
-    losses.lost(e) = soften_beam(clock_of(span), all, beams, bounds, soft, c);
+    exact_sum(soft.lost, 0).add_shared(soften_beam(clock_of(span), all, beams, bounds, soft, c));
     if (has_broken(bounds, soft, c)) put_shared(soft.parted(q), Index(1));
 }
-inline void end_portion_of_softening(Index q, const SofteningBounds &bounds, const SofteningBeams &soft,
-                                     const SofteningLosses &losses) {
-    const Index first = q * bonds_of_portion, last = first + soft.number(q);
-    double lost = 0.0;
-    for (Index e = first; e < last; e++) lost += losses.lost(e);
-    soft.lost(q) = lost;
+inline void end_portion_of_softening(Index q, const SofteningBounds &bounds, const SofteningBeams &soft) {
     if (soft.parted(q) != 0) part_broken(bounds, soft, q);
 }
 constexpr auto log_all_softened = once<log_softened_beams>;
@@ -85,11 +80,6 @@ constexpr auto begin_all_softened_contacts = once<begin_softened_contacts>;
 // ---- sums for the history
 
 constexpr auto sum_portion_of_pressure = portion_of_bonds<sum_pressed_energies>;
-inline void write_all_crushing_of_beams(Index, const DeviceSpan &span, const SofteningBounds &bounds, const SofteningBeams &soft,
-                                        const EventLog &log, const HistoryRows &history) {
-    double sum = 0.0;
-    for (Index c = 0; c < soft.begun(0); c++) sum += crushed_by_beam(bounds, soft, c);
-    history.record(clock_of(span).record, device_column::crushing) = sum - log.crushed(0);
-}
+constexpr auto write_all_crushing_of_beams = once<write_crushing_of_beams>;
 
 }  // namespace bondem

@@ -21,10 +21,7 @@ inline void yield_cell(Index p, const DeviceSpan &span, const Moving &all, const
 inline void add_yielding_work_of_row(Index h, const DeviceSpan &span, const StepCut &cut, const FacetTractions &tractions,
                                      const StressesOfCells &stresses, const YieldingCells &cells, const Rows &rows) {
     if (!takes_time(span)) return;
-    const Index p = cut.ready(cut.held(0) + h);
-    double work = 0.0;
-    for (Index l = 0; l < stresses.pressed.shape[0]; l++) work += tractions.factor(l) * yielding_work(stresses, cells, l, p);
-    rows.work(rows.of(p)) += work;
+    add_yielding_work_of(tractions, stresses, cells, rows, cut.ready(cut.held(0) + h));
 }
 constexpr auto sum_portion_of_heat = portion_of_elements<sum_heat>;
 
@@ -63,30 +60,13 @@ inline void stretch_wall_anew(Index g, const CellStrains &strains, const WallCon
 
 // ---- work of strains at cracks
 
-BONDEM_INLINE void sum_crack_powers_of(Index b, const DeviceSpan &span, const Moving &all, const CellStrains &strains,
-                                       const ElasticFacets &facets, const CohesiveCracks &cracks,
-                                       const StrainPortions &portions) {
-    const Index last = least((b + 1) * bonds_of_portion, span.m);
-    double *const power = &portions.power(b, 0);
-    for (Index g = 0; g < strains.schedule.size(); g++) power[g] = 0.0;
-    for (Index k = b * bonds_of_portion; k < last; k++)
-        if (is_treated(cracks, k)) add_power_of_crack(all, strains, facets, cracks, k, power);
+inline void add_crack_power(Index k, const Moving &all, const CellStrains &strains, const ElasticFacets &facets,
+                            const CohesiveCracks &cracks) {
+    if (strains.due(strain_due::power) && is_treated(cracks, k)) add_power_of_crack(all, strains, facets, cracks, k);
 }
-inline void sum_portion_of_crack_powers(Index b, const DeviceSpan &span, const Moving &all, const CellStrains &strains,
-                                        const ElasticFacets &facets, const CohesiveCracks &cracks,
-                                        const StrainPortions &portions) {
-    if (strains.due(strain_due::power)) sum_crack_powers_of(b, span, all, strains, facets, cracks, portions);
-}
-inline void begin_portion_of_crack_powers(Index b, const DeviceSpan &span, const Moving &all, const CellStrains &strains,
-                                          const ElasticFacets &facets, const CohesiveCracks &cracks,
-                                          const StrainPortions &portions) {
-    if (clock_of(span).first) sum_crack_powers_of(b, span, all, strains, facets, cracks, portions);
-}
-// Adds up the portions of strain g.
-inline void add_crack_powers(Index g, const CellStrains &strains, const StrainPortions &portions) {
-    double sum = 0.0;
-    for (Index b = 0; b < portions.power.size(); b++) sum += portions.power(b, g);
-    strains.cracked(g) = sum;
+inline void begin_crack_power(Index k, const DeviceSpan &span, const Moving &all, const CellStrains &strains,
+                              const ElasticFacets &facets, const CohesiveCracks &cracks) {
+    if (clock_of(span).first && is_treated(cracks, k)) add_power_of_crack(all, strains, facets, cracks, k);
 }
 
 }  // namespace bondem

@@ -51,7 +51,6 @@ struct DilatationGradients {
     Array<const double, 2> weight;  // J λ / V² for both directions [Pa/m], (layered, 2)
     Array<double, 2> bend;  // J λ χ / V for both directions [Pa·m], (layered, 2)
     Array<double, 2> torque;  // on each cell by bent layers [N·m], (layered, 3)
-    Array<double, 1> energy;  // of both in portions of cells [J], (element_portions,)
 };
 // The mass that waves of pressure lack in cells of finite size.
 struct CorrectedMass {
@@ -64,10 +63,6 @@ struct CorrectedMass {
     Array<double, 2> acceleration;  // of each element by its loads [m/s², rad/s²], (n, 6)
     Array<double, 1> inertia;  // ρ β θ̈ of each cell [Pa], (n,)
     Array<double, 2> force;  // force and torque of the correction on each element [N, N·m], (n, 6)
-};
-// Energy of dilatation in portions of cells.
-struct DilatationEnergy {
-    Array<double, 1> energy;  // [J], (element_portions,)
 };
 // Energies of all facets, cells and walls.
 struct CellEnergies {
@@ -126,7 +121,6 @@ struct WallConstraints {
     Array<const double, 1> times;  // schedules, one after the other, (hold_times,)
     Array<const double, 1> values;  // schedules, as `Timeline` has them, (hold_times,)
     Array<const Index, 1> start;  // (hold_schedules + 1,)
-    Index place;  // of the walls in the list of works
     Array<double, 2> wall;  // displacement of the wall now [m], (held, 3)
     Array<double, 2> came;  // its increment in this step [m], (held, 3)
     Array<double, 2> load;  // force and torque on the cell [N, N·m], (held, 6)
@@ -137,7 +131,6 @@ struct WallConstraints {
 struct FacetTractions {
     Array<const double, 2> value;  // contribution of each to V θ at full load [m³], (tractions, n)
     Array<const Index, 1> schedule;  // (tractions,)
-    Index place;  // in the list of works
     Array<double, 1> factor;  // present factors, (tractions,)
     Array<double, 1> came;  // their increments in this step, (tractions,)
 };
@@ -153,8 +146,7 @@ struct CellStrains {
     Array<const double, 2> wall_part;  // (strains, held)
     Index place;  // of their work in the list of works
     Array<double, 2> factor;  // of each strain: now, its increment, ∂U/∂factor before and now [J], (4, strains)
-    Array<double, 2> power;  // ∂U/∂factor of portions of facets [J], (bond_portions, strains)
-    Array<double, 1> cracked;  // ∂U/∂factor of cracks, where there are any [J], (strains,)
+    Array<Index, 2> power;  // exact sums of ∂U/∂factor [J], zero between steps, (strains, exact_word::count)
     Array<Byte, 1> due;  // 1 where ∂U/∂factor is needed, and where levers have changed, (2,)
 };
 // Time that walls are placed at.

@@ -7,13 +7,10 @@ namespace bondem {
 
 constexpr Index elements_of_portion = 1024;  // elements of a portion
 constexpr Index bonds_of_portion = 2048;  // bonds or facets of a portion
-constexpr Index works_of_portion = 1024;  // works, or walls, of a portion on a device
-constexpr Index portions_of_group = 64;  // portions that a device sums first
-constexpr Index device_sums = 13;  // columns of a record on a device that are sums over portions
-constexpr Index cracks_of_portion = 256;  // facets of a portion of what cracks dissipate on a device
-constexpr Index portions_of_losses = 64;  // portions of what cracks dissipate that a device sums first
 constexpr Index stress_column = 3;  // column of a pose, `pose.stress`, that holds the stress λ θ of a cell [Pa]
 
+// Words of a sum without rounding (`core/exact_sum.hpp`): its limbs, and flags of terms that are not finite.
+namespace exact_word { enum : Index { flags = 67, count }; }
 // Columns of a record of the history before those of gauges.
 namespace history_column {
 enum : Index {
@@ -35,21 +32,16 @@ enum : Index {
     count
 };
 }
-// Columns of a record on a device before those of gauges. The first are sums over portions: energies of elements and of
-// bonds [J], numbers of bonds turned wide and lost and of portions with a number that is not finite, works [J]. Energies
-// as in the history and the work of walls follow [J].
-namespace device_column {
-enum : Index {
-    translation, rotation, damped, rubbed, normal, shear, bending, twisting, wide, lost, not_finite, work, supplied,
-    contact, extra_work, released, plastic, crushing, walls, count
-};
-}
 // Counts of what a call of the core has done.
 namespace step_count { enum : Index { steps, records, wide, lost }; }
 // Numbers that the guard finds: bonds turned wide and lost, how the call ends, and whether lists are out of date.
 namespace guard_number { enum : Index { wide, lost, ending, out_of_date }; }
-// Energies of the guard: at the start, the most that was supplied since, and the supply of walls.
-namespace guard_energy { enum : Index { start, supplied, walls }; }
+// Counts of bonds turned wide and lost, and of portions with a number that is not finite.
+namespace turn_count { enum : Index { wide, lost, not_finite }; }
+// Sums of the forces on a wall, as `WallLoad` has them.
+namespace wall_sum { enum : Index { force, normal = 3, torque, count = 7 }; }
+// Energies of the guard: at the start, and the most that was supplied since.
+namespace guard_energy { enum : Index { start, supplied }; }
 // Counts of a log of events: of all, and of those before the present step.
 namespace log_count { enum : Index { events, before }; }
 // Columns of the failure of a bond.
@@ -95,7 +87,7 @@ enum : Index {
 namespace tensor_column { enum : Index { bending = 6, size }; }
 // Columns of the sums of an element: force, energy damped, torque, energy rubbed.
 namespace load_column { enum : Index { force, damped = 3, torque, rubbed = 7 }; }
-// Bytes of strains that change: whether ∂U/∂factor is needed, and whether levers have changed.
+// Bytes of strains that change: whether ∂U/∂factor is needed, and whether lengths or levers have changed.
 namespace strain_due { enum : Index { power, levers }; }
 // Counts of lists of cracks: treated one by one, resting, cells of the first, and parted in this step.
 namespace list_count { enum : Index { treated, resting, cells, parted }; }

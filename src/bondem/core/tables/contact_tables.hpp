@@ -98,6 +98,7 @@ struct FacePairs {
     // torque on the earlier one [N·m]
     Array<double, 2> output;  // (pairs, 12)
     Array<double, 1> gained;  // energy taken over from facets that part [J], (pairs,)
+    Array<Index, 2> begun;  // exact sum of it, zero between steps, (1, exact_word::count)
     Array<Index, 1> count;  // close pairs of each portion of elements, (element_portions,)
 };
 // Motion of the elements since their distances were measured, and since the list was made.
@@ -113,10 +114,6 @@ struct Travel {
 struct ContactSums {
     Array<double, 2> sums;  // force [N], lost to dashpots [J], torque [N·m], lost to friction [J], (n, 8)
 };
-// Elastic energy of the contacts of each portion of elements.
-struct ContactEnergies {
-    Array<double, 1> energy;  // [J], (element_portions,)
-};
 
 // Contacts of elements with walls, b of them.
 struct WallContacts {
@@ -127,6 +124,7 @@ struct WallContacts {
     Array<double, 2> memory;  // as that of pairs, (wall_contacts, 6)
     Array<Byte, 1> touch;  // (wall_contacts,)
     Array<double, 2> output;  // rows of `WallLoad`, (wall_contacts, 7)
+    Array<Index, 2> sums;  // exact sums of `WallLoad` of each wall by `wall_sum`, zero between steps, (*, exact_word::count)
 };
 // Walls, w of them.
 struct Walls {

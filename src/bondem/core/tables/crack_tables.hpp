@@ -113,17 +113,11 @@ struct CrackLists {
     Array<double, 2> half;  // (halves, 16)
     Array<double, 2> sum;  // of the first eight columns of loads over the halves of a cell, (n, 8)
     Array<double, 2> slip;  // by how much the cracks of a cell slip in this step [m], and `crack::Slipping`, (n, 4)
-    Array<double, 2> lost;  // energy of portions dissipated, and that of cracks that part [J], (crack_portions, 2)
+    Array<Index, 2> lost;  // exact sum of the energy dissipated in a step [J], (1, exact_word::count)
 };
 // Distances at which elements touch whose facet has parted.
 struct PartedReach {
     Array<double, 1> apart;  // by facet [m], (*,)
-};
-// Energies of cells with cracks.
-struct CrackEnergies {
-    Array<double, 1> dilatation;  // of portions of cells [J], (element_portions,)
-    Array<double, 1> heat;  // dissipated by yielding, of portions of cells [J], (element_portions,)
-    Array<double, 1> cracked;  // across and along cracks, and of bending [J], (3,)
 };
 
 }  // namespace bondem

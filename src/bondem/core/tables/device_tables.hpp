@@ -31,10 +31,6 @@ struct BondMarks {
     Array<Short, 1> failing;  // bonds that fail in a step, in any order, (bonds,)
     Array<Byte, 1> mode;  // how, (bonds,)
 };
-// Energy that beams dissipate in a step.
-struct SofteningLosses {
-    Array<double, 1> lost;  // by the place of their rows in the lists of `SofteningBeams` [J], (bonds,)
-};
 // Bonds of each element, both lists ascending.
 struct BondsOfElements {
     Array<const int32_t, 1> in_start;  // bonds in_start[p] … in_start[p + 1] have j = p, (n + 1,)
@@ -51,51 +47,20 @@ struct RowOrder {
     Array<const Index, 1> start;  // where those of each row begin, (*,)
     Array<const Index, 1> load;  // (*,)
 };
-// Sums over portions of the works.
-struct WorkPortions {
-    Array<double, 2> works;  // work and its absolute value [J], (work_portions, 2)
-};
-// Changes of strains in a step, and portions of their power.
-struct StrainPortions {
-    Array<Index, 1> due;  // whether any changes, and whether ∂U/∂factor is needed, (2,)
-    Array<double, 2> power;  // ∂U/∂factor [J], (*, *)
-};
-// Energy of portions of walls that hold facets.
-struct WallEnergy {
-    Array<double, 1> energy;  // [J], (wall_portions,)
-};
-// Energies that cracks dissipate in a step, and cracks that break.
-struct LossesOfCracks {
-    Array<double, 1> lost;  // of each facet [J], (*,)
-    Array<double, 1> portion;  // sums of it, (loss_portions,)
-    Array<double, 1> group;  // sums of it, (loss_groups,)
+// Cracks that break in a step.
+struct FallenCracks {
     Array<Index, 1> fallen;  // facets, in any order until they are logged, (*,)
     Array<Index, 1> number;  // how many, (1,)
-};
-// Energy that faces store as they begin to touch.
-struct BegunFaces {
-    Array<double, 1> gained;  // of each portion of elements [J], (element_portions,)
 };
 // Levers of the cells of each facet in space, and the square of T_b.
 struct FacetArms {
     Array<double, 2> arm;  // [m], and T_b² [Pa²], (7, *)
 };
-// Energies of cracks of portions of facets.
-struct CrackPortions {
-    Array<double, 2> energy;  // across and along cracks, and of bending [J], (*, 3)
-};
-// Energies that portions of facets have released beyond their fracture energy.
-struct CrushingPortions {
-    Array<double, 1> energy;  // [J], (*,)
-};
-// Sums over groups of portions.
-struct FoldedPortions {
-    Array<double, 2> sums;  // first columns of `device_column`, (folds, 13)
-};
-// Parts of the sums or largest values of gauges.
+// Sums of gauges, and largest values of their parts.
 struct GaugeParts {
-    Index each;  // for each gauge
-    Array<double, 2> parts;  // (*, 3)
+    Index each;  // parts of each gauge
+    Array<Index, 2> sums;  // exact sums of their components, zero between records, (*, exact_word::count)
+    Array<double, 2> largest;  // (*, 3)
 };
 
 }  // namespace bondem

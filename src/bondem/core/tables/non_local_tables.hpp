@@ -17,10 +17,6 @@ struct NonLocalBonds {
     Array<double, 2> history;  // gap [m], extra force [N] and its work [J], in the frame of element i, (7, m)
     Array<double, 2> output;  // force on i, torque on i, minus torque on j, now [N, N·m], (9, m)
 };
-// Work of extra forces.
-struct NonLocalWork {
-    Array<double, 1> taken;  // in each portion of bonds [J], (bond_portions,)
-};
 // Bonds at small strain, and the stresses and gaps of the iteration before.
 struct SmallPairs {
     Array<const Index, 2> pairs;  // elements of each bond, (m, 2)

@@ -106,7 +106,7 @@ struct Rows {
     Array<double, 2> full;  // prescribed velocities now, (rows, 6)
     Array<double, 2> reaction;  // minus the bond forces [N, N·m], (rows, 6)
     Array<double, 2> grip;  // of walls that hold facets of cells [N, N·m], (r, 6), or (0, 6) without any, (*, 6)
-    // of loads and drives on each row [J], then of body forces, strains and walls that hold cells
+    // of loads, drives, walls that hold cells and tractions on each row [J], then of body forces and strains
     Array<double, 1> work;  // (works,)
 };
 // Piecewise linear functions of time, one after the other.
@@ -168,16 +168,16 @@ struct Strain {
     Array<const double, 1> lever;  // a [m], (strained,)
     // rows: present factors, those to come, energy by factor [J] a step ago and now
     Array<double, 2> factor;  // (4, strains)
+    Array<Index, 2> power;  // their energy by factor, zero between steps, (strains, exact_word::count)
+    Array<Byte, 1> due;  // 1 where that energy is needed, and where lengths have changed, (2,)
     Index place;  // in the list of works
 };
 
-// Sums over portions of elements and bonds, and their totals.
-struct Portions {
-    Array<double, 2> elements;  // translation, rotation, damped, rubbed [J], (element_portions, 4)
-    Array<double, 2> bonds;  // energy of the four modes [J], (bond_portions, 4)
-    // unbroken bonds turned wide, and lost; whether a number was not finite
-    Array<Index, 2> turned;  // (bond_portions, 3)
-    Array<double, 1> budget;  // energy at the start, the most that was put in since, and the supply of walls [J], (3,)
+// Exact sums of a record or a guard, zero between them, to which passes add in any order.
+struct Ledger {
+    Array<Index, 2> sums;  // energies by `history_column` [J], (history_column::count, exact_word::count)
+    Array<Index, 1> turned;  // unbroken bonds turned wide, and lost; portions with a number that is not finite, (3,)
+    Array<double, 1> budget;  // energy at the start, and the most that was put in since [J], (2,)
     Array<Index, 1> found;  // bonds turned wide, and lost; 1 not finite, 2 a runaway; 1 for a list out of date, (4,)
 };
 // Elements, quantities and reductions of the gauges of a run, g of them.

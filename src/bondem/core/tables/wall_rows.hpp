@@ -47,13 +47,5 @@ struct WallLoad {
     double normal;  // its component along the normal [N]
     Vector torque;  // about the point about which the wall turns [N·m]
 };
-inline WallLoad operator+(const WallLoad &a, const WallLoad &b) {
-    return {a.force + b.force, a.normal + b.normal, a.torque + b.torque};
-}
-// Sums of the forces of all elements on a wall.
-inline WallLoad load_of(const WallRow &row) { return {row.force, row.normal_force, row.torque}; }
-inline void put_load(WallRow &row, const WallLoad &load) {
-    row.force = load.force, row.normal_force = load.normal, row.torque = load.torque;
-}
 
 }  // namespace bondem

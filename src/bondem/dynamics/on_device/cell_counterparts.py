@@ -1,22 +1,15 @@
 """Bodies of cells on a device: dilatation, facets, walls that hold facets, tractions."""
 
-import numpy as np
-
 from bondem._passes import kernels
 from bondem._tables.cell_tables import (
     CellStrains,
-    DilatationEnergy,
-    DilatationGradients,
     FacetTractions,
     WallConstraints,
 )
-from bondem._tables.columns import WORKS_OF_PORTION
-from bondem._tables.device_tables import WallEnergy
-from bondem._tables.step_tables import Portions, Rows
+from bondem._tables.step_tables import Rows
 from bondem.dynamics.on_device.translation import (
     Counterpart,
     Given,
-    Made,
     Translation,
     bonds,
     elements,
@@ -26,30 +19,19 @@ from bondem.dynamics.on_device.translation import (
     one_thread,
     ordered,
     over,
+    portions_of_bonds,
+    portions_of_elements,
 )
 
 #: The order of walls that hold facets, by the rows of the boundary on which they act.
 BY_ROW_OF_WALLS = ordered(WallConstraints, lambda walls: walls.row)
 _ROWS = length_of(Rows, lambda rows: rows.force)
 _WALLS = length_of(WallConstraints, lambda walls: walls.cell)
-_POWERS = over(kernels.sum_strain_portion, length_of(CellStrains, lambda of: of.power))
 
 
 def _rows_with_walls(run: Translation, given: Given) -> int:
     return len(run.order_of(given[WallConstraints].row).start) - 1
 
-
-def _portions_of_walls(_: Translation, given: Given) -> int:
-    return -(-len(given[WallConstraints].cell) // WORKS_OF_PORTION)
-
-
-def _energy_of_walls(run: Translation, given: Given) -> WallEnergy:
-    return run.once(given[WallConstraints], lambda: WallEnergy(np.zeros(_portions_of_walls(run, given))))
-
-
-#: The energy of portions of walls, and the launch that finds it.
-OF_WALLS: Made = {WallEnergy: _energy_of_walls}
-ENERGY_OF_WALLS = over(kernels.sum_portion_of_walls, _portions_of_walls, OF_WALLS)
 
 COUNTERPARTS: dict[str, Counterpart] = {
     "accumulate_dilatation": over(kernels.dilate_facet, bonds),
@@ -65,13 +47,8 @@ COUNTERPARTS: dict[str, Counterpart] = {
     "find_dilatation_inertia": over(kernels.find_dilatation_inertia_of, elements),
     "find_inertia_forces": over(kernels.find_inertia_force_of, elements),
     "add_inertia_forces": over(kernels.add_inertia_force_of, elements),
-    "subtract_dilatation_energies": over(
-        kernels.subtract_portion_of_dilatation, length_of(Portions, lambda of: of.elements)
-    ),
-    "sum_gradient_energies": over(
-        kernels.sum_portion_of_gradients, length_of(DilatationGradients, lambda of: of.energy)
-    ),
-    "add_gradient_energies": over(kernels.add_gradient_energy, one_thread),
+    "subtract_dilatation_energies": over(kernels.subtract_portion_of_dilatation, portions_of_elements),
+    "sum_gradient_energies": over(kernels.sum_portion_of_gradients, portions_of_elements),
     "add_facet_loads": over(kernels.load_facet, bonds),
     "follow_walls": in_order(
         over(kernels.place_wall, _WALLS),
@@ -90,13 +67,13 @@ COUNTERPARTS: dict[str, Counterpart] = {
         over(kernels.stretch_facet_of_step, bonds),
         over(kernels.stretch_wall_of_step, length_of(CellStrains, lambda of: of.wall_still)),
     ),
-    "begin_strain_work": in_order(_POWERS, over(kernels.begin_cell_strains, one_thread)),
-    "sum_strain_powers": _POWERS,
-    "add_strain_work": over(kernels.add_work_of_cell_strains, one_thread),
-    "check_facets": over(kernels.check_portion_of_facets, length_of(Portions, lambda of: of.turned)),
-    "sum_facet_energies": over(kernels.sum_portion_of_facets, length_of(Portions, lambda of: of.bonds)),
-    "sum_dilatation_energies": over(
-        kernels.sum_portion_of_cells, length_of(DilatationEnergy, lambda of: of.energy)
+    "begin_strain_work": in_order(
+        over(kernels.begin_strain_portion, portions_of_bonds), over(kernels.begin_cell_strains, one_thread)
     ),
-    "add_cell_energies": in_order(ENERGY_OF_WALLS, over(kernels.add_energies, one_thread, OF_WALLS)),
+    "sum_strain_powers": over(kernels.sum_strain_portion, portions_of_bonds),
+    "add_strain_work": over(kernels.add_work_of_cell_strains, one_thread),
+    "check_facets": over(kernels.check_portion_of_facets, portions_of_bonds),
+    "sum_facet_energies": over(kernels.sum_portion_of_facets, portions_of_bonds),
+    "sum_dilatation_energies": over(kernels.sum_portion_of_cells, portions_of_elements),
+    "sum_energies_of_holds": over(kernels.add_energy_of_hold, _WALLS),
 }

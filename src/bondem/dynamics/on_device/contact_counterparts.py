@@ -4,11 +4,11 @@ from typing import Any
 
 import numpy as np
 
+from bondem._cache_lines import exact_sums
 from bondem._device import Launch
 from bondem._passes import kernels
 from bondem._tables.contact_tables import (
     AdheringPairs,
-    ContactEnergies,
     ContactPairs,
     FacePairs,
     NearPairs,
@@ -19,8 +19,7 @@ from bondem._tables.contact_tables import (
     WallMotions,
     Walls,
 )
-from bondem._tables.device_tables import BegunFaces, EarlierPairs
-from bondem._tables.step_tables import Gauges
+from bondem._tables.device_tables import EarlierPairs, RowOrder
 from bondem.boundary.wall_rows import no_rows
 from bondem.dynamics.on_device.breakage_counterparts import MARKS
 from bondem.dynamics.on_device.device_tables import new_row_order
@@ -35,6 +34,7 @@ from bondem.dynamics.on_device.translation import (
     length_of,
     one_thread,
     over,
+    portions_of_elements,
 )
 from bondem.interactions.step_part import Passes
 
@@ -50,26 +50,16 @@ def earlier_pairs(run: Translation, pairs: ContactPairs) -> EarlierPairs:
     return run.once(pairs, make)
 
 
-def _load(run: Translation, contacts: WallContacts, motions: WallMotions, walls: Walls) -> list[Launch]:
-    run.walls = (walls.body,)
-    order = run.once(contacts, lambda: new_row_order(contacts.wall, len(walls.body)))
-    return [
-        (kernels.load_wall(run.span, contacts, order, walls), len(walls.body)),
-        (kernels.kick_free_wall(run.span, motions, walls), len(motions.free_wall)),
-    ]
-
-
 EARLIER: Made = {EarlierPairs: lambda run, given: earlier_pairs(run, given[ContactPairs])}
 #: Elements, where there are contacts of pairs or of walls.
 WHERE_PAIRS = elements_where(ContactPairs, lambda pairs: pairs.first)
 WHERE_WALLS = elements_where(WallContacts, lambda contacts: contacts.wall)
-_PAIRS = length_of(ContactPairs, lambda pairs: pairs.first)
-_PORTIONS = length_of(ContactEnergies, lambda energies: energies.energy)
-_BEGUN: Made = {
-    BegunFaces: lambda run, given: run.once(
-        given[FacePairs], lambda: BegunFaces(np.zeros(len(given[FacePairs].count)))
+_BY_WALL: Made = {
+    RowOrder: lambda run, given: run.once(
+        given[WallContacts], lambda: new_row_order(given[WallContacts].wall, len(given[Walls].body))
     )
 }
+_PAIRS = length_of(ContactPairs, lambda pairs: pairs.first)
 
 COUNTERPARTS: dict[str, Counterpart] = {
     "move_walls": over(kernels.move_all_walls, one_thread),
@@ -80,42 +70,40 @@ COUNTERPARTS: dict[str, Counterpart] = {
     "roll_pairs": over(kernels.roll_one_pair, _PAIRS),
     "add_rolling_loads": over(kernels.add_rolling_of_element, WHERE_PAIRS, EARLIER),
     "roll_at_walls": over(kernels.roll_element_at_walls, WHERE_WALLS),
-    "sum_rolling_energies": over(kernels.sum_portion_of_rolling, _PORTIONS),
-    "sum_rolling_at_walls": over(kernels.sum_portion_of_rolling_at_walls, _PORTIONS),
+    "sum_rolling_energies": over(kernels.sum_portion_of_rolling, portions_of_elements),
+    "sum_rolling_at_walls": over(kernels.sum_portion_of_rolling_at_walls, portions_of_elements),
     "press_pairs_and_faces": over(kernels.press_pair_or_faces, _PAIRS),
     "add_face_loads": over(kernels.add_faces_of_element, WHERE_PAIRS),
-    "sum_face_energies": over(kernels.sum_portion_of_faces, _PORTIONS),
+    "sum_face_energies": over(kernels.sum_portion_of_faces, portions_of_elements),
     "begin_face_contacts": in_order(
         over(kernels.open_face, bonds),
         over(kernels.begin_faces_of_pair, _PAIRS),
-        over(kernels.sum_portion_of_begun, length_of(FacePairs, lambda faces: faces.count), _BEGUN),
         over(kernels.settle_face, bonds),
         over(kernels.settle_faces_of_cell, elements),
-        over(kernels.take_over_from_cracks, one_thread, _BEGUN),
+        over(kernels.take_over_from_cracks, one_thread),
     ),
     "adhere_pairs": over(kernels.adhere_one_pair, _PAIRS),
     "add_adhesion_loads": over(kernels.add_adhesion_of_element, WHERE_PAIRS, EARLIER),
     "adhere_at_walls": over(kernels.adhere_element_at_walls, WHERE_WALLS),
-    "sum_adhesion_energies": over(kernels.sum_portion_of_adhesion, _PORTIONS),
-    "sum_adhesion_at_walls": over(kernels.sum_portion_of_adhesion_at_walls, _PORTIONS),
+    "sum_adhesion_energies": over(kernels.sum_portion_of_adhesion, portions_of_elements),
+    "sum_adhesion_at_walls": over(kernels.sum_portion_of_adhesion_at_walls, portions_of_elements),
     "press_walls": over(kernels.press_walls_on_element, WHERE_WALLS),
     "measure_wall_overlaps": in_order(),  # with the overlaps of pairs, at the guard
     "keep_measures": in_order(),
-    "load_walls": _load,
+    "load_walls": in_order(
+        over(kernels.load_wall, length_of(Walls, lambda walls: walls.body), _BY_WALL),
+        over(kernels.kick_free_wall, length_of(WallMotions, lambda motions: motions.free_wall)),
+    ),
     "add_contact_loads": over(kernels.add_contact_load, elements),
     "begin_contacts": in_order(
         over(kernels.begin_contact_of_event, bonds),
         over(kernels.add_begun_contacts_of_element, elements, MARKS),
         over(kernels.take_over_energies, one_thread),
     ),
-    "sum_pair_energies": over(kernels.sum_portion_of_pairs, _PORTIONS),
-    "sum_wall_energies": over(kernels.sum_portion_at_walls, _PORTIONS),
-    "write_contact_energy": over(kernels.write_energy_of_contacts, one_thread),
-    "write_walls": in_order(
-        over(kernels.write_work_of_walls, one_thread),
-        over(kernels.write_gauge_of_wall, length_of(Gauges, lambda gauges: gauges.quantity)),
-    ),
-    "count_wall_work": in_order(),  # the CPU adds it
+    "sum_pair_energies": over(kernels.sum_portion_of_pairs, portions_of_elements),
+    "sum_wall_energies": over(kernels.sum_portion_at_walls, portions_of_elements),
+    "write_walls": over(kernels.write_all_walls, one_thread),
+    "count_wall_work": over(kernels.count_work_of_walls, one_thread),
 }
 
 
@@ -136,7 +124,7 @@ def _none(n: int) -> WallContacts:
     short = np.zeros(0, dtype=np.uint32)
     return WallContacts(
         np.zeros(n + 1, dtype=np.int64), short, short, np.zeros(0), np.zeros((0, 6)), np.zeros(0, dtype=np.uint8),
-        no_rows("WallLoad", 0),
+        no_rows("WallLoad", 0), exact_sums(0),
     )  # fmt: skip
 
 

@@ -5,31 +5,25 @@ import numpy as np
 from bondem._device import Launch
 from bondem._passes import kernels
 from bondem._tables.cell_tables import ElasticFacets, FacetForces
-from bondem._tables.columns import CRACKS_OF_PORTION, PORTIONS_OF_LOSSES, CrackNumber
+from bondem._tables.columns import CrackNumber
 from bondem._tables.crack_tables import (
     CohesiveCracks,
     CrackLists,
     FacetStrengths,
 )
 from bondem._tables.damage_tables import EventLog
-from bondem._tables.device_tables import LossesOfCracks
+from bondem._tables.device_tables import FallenCracks
 from bondem._tables.step_tables import Moving
 from bondem.damage.cohesive_tables import BEGAN
 from bondem.dynamics.on_device.translation import Counterpart, Made, Translation, bonds, elements, in_order, over
 
 
-def _losses(run: Translation, cracks: CohesiveCracks) -> LossesOfCracks:
-    """Return the table of the dissipation of cracks in a step."""
+def _fallen(run: Translation, cracks: CohesiveCracks) -> FallenCracks:
+    """Return the table of cracks that break in a step."""
 
-    def make() -> LossesOfCracks:
-        m = run.span.m
-        portions = -(-m // CRACKS_OF_PORTION)
-        made = LossesOfCracks(
-            np.zeros(m), np.zeros(portions), np.zeros(-(-portions // PORTIONS_OF_LOSSES)),
-            np.zeros(m, dtype=np.int64),
-            np.zeros(1, dtype=np.int64),
-        )  # fmt: skip
-        run.scratch += [made.lost, made.portion, made.group, made.fallen]
+    def make() -> FallenCracks:
+        made = FallenCracks(np.zeros(run.span.m, dtype=np.int64), np.zeros(1, dtype=np.int64))
+        run.scratch += [made.fallen]
         return made
 
     return run.once(cracks, make)
@@ -62,18 +56,13 @@ def _link(
 
 
 def _log(
-    run: Translation, moving: Moving, facets: ElasticFacets, cracks: CohesiveCracks, _: CrackLists, log: EventLog
+    run: Translation, moving: Moving, facets: ElasticFacets, cracks: CohesiveCracks, lists: CrackLists, log: EventLog
 ) -> list[Launch]:
     run.keep_log(log)
-    losses = _losses(run, cracks)
-    return [
-        (kernels.sum_portion_of_losses(run.span, losses), len(losses.portion)),
-        (kernels.sum_group_of_losses(losses), len(losses.group)),
-        (kernels.log_all_cracks(run.span, moving, facets, cracks, log, losses), 1),
-    ]
+    return [(kernels.log_all_cracks(run.span, moving, facets, cracks, lists, log, _fallen(run, cracks)), 1)]
 
 
-_LOSSES: Made = {LossesOfCracks: lambda run, given: _losses(run, given[CohesiveCracks])}
+_FALLEN: Made = {FallenCracks: lambda run, given: _fallen(run, given[CohesiveCracks])}
 _HALVES = over(kernels.link_halves, elements)
 
 COUNTERPARTS: dict[str, Counterpart] = {
@@ -82,19 +71,19 @@ COUNTERPARTS: dict[str, Counterpart] = {
     "carry_cracks": in_order(_HALVES, over(kernels.carry_cell, elements)),
     "list_cracks": _HALVES,
     "begin_bases": over(kernels.begin_base, elements),
-    "measure_cracks": over(kernels.measure_crack, bonds, _LOSSES),
+    "measure_cracks": over(kernels.measure_crack, bonds),
     "relax_cracked_cells": over(kernels.relax_cell, elements),
     "relax_stale_cells": over(kernels.relax_stale_cell, elements),
     "watch_resting_cracks": over(kernels.watch_resting_crack, bonds),
     "wake_cracks": in_order(over(kernels.wake_crack, bonds), over(kernels.take_woken, elements)),
     "soften_cracks": over(kernels.soften_crack, bonds),
     "leave_cracks": in_order(
-        over(kernels.part_crack, bonds, _LOSSES),
+        over(kernels.part_crack, bonds),
         over(kernels.leave_crack, bonds),
         over(kernels.take_leaving, elements),
     ),
     "touch_parted_faces": over(kernels.touch_parted_face, bonds),
-    "load_cracks": over(kernels.load_crack, bonds, _LOSSES),
+    "load_cracks": over(kernels.load_crack, bonds, _FALLEN),
     "sum_cracks": over(kernels.sum_cracks_of_cell, elements),
     "slide_cracks": over(kernels.slide_crack_of, bonds),
     "log_cracks": _log,

@@ -4,7 +4,7 @@ from bondem._device import Launch
 from bondem._passes import kernels
 from bondem._tables.damage_tables import Candidates, EventLog, Postponed
 from bondem._tables.non_local_tables import NonLocalBonds
-from bondem._tables.step_tables import Beams, Moving, Portions
+from bondem._tables.step_tables import Beams, Moving
 from bondem.dynamics.on_device.breakage_counterparts import MARKS, RANKED, counted, marks_of
 from bondem.dynamics.on_device.contact_counterparts import EARLIER, WHERE_PAIRS, WHERE_WALLS
 from bondem.dynamics.on_device.translation import (
@@ -13,9 +13,9 @@ from bondem.dynamics.on_device.translation import (
     bonds,
     elements,
     in_order,
-    length_of,
     one_thread,
     over,
+    portions_of_bonds,
 )
 
 
@@ -55,6 +55,5 @@ COUNTERPARTS: dict[str, Counterpart] = {
         over(kernels.relieve_element, elements, MARKS), over(kernels.end_failing_pair, bonds)
     ),
     "add_begun_contacts": over(kernels.add_all_begun_contacts, one_thread),
-    "sum_non_local_energies": over(kernels.sum_portion_of_springs, length_of(Portions, lambda of: of.bonds)),
-    "write_non_local_work": over(kernels.write_work_of_extra_forces, one_thread),
+    "sum_non_local_energies": over(kernels.sum_portion_of_springs, portions_of_bonds),
 }

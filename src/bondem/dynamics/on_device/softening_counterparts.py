@@ -1,23 +1,20 @@
 """Beams that soften on a device, and the contact of beams that have broken."""
 
-import numpy as np
-
 from bondem._device import Launch
 from bondem._passes import kernels
 from bondem._tables.beam_softening_tables import SofteningBeams
 from bondem._tables.damage_tables import EventLog
-from bondem._tables.device_tables import SofteningLosses
-from bondem._tables.step_tables import Beams, Moving, Portions
+from bondem._tables.step_tables import Beams, Moving
 from bondem.dynamics.on_device.breakage_counterparts import MARKS, RANKED
 from bondem.dynamics.on_device.translation import (
     Counterpart,
-    Made,
     Translation,
     bonds,
     in_order,
     length_of,
     one_thread,
     over,
+    portions_of_bonds,
 )
 
 
@@ -28,16 +25,10 @@ def _log_softened(
     return [(kernels.log_all_softened(run.span, moving, beams, soft, log), 1)]
 
 
-_LOSSES: Made = {
-    SofteningLosses: lambda run, given: run.once(
-        given[SofteningBeams], lambda: SofteningLosses(np.zeros(run.span.m))
-    )
-}
-
 COUNTERPARTS: dict[str, Counterpart] = {
     "soften_beams": in_order(
-        over(kernels.soften_listed, bonds, _LOSSES),
-        over(kernels.end_portion_of_softening, length_of(SofteningBeams, lambda soft: soft.number), _LOSSES),
+        over(kernels.soften_listed, bonds),
+        over(kernels.end_portion_of_softening, length_of(SofteningBeams, lambda soft: soft.number)),
     ),
     "log_softened_beams": _log_softened,
     **{
@@ -50,6 +41,6 @@ COUNTERPARTS: dict[str, Counterpart] = {
     "begin_softening": over(kernels.begin_all_softening, one_thread),
     "release_pressure": over(kernels.release_all_pressure, one_thread),
     "begin_softened_contacts": over(kernels.begin_all_softened_contacts, one_thread),
-    "sum_pressed_energies": over(kernels.sum_portion_of_pressure, length_of(Portions, lambda of: of.bonds)),
+    "sum_pressed_energies": over(kernels.sum_portion_of_pressure, portions_of_bonds),
     "write_crushing_of_beams": over(kernels.write_all_crushing_of_beams, one_thread),
 }

@@ -1,10 +1,9 @@
 """Beams of the incremental formulation on a device."""
 
 from bondem._passes import kernels
-from bondem._tables.step_tables import Portions
-from bondem.dynamics.on_device.translation import Counterpart, bonds, length_of, over
+from bondem.dynamics.on_device.translation import Counterpart, bonds, over, portions_of_bonds
 
 COUNTERPARTS: dict[str, Counterpart] = {
     "add_stored_loads": over(kernels.load_stored_beam, bonds),
-    "sum_stored_energies": over(kernels.sum_portion_of_stored, length_of(Portions, lambda p: p.bonds)),
+    "sum_stored_energies": over(kernels.sum_portion_of_stored, portions_of_bonds),
 }

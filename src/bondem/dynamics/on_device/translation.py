@@ -9,23 +9,15 @@ import numpy as np
 
 from bondem._device import Launch
 from bondem._passes import Kernel, StepEntry
-from bondem._tables.columns import (
-    BONDS_OF_PORTION,
-    DEVICE_SUMS,
-    ELEMENTS_OF_PORTION,
-    PORTIONS_OF_GROUP,
-    WORKS_OF_PORTION,
-)
+from bondem._tables.columns import BONDS_OF_PORTION, ELEMENTS_OF_PORTION
 from bondem._tables.damage_tables import EventLog
 from bondem._tables.device_tables import (
     BondsOfElements,
     DeviceSpan,
-    FoldedPortions,
     LoadsOfBonds,
     RowOrder,
-    WorkPortions,
 )
-from bondem._tables.step_tables import StepCut
+from bondem._tables.step_tables import Ledger, StepCut
 from bondem.dynamics.on_device.device_tables import new_row_order
 from bondem.specimen.ordering import Layout
 
@@ -38,45 +30,39 @@ class Translation:
     Args:
         layout: elements and bonds.
         cut: cut of a step into one block, whose list has the elements that own rows of the boundary last.
+        ledger: sums of a record or a guard.
         rows: number of rows of the boundary.
-        works: number of works.
         postponed: elements that failures postpone, uint8, (n,), or (0,) where nothing fails.
         further: whether loads act on elements beside those of their bonds; their sums are in memory then.
 
     Attributes:
         cut: cut of the step.
+        ledger: sums of a record or a guard.
         span: clock of the run, elements and bonds.
         bonds: bonds of each element.
         loads: loads of each bond on its ends.
         dashed: loads of the dashpots of each bond.
         further: whether loads act beside those of bonds.
         held: number of elements that own rows.
-        works: works of each portion.
-        folded: sums over groups of portions.
-        walls: motion, forces and work of walls, (w, 27), or None.
         logs: events of the run, whose rows are copied as far as they are filled.
         scratch: arrays of zeros of counterparts that only the device reads.
         before_keeping: functions that convert tables copied from the device to the form of the CPU.
     """
 
     def __init__(
-        self, layout: Layout, cut: StepCut, rows: int, works: int, postponed: np.ndarray, *, further: bool
+        self, layout: Layout, cut: StepCut, ledger: Ledger, rows: int, postponed: np.ndarray, *, further: bool
     ) -> None:
         n, m = len(layout.order), len(layout.i)
-        self.cut, self.further = cut, further
+        self.cut, self.ledger, self.further = cut, ledger, further
         self.held = n - int(cut.held[0])
         self.span = DeviceSpan(np.zeros(9, dtype=np.int64), postponed, np.zeros(1, dtype=np.int64), n, m)
         self.bonds = BondsOfElements(
             layout.in_start.astype(np.int32), layout.out_start.astype(np.int32), np.ascontiguousarray(layout.out_bond)
         )
         self.loads, self.dashed = LoadsOfBonds(np.zeros((9, m))), LoadsOfBonds(np.zeros((9, m)))
-        self.works = WorkPortions(np.zeros((-(-works // WORKS_OF_PORTION), 2)))
-        most = max(-(-n // ELEMENTS_OF_PORTION), -(-m // BONDS_OF_PORTION), len(self.works.works), 1)
-        self.folded = FoldedPortions(np.zeros((-(-most // PORTIONS_OF_GROUP), DEVICE_SUMS)))
         self.logs: list[EventLog] = []
         self.scratch: list[np.ndarray] = []
         self.before_keeping: list[Callable[[], None]] = []
-        self.walls: tuple[np.ndarray, ...] = ()
         self._rows = rows
         self._made: dict[int, tuple[Any, Any]] = {}
 
@@ -119,10 +105,9 @@ Made = Mapping[type, Callable[[Translation, Given], Any]]
 _OF_RUN: Made = {
     DeviceSpan: lambda run, _: run.span,
     StepCut: lambda run, _: run.cut,
+    Ledger: lambda run, _: run.ledger,
     BondsOfElements: lambda run, _: run.bonds,
     LoadsOfBonds: lambda run, _: run.loads,
-    WorkPortions: lambda run, _: run.works,
-    FoldedPortions: lambda run, _: run.folded,
 }
 
 
@@ -193,6 +178,16 @@ def elements(run: Translation, _: Given) -> int:
 def bonds(run: Translation, _: Given) -> int:
     """Return the number of bonds or facets."""
     return run.span.m
+
+
+def portions_of_elements(run: Translation, _: Given) -> int:
+    """Return the number of portions of elements."""
+    return -(-run.span.n // ELEMENTS_OF_PORTION)
+
+
+def portions_of_bonds(run: Translation, _: Given) -> int:
+    """Return the number of portions of bonds or facets."""
+    return -(-run.span.m // BONDS_OF_PORTION)
 
 
 def free(run: Translation, _: Given) -> int:

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from bondem._cache_lines import exact_sums
 from bondem._passes import StepEntry, steps
 from bondem._tables.step_tables import AlikeBeams, Beams, Dashpots, Moving, StepCut, Strain
 from bondem.damage.breakage_part import breakage
@@ -19,7 +20,7 @@ def beams(
     _: Interaction, model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, __: float
 ) -> BondParts:
     """Return the parts of beams, with dashpots beside them or without: their forces, and their breakage."""
-    moving, cut, portions = shared.moving, shared.cut, shared.portions
+    moving, cut, ledger = shared.moving, shared.cut, shared.ledger
     strain = _changing_strain(model, state)
     bonds = model.bonds.stretched(state.eigenstrain)
     if strain is not None:  # lengths change during the run
@@ -37,8 +38,8 @@ def beams(
     if dashpots is not None:
         loads.append(steps.add_dashpot_loads(moving, table, dashpots, cut))
     forces = Part(
-        {"present": present, "loads": loads, "guard": [steps.check_beams(moving, table, portions)]},
-        record=lambda _: [steps.sum_beam_energies(moving, table, portions)],
+        {"present": present, "loads": loads, "guard": [steps.check_beams(moving, table, ledger)]},
+        record=lambda _: [steps.sum_beam_energies(moving, table, ledger)],
     )
     pressed = None if soft is None else soft.bounds
     return BondParts([forces, *failure], Joints(table.integrity, apart(model, state), damage, pressed))
@@ -59,6 +60,8 @@ def _changing_strain(model: Model, state: State) -> Strain | None:
         shear=plain.ks[bond],
         lever=plain.lever[bond],
         factor=np.zeros((4, len(held.strain_part))),
+        power=exact_sums(len(held.strain_part)),
+        due=np.zeros(2, dtype=np.uint8),
         place=held.works[1],
     )
 

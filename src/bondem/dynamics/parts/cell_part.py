@@ -5,18 +5,18 @@ from typing import NamedTuple
 
 import numpy as np
 
+from bondem._cache_lines import exact_sums
 from bondem._passes import StepEntry, steps
 from bondem._tables.cell_tables import (
     CellDilatation,
     CellStrains,
-    DilatationEnergy,
     DilatationGradients,
     ElasticFacets,
     FacetForces,
     FacetTractions,
     WallConstraints,
 )
-from bondem._tables.step_tables import Beams, Dashpots, Portions, StepCut
+from bondem._tables.step_tables import Beams, Dashpots, StepCut
 from bondem._types import Ints
 from bondem.damage.damage_part import DamageTables
 from bondem.dynamics.parts.shared_tables import SharedTables
@@ -53,14 +53,13 @@ class BodyOfCells(NamedTuple):
             beams, _ = beam_tables(bonds, layout, period, state.integrity, may_share=False)
             dashed = ((dashpots, beams._replace(integrity=facets.integrity)),)
         held = model.constraints
-        walls = constants.grips.table(layout, held.row_of, held.works[2], state.grips)
+        walls = constants.grips.table(layout, held.row_of, state.grips)
         if len(held.strain_part) or len(state.plastic):  # cells that grow or yield change levers
             facets = facets._replace(lever_i=facets.lever_i.copy(), lever_j=facets.lever_j.copy())
         return cls(
-            dashed, facets, cells,
-            gradient_tables(constants.gradients, len(layout.order), walls, len(shared.portions.elements)), walls,
+            dashed, facets, cells, gradient_tables(constants.gradients, len(layout.order), walls), walls,
             _tractions(model),
-            _strains(model, state, shared.portions),
+            _strains(model, state),
         )  # fmt: skip
 
 
@@ -87,7 +86,7 @@ def cells(
         stretch: passes that follow where stress-free strains have changed levers.
         powers: passes that find the powers of these strains at cracks, where a run begins.
     """
-    moving, cut, rows, portions = shared.moving, shared.cut, shared.rows, shared.portions
+    moving, cut, rows, ledger = shared.moving, shared.cut, shared.rows, shared.ledger
     walls, held = body.walls, len(body.walls.cell) > 0
     before: Passes = [steps.add_wall_dilatation(moving, walls, body.cells)] if held else []
     dilate: Passes = [steps.accumulate_dilatation(moving, body.facets, body.cells)]
@@ -104,13 +103,12 @@ def cells(
     loads += [steps.add_dashpot_loads(moving, beams, dashpots, cut) for dashpots, beams in body.dashed]
     present, beside, behind = _changing(shared, body, stretch, powers)
     constrain: Passes = [*beside, steps.apply_walls(moving, walls, rows)] if held else [*beside]
-    energy = DilatationEnergy(np.zeros(len(portions.elements)))
-    gradients, torques, sums, further = _of_gradients(shared, body)
+    gradients, torques, sums = _of_gradients(shared, body)
+    facets = steps.sum_facet_energies(moving, body.facets, ledger)
     energies: Passes = [
-        *before, *dilate, *collect, *sums, steps.sum_dilatation_energies(body.cells, energy),
-        steps.sum_facet_energies(moving, body.facets, portions),
-        steps.add_cell_energies(moving, walls, energy, portions),
+        *before, *dilate, *collect, *sums, steps.sum_dilatation_energies(body.cells, ledger), facets
     ]  # fmt: skip
+    holds: Passes = [steps.sum_energies_of_holds(moving, walls, ledger)] if held else []
     return Part(
         {
             "present": present,
@@ -118,14 +116,14 @@ def cells(
             "stress": gradients,
             "constrain": [*constrain, *behind], "loads": loads, "gather": gather,
             "add": [*([steps.add_wall_loads(rows, cut)] if held else []), *torques],
-            "guard": [steps.check_facets(moving, body.facets, portions)],
+            "guard": [steps.check_facets(moving, body.facets, ledger)],
         },
-        record=lambda _: [*energies, *further] if kept is None else energies[-2:-1],
+        record=lambda _: [*(energies if kept is None else [facets]), *holds],
     )  # fmt: skip
 
 
-def _of_gradients(shared: SharedTables, body: BodyOfCells) -> tuple[Passes, Passes, Passes, Passes]:
-    """Return passes of gradients of the dilatation: of stresses, torques, and energies before and after others."""
+def _of_gradients(shared: SharedTables, body: BodyOfCells) -> tuple[Passes, Passes, Passes]:
+    """Return passes of gradients of the dilatation: of stresses, torques, and energies."""
     moving, gradients = shared.moving, body.gradients
     stresses: Passes = []
     torques: Passes = []
@@ -137,11 +135,9 @@ def _of_gradients(shared: SharedTables, body: BodyOfCells) -> tuple[Passes, Pass
         stresses.append(steps.twist_layers(moving, body.walls, gradients))
         torques.append(steps.add_layer_torques(gradients, shared.cut))
     if not stresses:
-        return [], [], [], []
-    return (
-        stresses, torques, [steps.sum_gradient_energies(moving, body.cells, body.walls, gradients)],
-        [steps.add_gradient_energies(gradients, shared.portions)],
-    )  # fmt: skip
+        return [], [], []
+    energies = steps.sum_gradient_energies(moving, body.cells, body.walls, gradients, shared.ledger)
+    return stresses, torques, [energies]
 
 
 def _changing(
@@ -179,10 +175,10 @@ def _tractions(model: Model) -> tuple[FacetTractions, ...]:
     if count == 0:
         return ()
     schedule: Ints = held.press_schedule
-    return (FacetTractions(held.press_value, schedule, held.works[2], np.zeros(count), np.zeros(count)),)
+    return (FacetTractions(held.press_value, schedule, np.zeros(count), np.zeros(count)),)
 
 
-def _strains(model: Model, state: State, portions: Portions) -> tuple[CellStrains, ...]:
+def _strains(model: Model, state: State) -> tuple[CellStrains, ...]:
     """Return the table of stress-free strains of the conditions, on top of those of the state, if there are any."""
     held, cells, layout = model.constraints, model.cell_law.constants, model.layout
     if not len(held.strain_part):
@@ -194,6 +190,6 @@ def _strains(model: Model, state: State, portions: Portions) -> tuple[CellStrain
         base_j=np.ascontiguousarray(cells.lever_j.T), still=1.0 + still, part=held.strain_part,
         wall_base=cells.grips.lever, wall_still=1.0 + layout.of_elements(still)[wall],
         wall_part=np.array([layout.of_elements(part)[wall] for part in held.strain_part]),
-        place=held.works[1], factor=np.zeros((4, count)), power=np.zeros((len(portions.bonds), count)),
-        cracked=np.zeros(count), due=np.zeros(2, dtype=np.uint8),
+        place=held.works[1], factor=np.zeros((4, count)),
+        power=exact_sums(count), due=np.zeros(2, dtype=np.uint8),
     ),)  # fmt: skip

@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from bondem._cache_lines import lines
+from bondem._cache_lines import exact_sums, lines
 from bondem._passes import steps
+from bondem._tables.columns import ELEMENTS_OF_PORTION, WallSum
 from bondem._tables.contact_tables import (
     AdheringPairs,
     ContactConstants,
-    ContactEnergies,
     ContactPairs,
     ContactSums,
     NearPairs,
@@ -62,13 +62,13 @@ class ContactTables:
         self._search = ContactSearch(model, contacts, state, (joints.integrity, joints.apart), outer)
         self._check = ContactCheck(contacts, dt)
         self._period, self._joints = model.period, joints
-        n, portions = len(state.pose), len(shared.portions.elements)
+        n = len(state.pose)
+        self._portions = -(-n // ELEMENTS_OF_PORTION)
         laws = contacts.laws
         kind = np.ascontiguousarray(laws.kind[model.layout.order])
         self._law = ContactConstants(*laws.rows, kind, laws.hertzian, contacts.radius)
         self._rolls, self._beyond = laws.rolls, laws.beyond
         self._sums = ContactSums(lines(n))
-        self._energies = ContactEnergies(np.zeros(portions))
         walls = contacts.walls
         self._walls, self._turning = walls_at(walls, state.walls), walls.turning
         self._motions = WallMotions(
@@ -85,7 +85,7 @@ class ContactTables:
     def _list(self, found: FoundContacts) -> None:
         """Make the tables of a list."""
         pairs, at_walls = found.pairs, found.walls
-        c, portions = len(pairs.first), len(self._energies.energy)
+        c, portions = len(pairs.first), self._portions
         self._whole = found.whole
         self._pairs = ContactPairs(
             pairs.first, pairs.second, pairs.start, found.least, found.own, pairs.memory, pairs.touch,
@@ -105,7 +105,7 @@ class ContactTables:
         )  # fmt: skip
         self._at_walls = WallContacts(
             found.wall_start, at_walls.element, at_walls.wall, at_walls.gap, at_walls.memory, at_walls.touch,
-            no_rows("WallLoad", len(at_walls.wall)),
+            no_rows("WallLoad", len(at_walls.wall)), exact_sums(WallSum.COUNT * len(self._walls.body)),
         )  # fmt: skip
         self._rolled = RolledPairs(found.rolled, np.zeros((c, 4))) if self._rolls else None
         self._rolled_walls = RolledWalls(found.wall_rolled)
@@ -117,7 +117,7 @@ class ContactTables:
         s, law, walls, faces = self._shared, self._law, self._walls, self._face_pairs
         walled = len(walls.body) > 0
         travel: Passes = [
-            steps.measure_travel(s.moving, self._travel), steps.check_travel(self._travel, walls, s.portions)
+            steps.measure_travel(s.moving, self._travel), steps.check_travel(self._travel, walls, s.ledger)
         ]  # fmt: skip
         add = steps.add_pair_loads(law, self._pairs, self._near, self._sums)
         examined = s.moving, law, self._pairs, self._near, self._travel
@@ -146,7 +146,7 @@ class ContactTables:
                 steps.measure_wall_overlaps(s.moving, law, self._at_walls, walls, self._near, self._travel),
                 steps.load_walls(self._at_walls, self._motions, walls),
             ]
-            guard.append(steps.count_wall_work(walls, s.portions))
+            guard.append(steps.count_wall_work(walls, s.ledger))
         contacts.append(steps.keep_measures(self._near, self._travel))
         loads: Passes = [steps.add_contact_loads(s.moving, s.cut, self._sums)]
         stages = {**self._after_failure(), "travel": travel, "contacts": contacts, "add": loads, "guard": guard}
@@ -193,20 +193,20 @@ class ContactTables:
         return Part({"prepare": passes, "hand_over": begun}, renewed=lambda: self.moments(stresses))
 
     def _record(self, history: HistoryRows) -> Passes:
-        moving, law, energies = self._shared.moving, self._law, self._energies
-        passes: Passes = [steps.sum_pair_energies(moving, law, self._pairs, energies)]
+        moving, law, ledger = self._shared.moving, self._law, self._shared.ledger
+        passes: Passes = [steps.sum_pair_energies(moving, law, self._pairs, ledger)]
         if self._face_pairs is not None:
-            passes.append(steps.sum_face_energies(moving, law, self._pairs, self._face_pairs, energies))
+            passes.append(steps.sum_face_energies(moving, law, self._pairs, self._face_pairs, ledger))
         if len(self._walls.body):
-            passes.append(steps.sum_wall_energies(moving, law, self._at_walls, self._walls, energies))
-            passes.append(steps.write_walls(self._walls, self._gauges, history))
+            passes.append(steps.sum_wall_energies(moving, law, self._at_walls, self._walls, ledger))
+            passes.append(steps.write_walls(self._walls, self._gauges, ledger, history))
         if self._rolled is not None:
-            passes.append(steps.sum_rolling_energies(law, self._pairs, self._rolled, energies))
-            passes.append(steps.sum_rolling_at_walls(law, self._at_walls, self._rolled_walls, energies))
+            passes.append(steps.sum_rolling_energies(law, self._pairs, self._rolled, ledger))
+            passes.append(steps.sum_rolling_at_walls(law, self._at_walls, self._rolled_walls, ledger))
         if self._beyond > 0.0:
-            passes.append(steps.sum_adhesion_energies(moving, law, self._pairs, energies))
-            passes.append(steps.sum_adhesion_at_walls(moving, law, self._at_walls, self._walls, energies))
-        return [*passes, steps.write_contact_energy(energies, history)]
+            passes.append(steps.sum_adhesion_energies(moving, law, self._pairs, ledger))
+            passes.append(steps.sum_adhesion_at_walls(moving, law, self._at_walls, self._walls, ledger))
+        return passes
 
     def _keep(self) -> None:
         """Write the memory of contacts into the state, and check them."""

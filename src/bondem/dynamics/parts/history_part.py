@@ -11,13 +11,13 @@ def history(shared: SharedTables, gauges: Gauges, kinetic: Passes) -> Part:
 
     `kinetic` are the passes that correct the kinetic energies of elements.
     """
-    moving, rows, portions = shared.moving, shared.rows, shared.portions
-    elements: Passes = [steps.sum_element_energies(moving, portions), *kinetic]
+    moving, rows, ledger = shared.moving, shared.rows, shared.ledger
+    elements: Passes = [steps.sum_element_energies(moving, ledger), *kinetic]
 
     def record(to: HistoryRows) -> Passes:
-        passes: Passes = [*elements, steps.write_ledger(rows, portions, to)]
+        passes: Passes = [*elements, steps.write_ledger(rows, ledger, to)]
         if len(gauges.quantity):
             passes.append(steps.read_gauges(moving, rows, gauges, to))
         return passes
 
-    return Part({"guard": [*elements, steps.judge_energy(rows, portions)]}, record)
+    return Part({"guard": [*elements, steps.judge_energy(rows, ledger)]}, record)

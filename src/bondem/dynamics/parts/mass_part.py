@@ -31,6 +31,6 @@ def mass_of_waves(model: Model, shared: SharedTables, body: BodyOfCells) -> list
                     steps.add_inertia_forces(mass, shared.cut),
                 ],
             },
-            kinetic=[steps.subtract_dilatation_energies(*of_cells, shared.portions)],
+            kinetic=[steps.subtract_dilatation_energies(*of_cells, shared.ledger)],
         )
     ]  # fmt: skip

@@ -72,7 +72,7 @@ def _of_law(
         return replace(part, keep=lambda: damage.keep(integrity, state))
 
     touches = model.contact is not None
-    run = Run(shared.moving, shared.cut, shared.portions, state.of_law, dashpots, damage, failing, touches)
+    run = Run(shared.moving, shared.cut, shared.ledger, state.of_law, dashpots, damage, failing, touches)
     found = law.parts(run)
     return BondParts(found.parts, Joints(found.integrity, apart(model, state), damage), found.stresses)
 

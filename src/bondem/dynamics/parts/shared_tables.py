@@ -2,9 +2,9 @@
 
 from dataclasses import dataclass
 
-from bondem._tables.step_tables import Moving, Portions, Rows, StepCut, Timeline
+from bondem._tables.step_tables import Ledger, Moving, Rows, StepCut, Timeline
 from bondem._types import PerBond
-from bondem.dynamics.step_tables import new_portions
+from bondem.dynamics.step_tables import new_ledger
 from bondem.model.constraints import Schedules
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -18,7 +18,7 @@ class SharedTables:
         moving: motion of the elements.
         rows: rows of the boundary.
         cut: cut of a step into domains and blocks, and sums of forces.
-        portions: sums over portions of elements and bonds.
+        ledger: sums of a record or a guard.
         schedules: schedules of the boundary.
         timeline: the functions of time of these schedules.
         owned: whether elements own rows of the boundary.
@@ -27,7 +27,7 @@ class SharedTables:
     moving: Moving
     rows: Rows
     cut: StepCut
-    portions: Portions
+    ledger: Ledger
     schedules: Schedules
     timeline: Timeline
     owned: bool
@@ -41,7 +41,7 @@ class SharedTables:
             moving=Moving(state.pose, state.motion, state.acceleration, state.loss, state.rest),
             rows=held.rows(state.reaction, state.work),
             cut=cut,
-            portions=new_portions(len(state.pose), len(model.layout.i)),
+            ledger=new_ledger(),
             schedules=times,
             timeline=Timeline(times.times, times.values, times.start),
             owned=len(held.element) > 0,

@@ -127,7 +127,7 @@ class StoredBeamInteraction(BeamInteraction, SteppingInteraction):
         return loads.found[:, : len(arrays["integrity"])].T
 
     def parts(self, run: Run) -> LawParts:
-        moving, cut, portions, history = run.moving, run.cut, run.portions, run.arrays["history"]
+        moving, cut, ledger, history = run.moving, run.cut, run.ledger, run.arrays["history"]
         beams, stored = self.tables(run.arrays)
         loads: Passes = [steps.add_stored_loads(moving, beams, stored, cut)]
         if run.dashpots is not None:
@@ -138,8 +138,8 @@ class StoredBeamInteraction(BeamInteraction, SteppingInteraction):
                 history[:] = stored.history[:, : history.shape[1]]
 
         part = Part(
-            {"loads": loads, "guard": [steps.check_beams(moving, beams, portions)]},
-            record=lambda _: [steps.sum_stored_energies(moving, beams, stored, portions)],
+            {"loads": loads, "guard": [steps.check_beams(moving, beams, ledger)]},
+            record=lambda _: [steps.sum_stored_energies(moving, beams, stored, ledger)],
             keep=keep,
         )
         return LawParts([part], run.arrays["integrity"])

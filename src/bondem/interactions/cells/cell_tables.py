@@ -55,7 +55,7 @@ def cell_tables(
 
 
 def gradient_tables(
-    gradients: GradientConstants, n: int, walls: WallConstraints, portions: int = 0
+    gradients: GradientConstants, n: int, walls: WallConstraints
 ) -> DilatationGradients:
     """Return gradients of the dilatation as the core takes them.
 
@@ -63,7 +63,6 @@ def gradient_tables(
         gradients: constants in internal order.
         n: number of cells.
         walls: walls that hold facets of the cells.
-        portions: number of portions of cells whose energies are summed.
     """
     near, far, spring = gradients.springs()
     start, order, other = _of_cells(near, far, n)
@@ -81,7 +80,7 @@ def gradient_tables(
     return DilatationGradients(
         start, other, np.tile(spring, 2)[order], np.zeros(n), layer, following, np.ascontiguousarray(way),
         hold, held[by_cell], np.ascontiguousarray(turned.reshape(-1, 6)[by_cell]),
-        np.ascontiguousarray(gradients.weight), np.zeros((layered, 2)), np.zeros((layered, 3)), np.zeros(portions),
+        np.ascontiguousarray(gradients.weight), np.zeros((layered, 2)), np.zeros((layered, 3)),
     )  # fmt: skip
 
 

@@ -57,7 +57,7 @@ class BodyTables:
         """Return the tables of a body with facets of some integrity [-], (m,); see `Interaction.energy`."""
         layout = law.layout
         base, motion, pressed = surface or (None, constants.grips.motion, constants.pressed)
-        walls = constants.grips.table(layout, np.zeros(len(layout.order), dtype=np.int64), 0, base)
+        walls = constants.grips.table(layout, np.zeros(len(layout.order), dtype=np.int64), base)
         walls.wall[:] = motion
         facets, cells = cell_tables(constants, layout, law.period, integrity, layout.i)
         cells.given[:] = pressed

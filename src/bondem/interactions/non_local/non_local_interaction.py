@@ -14,8 +14,8 @@ from bondem._cache_lines import lines
 from bondem._core import run_pass
 from bondem._passes import calls, steps
 from bondem._tables.damage_tables import BeamIntegrity, FailureIndices, Strengths
-from bondem._tables.non_local_tables import NonLocalBonds, NonLocalWork, SmallSprings, SmallSteps
-from bondem._tables.step_tables import Beams, HistoryRows, LaggedStresses, Poses, StepCut
+from bondem._tables.non_local_tables import NonLocalBonds, SmallSprings, SmallSteps
+from bondem._tables.step_tables import Beams, LaggedStresses, Poses, StepCut
 from bondem._types import Floats, PerBond, PerBond3, PerElement3, PerElement6
 from bondem.errors import InputError
 from bondem.interactions.beams.beam_tables import beam_tables
@@ -127,10 +127,9 @@ class NonLocalInteraction(LaggedInteraction):
     # ---- a step
 
     def parts(self, run: Run) -> LawParts:
-        moving, cut, portions, dashpots = run.moving, run.cut, run.portions, run.dashpots
+        moving, cut, ledger, dashpots = run.moving, run.cut, run.ledger, run.dashpots
         beams, bonds = self._tables(run.arrays)
         stresses = self._stresses(run.arrays["stress"], self._rows_of_moments(cut), int(cut.part[-1]))
-        work = NonLocalWork(np.zeros(len(portions.bonds)))
         dashes: Passes = [] if dashpots is None else [steps.add_dashpot_loads(moving, beams, dashpots, cut)]
         stages: dict[str, Passes] = {"prepare": [steps.turn_stresses(moving, stresses)]}
         if run.damage is None and not run.touches:  # nothing needs the stresses of now before the elements move
@@ -142,18 +141,15 @@ class NonLocalInteraction(LaggedInteraction):
             stages["prepare"].append(steps.collect_moments(cut, stresses))
             stages["stress"] = [steps.find_stresses(moving, stresses)]
             stages["loads"] = [steps.add_non_local_loads(bonds, cut), *dashes]
-        stages["guard"] = [steps.check_beams(moving, beams, portions)]
+        stages["guard"] = [steps.check_beams(moving, beams, ledger)]
         stored = run.arrays["history"]
 
         def keep() -> None:
             if bonds.history is not stored:
                 stored[:] = bonds.history[:, : stored.shape[1]]
 
-        def record(history: HistoryRows) -> Passes:
-            found = steps.sum_non_local_energies(moving, beams, bonds, portions, work)
-            return [found, steps.write_non_local_work(work, history)]
-
-        parts = [Part(stages, record, keep)]
+        energies: Passes = [steps.sum_non_local_energies(moving, beams, bonds, ledger)]
+        parts = [Part(stages, lambda _: energies, keep)]
         if run.damage is not None:
             parts.append(_breakage(run, run.damage, beams, bonds, stresses))
         return LawParts(parts, beams.integrity, stresses)

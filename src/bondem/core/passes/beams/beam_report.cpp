@@ -1,6 +1,7 @@
 // Counts and energies of beams for the guard and the history.
 #include "beam_report.hpp"
 
+#include "../../ledger.hpp"
 #include "../../registered.hpp"
 #include "bonds.hpp"
 
@@ -22,19 +23,20 @@ void count_turned(Index first, Index last, const double *pose, const Beams &beam
     count[0] = wide, count[1] = lost, count[2] = not_finite;
 }
 
-void sum_energies(Index first, Index last, const double *pose, const Beams &beams, double *sum) {
-    for (Index c = 0; c < 4; c++) sum[c] = 0.0;
+void sum_energies(Index first, Index last, const double *pose, const Beams &beams, ModeSums &sum) {
     for (Index k = first; k < last; k++) {
         const BeamEnergy<double> energy = beam_energy(ends_of(pose, beams, k), shape_of<double>(beams, k),
                                                       stiffness_of(beams, k, 1.0), beams.ks(k), beams.lever(k));
-        add_energy(sum, beams.integrity(k), energy);
+        sum.add(beams.integrity(k), energy);
     }
 }
 
 }  // namespace
 
-void check_beams(const Turn &turn, const Moving &all, const Beams &beams, const Portions &portions) {
-    count_turned(turn.first, turn.last, all.pose.data, beams, &portions.turned(turn.block, 0));
+void check_beams(const Turn &turn, const Moving &all, const Beams &beams, const Ledger &ledger) {
+    Index count[3];
+    count_turned(turn.first, turn.last, all.pose.data, beams, count);
+    count_turns(ledger, count[0], count[1], count[2]);
 }
 BONDEM_PASS(check_beams, of_bonds, "ends pose")
 
@@ -45,14 +47,18 @@ Index count_turned_beams(Index, const Poses &all, const Beams &beams, const Beam
 }
 BONDEM_CALL(count_turned_beams, "")
 
-void sum_beam_energies(const Turn &turn, const Moving &all, const Beams &beams, const Portions &portions) {
-    sum_energies(turn.first, turn.last, all.pose.data, beams, &portions.bonds(turn.block, 0));
+void sum_beam_energies(const Turn &turn, const Moving &all, const Beams &beams, const Ledger &ledger) {
+    ModeSums sum = {};
+    sum_energies(turn.first, turn.last, all.pose.data, beams, sum);
+    sum.add_to(ledger);
 }
 BONDEM_PASS(sum_beam_energies, of_bonds, "ends pose")
 
 // Measures normal, shear, bending and twisting energy of all beams in any poses [J].
 Index measure_beam_energies(Index, const Poses &all, const Beams &beams, const BeamEnergies &found) {
-    sum_energies(0, beams.i.size(), all.pose.data, beams, found.energy.data);
+    ModeSums sum = {};
+    sum_energies(0, beams.i.size(), all.pose.data, beams, sum);
+    sum.put(found.energy.data);
     return 0;
 }
 BONDEM_CALL(measure_beam_energies, "")

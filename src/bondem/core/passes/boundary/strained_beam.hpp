@@ -1,7 +1,9 @@
 // One beam with a stress-free strain that changes: its rest length L (1 + ε*), and the tension that does work on the
 // strain.
 #pragma once
+#include "../../exact_sum.hpp"
 #include "../beams/bonds.hpp"
+#include "timeline.hpp"
 
 namespace bondem {
 
@@ -23,6 +25,37 @@ inline double tension_of(const Moving &all, const Strain &strain, const Beams &b
     const Index k = strain.bond(e);
     const double present = length(ends_of(all.pose.data, beams, k).branch);
     return beams.integrity(k) * beams.kn(k) * (present - beams.length(k));
+}
+
+
+// Brings the factors to the time of a clock, and finds what is due.
+inline void follow_factors(const Clock &clock, const Timeline &timeline, const Strain &strain) {
+    const auto &factor = strain.factor;
+    bool changed = clock.first, needed = clock.first;
+    for (Index g = 0; g < strain.schedule.size(); g++) {
+        factor(1, g) = value_at(timeline, strain.schedule(g), clock.time);
+        changed |= factor(1, g) != factor(0, g);
+        needed |= factor(1, g) != value_at(timeline, strain.schedule(g), clock.time + clock.dt);
+    }
+    strain.due(strain_due::levers) = changed;
+    strain.due(strain_due::power) = changed || needed;
+}
+// Stretches strained beam e where that is due, and calls add(strain, ∂U/∂factor).
+template <class Add>
+inline void stretch_and_add(const Moving &all, const Strain &strain, const Beams &beams, Index e, Add add) {
+    if (strain.due(strain_due::levers)) stretch_beam(strain, beams, e);
+    const double tension = tension_of(all, strain, beams, e);
+    for (Index g = 0; g < strain.schedule.size(); g++) add(g, -tension * strain.length(e) * strain.part(g, e));
+}
+// Takes the powers of the strains, and adds their work.
+inline void add_work_of(const Clock &clock, const Strain &strain, const Rows &rows) {
+    const auto &factor = strain.factor;
+    for (Index g = 0; g < strain.schedule.size(); g++) {
+        factor(3, g) = exact_sum(strain.power, g).take();
+        if (!clock.first) rows.work(strain.place) += 0.5 * (factor(2, g) + factor(3, g)) * (factor(1, g) - factor(0, g));
+        factor(0, g) = factor(1, g);
+        factor(2, g) = factor(3, g);
+    }
 }
 
 }  // namespace bondem

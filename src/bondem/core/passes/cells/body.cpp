@@ -60,12 +60,13 @@ Index measure_cell_energies(Index, const CellPoses &all, const ElasticFacets &fa
                             const DilatationGradients &gradients, const WallConstraints &walls,
                             const CellEnergies &found) {
     dilate(all, facets, cells, walls);
-    sum_energies(0, facets.i.size(), all.pose.data, facets, found.energy.data);
-    double more = 0.0;
-    for (Index p = 0; p < all.pose.size(); p++) more += energy_of_gradients(all.pose, cells, walls, gradients, p);
-    for (Index g = 0; g < walls.cell.size(); g++) more += energy_of_hold(all.pose, all.rest, walls, g);
-    for (Index p = 0; p < all.pose.size(); p++) more += take_dilatation_energy(cells, p);
-    found.energy(0) += more;
+    ModeSums sum = {};
+    sum_energies(0, facets.i.size(), all.pose.data, facets, sum);
+    ExactSum &normal = sum.mode[0];
+    for (Index p = 0; p < all.pose.size(); p++) normal.add(energy_of_gradients(all.pose, cells, walls, gradients, p));
+    for (Index g = 0; g < walls.cell.size(); g++) normal.add(energy_of_hold(all.pose, all.rest, walls, g));
+    for (Index p = 0; p < all.pose.size(); p++) normal.add(take_dilatation_energy(cells, p));
+    sum.put(found.energy.data);
     return 0;
 }
 BONDEM_CALL(measure_cell_energies, "")

@@ -18,7 +18,7 @@ Vector direction_at_rest(const Array<const double, 2> &rest, const ElasticFacets
 
 }  // namespace
 
-void check_facets(const Turn &turn, const Moving &all, const ElasticFacets &facets, const Portions &portions) {
+void check_facets(const Turn &turn, const Moving &all, const ElasticFacets &facets, const Ledger &ledger) {
     Index wide = 0, lost = 0, not_finite = 0;
     const FacetColumns columns(facets);
     for (Index k = turn.first; k < turn.last; k++) {
@@ -32,31 +32,30 @@ void check_facets(const Turn &turn, const Moving &all, const ElasticFacets &face
         wide += (c < 0.7) | (w2 < 0.75);
         lost += (c <= 0.0) | (w2 <= 0.25);
     }
-    Index *const count = &portions.turned(turn.block, 0);
-    count[0] = wide, count[1] = lost, count[2] = not_finite;
+    count_turns(ledger, wide, lost, not_finite);
 }
 BONDEM_PASS(check_facets, of_bonds, "ends pose")
 
-void sum_facet_energies(const Turn &turn, const Moving &all, const ElasticFacets &facets, const Portions &portions) {
-    sum_energies(turn.first, turn.last, all.pose.data, facets, &portions.bonds(turn.block, 0));
+void sum_facet_energies(const Turn &turn, const Moving &all, const ElasticFacets &facets, const Ledger &ledger) {
+    ModeSums sum = {};
+    sum_energies(turn.first, turn.last, all.pose.data, facets, sum);
+    sum.add_to(ledger);
 }
 BONDEM_PASS(sum_facet_energies, of_bonds, "ends pose")
 
-void sum_dilatation_energies(const Turn &turn, const CellDilatation &cells, const DilatationEnergy &found) {
-    double sum = 0.0;
-    for (Index p = turn.first; p < turn.last; p++) sum += take_dilatation_energy(cells, p);
-    found.energy(turn.block) = sum;
+void sum_dilatation_energies(const Turn &turn, const CellDilatation &cells, const Ledger &ledger) {
+    add_up(ledger, history_column::normal, [&](ExactSum &sum) {
+        for (Index p = turn.first; p < turn.last; p++) sum.add(take_dilatation_energy(cells, p));
+    });
 }
 BONDEM_PASS(sum_dilatation_energies, of_elements, "writes swelling")
 
-// Adds the energy of dilatation, and that of half facets at walls, to the normal energy of the first portion of facets.
-void add_cell_energies(const Turn &, const Moving &all, const WallConstraints &walls, const DilatationEnergy &found,
-                       const Portions &portions) {
-    double sum = 0.0;
-    for (Index q = 0; q < found.energy.size(); q++) sum += found.energy(q);
-    for (Index g = 0; g < walls.cell.size(); g++) sum += energy_of_hold(all.pose, all.rest, walls, g);
-    if (portions.bonds.size() > 0) portions.bonds(0, 0) += sum;
+// Sums the energies of half facets at walls.
+void sum_energies_of_holds(const Turn &, const Moving &all, const WallConstraints &walls, const Ledger &ledger) {
+    add_up(ledger, history_column::normal, [&](ExactSum &sum) {
+        for (Index g = 0; g < walls.cell.size(); g++) sum.add(energy_of_hold(all.pose, all.rest, walls, g));
+    });
 }
-BONDEM_PASS(add_cell_energies, single, "")
+BONDEM_PASS(sum_energies_of_holds, of_rows, "")
 
 }  // namespace bondem

@@ -35,7 +35,7 @@ BONDEM_PASS(follow_cell_strains, of_rows, "writes arm")
 
 void sum_strain_powers(const Turn &turn, const Moving &all, const CellStrains &strains, const ElasticFacets &facets) {
     if (strains.due(strain_due::power))
-        sum_powers(turn.first, turn.last, all.pose.data, strains, facets, &strains.power(turn.block, 0));
+        sum_powers(turn.first, turn.last, all.pose.data, strains, facets);
 }
 BONDEM_PASS(sum_strain_powers, of_bonds, "ends pose pose.stress")
 
@@ -43,11 +43,8 @@ BONDEM_PASS(sum_strain_powers, of_bonds, "ends pose pose.stress")
 void begin_strain_work(const Turn &turn, const Moving &all, const CellStrains &strains, const ElasticFacets &facets,
                        const WallConstraints &walls) {
     if (!turn.clock.first) return;
-    for (Index q = 0; q < strains.power.size(); q++) {
-        const Index first = q * bonds_of_portion, last = least(first + bonds_of_portion, strains.still.size());
-        sum_powers(first, last, all.pose.data, strains, facets, &strains.power(q, 0));
-    }
-    sum_all_powers(all, strains, walls);
+    sum_powers(0, strains.still.size(), all.pose.data, strains, facets);
+    take_powers(all, strains, walls);
     for (Index g = 0; g < strains.schedule.size(); g++) strains.factor(before, g) = strains.factor(after, g);
 }
 BONDEM_PASS(begin_strain_work, of_rows, "")
@@ -56,7 +53,7 @@ void add_strain_work(const Turn &, const Moving &all, const CellStrains &strains
                      const Rows &rows) {
     if (!strains.due(strain_due::power)) return;
     const auto &factor = strains.factor;
-    sum_all_powers(all, strains, walls);
+    take_powers(all, strains, walls);
     for (Index g = 0; g < strains.schedule.size(); g++) {
         rows.work(strains.place) += 0.5 * (factor(before, g) + factor(after, g)) * factor(came, g);
         factor(before, g) = factor(after, g);

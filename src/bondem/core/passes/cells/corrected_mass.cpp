@@ -1,6 +1,7 @@
 // The mass matrix of waves of pressure in a step: after all loads of the elements, before they move.
+#include "../../ledger.hpp"
 #include "../../registered.hpp"
-#include "../../tables/cell_tables.hpp"
+#include "cell_report.hpp"
 #include "dilatation_rates.hpp"
 
 namespace bondem {
@@ -36,13 +37,11 @@ void add_inertia_forces(const Turn &turn, const CorrectedMass &mass, const StepC
 }
 BONDEM_PASS(add_inertia_forces, elements_of_blocks, "own force; changes sums")
 
-// Subtracts the correction of the mass from the kinetic energies of cells.
 void subtract_dilatation_energies(const Turn &turn, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass,
-                                  const Portions &portions) {
-    double sum = 0.0;
-    for (Index p = turn.first; p < turn.last; p++)
-        sum += surplus_of_kinetic_energy(all, facets, walls, mass, p);
-    portions.elements(turn.block, 0) -= sum;
+                                  const Ledger &ledger) {
+    add_up(ledger, history_column::translation, [&](ExactSum &sum) {
+        for (Index p = turn.first; p < turn.last; p++) sum.subtract(surplus_of_kinetic_energy(all, facets, walls, mass, p));
+    });
 }
 BONDEM_PASS(subtract_dilatation_energies, of_elements, "")
 

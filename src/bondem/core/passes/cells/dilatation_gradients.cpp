@@ -1,6 +1,7 @@
 // Gradients of the dilatation in a step: after the stresses of the cells, before the loads of the facets.
+#include "../../ledger.hpp"
 #include "../../registered.hpp"
-#include "../../tables/cell_tables.hpp"
+#include "cell_report.hpp"
 #include "gradients.hpp"
 
 namespace bondem {
@@ -42,21 +43,12 @@ void add_layer_torques(const Turn &turn, const DilatationGradients &gradients, c
 }
 BONDEM_PASS(add_layer_torques, elements_of_blocks, "own torque; changes sums")
 
-// Sums the energies of gradients in portions of cells, for the dilatation that facets have added up.
 void sum_gradient_energies(const Turn &turn, const Moving &all, const CellDilatation &cells,
-                           const WallConstraints &walls, const DilatationGradients &gradients) {
-    double sum = 0.0;
-    for (Index p = turn.first; p < turn.last; p++) sum += energy_of_gradients(all.pose, cells, walls, gradients, p);
-    gradients.energy(turn.block) = sum;
+                           const WallConstraints &walls, const DilatationGradients &gradients, const Ledger &ledger) {
+    add_up(ledger, history_column::normal, [&](ExactSum &sum) {
+        for (Index p = turn.first; p < turn.last; p++) sum.add(energy_of_gradients(all.pose, cells, walls, gradients, p));
+    });
 }
 BONDEM_PASS(sum_gradient_energies, of_elements, "ends pose; adds bend")
-
-// Adds the energies of gradients to those of the facets.
-void add_gradient_energies(const Turn &, const DilatationGradients &gradients, const Portions &portions) {
-    double sum = 0.0;
-    for (Index q = 0; q < gradients.energy.size(); q++) sum += gradients.energy(q);
-    if (portions.bonds.size() > 0) portions.bonds(0, 0) += sum;
-}
-BONDEM_PASS(add_gradient_energies, single, "")
 
 }  // namespace bondem

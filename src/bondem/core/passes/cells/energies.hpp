@@ -1,16 +1,16 @@
 // Energies of facets and cells, for passes of a step and for any poses.
 #pragma once
+#include "../../ledger.hpp"
 #include "facets.hpp"
 
 namespace bondem {
 
-inline void sum_energies(Index first, Index last, const double *pose, const ElasticFacets &facets, double *sum) {
+inline void sum_energies(Index first, Index last, const double *pose, const ElasticFacets &facets, ModeSums &sum) {
     const FacetColumns columns(facets);
-    for (Index c = 0; c < 4; c++) sum[c] = 0.0;
     for (Index k = first; k < last; k++) {
         const FacetEnergy<double> energy = facet_energy(ends_of(pose, facets, k), columns.shape<double>(k),
                                                         normal_of(facets, k), columns.stiffness(k, 1.0));
-        add_energy(sum, facets.integrity(k), energy);
+        sum.add(facets.integrity(k), energy);
     }
 }
 

@@ -5,7 +5,7 @@
 #include "../../registered.hpp"
 #include "../../tables/cell_tables.hpp"
 #include "../boundary/timeline.hpp"
-#include "facets.hpp"
+#include "tractions.hpp"
 
 namespace bondem {
 
@@ -29,15 +29,12 @@ void follow_tractions(const Turn &turn, const Timeline &timeline, const FacetTra
 }
 BONDEM_PASS(follow_tractions, of_rows, "writes given")
 
-// Adds half the work of tractions that change: once by the stresses before, and once by those after.
-void add_traction_work(const Turn &, const Moving &all, const FacetTractions &tractions, const Rows &rows) {
-    for (Index l = 0; l < tractions.schedule.size(); l++) {
-        if (tractions.came(l) == 0.0) continue;
-        double power = 0.0;
-        for (Index p = 0; p < tractions.value.shape[1]; p++) power += all.pose(p, stress_column) * tractions.value(l, p);
-        rows.work(tractions.place) += 0.5 * tractions.came(l) * power;
-    }
+// Adds half the work of tractions that change to the rows of their cells: once by the stresses before, and once by those
+// after.
+void add_traction_work(const Turn &turn, const Moving &all, const FacetTractions &tractions, const Rows &rows) {
+    if (comes(tractions))
+        for (Index e = turn.held; e < turn.last; e++) add_traction_work_of(all, tractions, rows, turn.element[e]);
 }
-BONDEM_PASS(add_traction_work, of_rows, "")
+BONDEM_PASS(add_traction_work, elements_of_blocks, "own pose.stress")
 
 }  // namespace bondem

@@ -1,5 +1,6 @@
 // Facets and walls of cells whose stress-free strains change: their levers, and the power of the strains.
 #pragma once
+#include "../../exact_sum.hpp"
 #include "../boundary/timeline.hpp"
 #include "strain_growth.hpp"
 #include "walls.hpp"
@@ -36,12 +37,11 @@ inline void stretch_wall(const CellStrains &strains, const WallConstraints &wall
     for (Index axis = 0; axis < 3; axis++) walls.arm(w, axis) = grown * strains.wall_base(w, axis);
 }
 
-// ∂U/∂factor of the facets first … last - 1, by the stresses in the poses.
-inline void sum_powers(Index first, Index last, const double *pose, const CellStrains &strains, const ElasticFacets &facets,
-                double *power) {
+// Adds ∂U/∂factor of the facets first … last - 1, by the stresses in the poses.
+inline void sum_powers(Index first, Index last, const double *pose, const CellStrains &strains,
+                       const ElasticFacets &facets) {
     const Index count = strains.schedule.size();
     const FacetColumns columns(facets);
-    for (Index g = 0; g < count; g++) power[g] = 0.0;
     for (Index k = first; k < last; k++) {
         const double s = facets.integrity(k);
         if (s <= 0.0) continue;
@@ -51,25 +51,22 @@ inline void sum_powers(Index first, Index last, const double *pose, const CellSt
         const OpenFacet<double> open = opened(ends, shape);
         const Vector f = facet_pull(ends, shape, s * facets.k(k), stresses_of(i, j, s));
         const double each = dot(f, open.arm_j - open.arm_i) / growth_of(strains, k);
-        for (Index g = 0; g < count; g++) power[g] += each * strains.part(g, k);
+        for (Index g = 0; g < count; g++) exact_sum(strains.power, g).add_shared(each * strains.part(g, k));
     }
 }
 
-// Adds up the powers of portions and of walls.
-inline void sum_all_powers(const Moving &all, const CellStrains &strains, const WallConstraints &walls) {
-    for (Index g = 0; g < strains.schedule.size(); g++) {
-        double sum = strains.cracked(g);
-        for (Index q = 0; q < strains.power.size(); q++) sum += strains.power(q, g);
-        strains.factor(strain_factor::after, g) = sum;
-    }
+// Adds the powers of walls to those of facets and cracks, and takes their sums.
+inline void take_powers(const Moving &all, const CellStrains &strains, const WallConstraints &walls) {
     for (Index w = 0; w < strains.wall_still.size(); w++) {
         const Quaternion<double> q = orientation(gather(all.pose.data, Short(walls.cell(w))));
         const Vector arm = turned_by(q, walls.arm.row<const Vector>(w));
         const Vector f = {walls.load(w, 0), walls.load(w, 1), walls.load(w, 2)};
         const double each = dot(f, arm) / wall_growth(strains, w);
         for (Index g = 0; g < strains.schedule.size(); g++)
-            strains.factor(strain_factor::after, g) -= each * strains.wall_part(g, w);
+            exact_sum(strains.power, g).subtract(each * strains.wall_part(g, w));
     }
+    for (Index g = 0; g < strains.schedule.size(); g++)
+        strains.factor(strain_factor::after, g) = exact_sum(strains.power, g).take();
 }
 
 }  // namespace bondem

@@ -10,10 +10,8 @@ void load_all(const Moving &all, const WallConstraints &walls, const Rows &rows)
     set_rows(walls, rows);
 }
 
-void add_half_work(const WallConstraints &walls, const Rows &rows) {
-    for (Index g = 0; g < walls.cell.size(); g++)
-        for (Index axis = 0; axis < 3; axis++)
-            rows.work(walls.place) += 0.5 * walls.load(g, axis) * walls.came(g, axis);
+void add_half_works(const WallConstraints &walls, const Rows &rows) {
+    for (Index g = 0; g < walls.cell.size(); g++) add_half_work(walls, rows, g);
 }
 
 }  // namespace
@@ -38,11 +36,11 @@ BONDEM_PASS(add_wall_dilatation, of_rows, "own arm pose wall; changes swelling")
 // Sets the forces of walls on the rows of their cells, whose stresses are known, and adds the work of walls that move:
 // the trapezoid of the force over the displacement.
 void apply_walls(const Turn &, const Moving &all, const WallConstraints &walls, const Rows &rows) {
-    add_half_work(walls, rows);
+    add_half_works(walls, rows);
     for (Index g = 0; g < walls.cell.size(); g++)
         all.loss(walls.cell(g), rubbed_loss) += slide_hold(all.pose, all.rest, walls, g);
     load_all(all, walls, rows);
-    add_half_work(walls, rows);
+    add_half_works(walls, rows);
 }
 BONDEM_PASS(apply_walls, of_rows, "own arm pose pose.stress; changes base load loss wall; writes grip")
 

@@ -100,6 +100,11 @@ inline void set_rows(const WallConstraints &walls, const Rows &rows) {
         for (Index c = 0; c < 6; c++) rows.grip(walls.row(g), c) += walls.load(g, c);
 }
 
+// Adds half the work of a wall that moves to the row of its cell.
+inline void add_half_work(const WallConstraints &walls, const Rows &rows, Index g) {
+    for (Index axis = 0; axis < 3; axis++) rows.work(walls.row(g)) += 0.5 * walls.load(g, axis) * walls.came(g, axis);
+}
+
 // Energy of the half facet at a wall, without dilatation [J].
 inline double energy_of_hold(const Array<double, 2> &pose, const Array<const double, 2> &rest,
                              const WallConstraints &walls, Index g) {

@@ -1,5 +1,6 @@
 #include "adhesion.hpp"
 
+#include "../../ledger.hpp"
 #include "../../registered.hpp"
 
 namespace bondem {
@@ -56,23 +57,23 @@ void adhere_at_walls(const Turn &turn, const Moving &all, const ContactConstants
 BONDEM_PASS(adhere_at_walls, of_elements, "own pose; changes sums")
 
 void sum_adhesion_energies(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
-                           const ContactEnergies &energies) {
-    double sum = 0.0;
-    for (Index k = pairs.start(turn.first); k < pairs.start(turn.last); k++)
-        if (pairs.bond(k) < 0)
-            sum += adhesion_of(c, pairs, k).energy(length(branch_of(all.pose.data, pairs, k)) - pairs.reach(k));
-    energies.energy(turn.block) += sum;
+                           const Ledger &ledger) {
+    add_up(ledger, history_column::contact, [&](ExactSum &sum) {
+        for (Index k = pairs.start(turn.first); k < pairs.start(turn.last); k++)
+            if (pairs.bond(k) < 0)
+                sum.add(adhesion_of(c, pairs, k).energy(length(branch_of(all.pose.data, pairs, k)) - pairs.reach(k)));
+    });
 }
 BONDEM_PASS(sum_adhesion_energies, of_elements, "")
 
 void sum_adhesion_at_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
-                           const Walls &walls, const ContactEnergies &energies) {
-    double sum = 0.0;
-    for (Index e = contacts.start(turn.first); e < contacts.start(turn.last); e++) {
-        const NearWall near(all, c, contacts, walls, e);
-        sum += near.adhesion.energy(near.gap);
-    }
-    energies.energy(turn.block) += sum;
+                           const Walls &walls, const Ledger &ledger) {
+    add_up(ledger, history_column::contact, [&](ExactSum &sum) {
+        for (Index e = contacts.start(turn.first); e < contacts.start(turn.last); e++) {
+            const NearWall near(all, c, contacts, walls, e);
+            sum.add(near.adhesion.energy(near.gap));
+        }
+    });
 }
 BONDEM_PASS(sum_adhesion_at_walls, of_elements, "")
 

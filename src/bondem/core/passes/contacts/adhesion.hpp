@@ -34,9 +34,9 @@ void adhere_at_walls(const Turn &turn, const Moving &all, const ContactConstants
                      const Walls &walls, const ContactSums &to);
 // Adds the energy of adhesion of the pairs of a portion, below 0 [J].
 void sum_adhesion_energies(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
-                           const ContactEnergies &energies);
+                           const Ledger &ledger);
 // Adds the energy of adhesion at walls of a portion of elements, below 0 [J].
 void sum_adhesion_at_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
-                           const Walls &walls, const ContactEnergies &energies);
+                           const Walls &walls, const Ledger &ledger);
 
 }  // namespace bondem

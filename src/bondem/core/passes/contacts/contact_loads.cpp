@@ -6,6 +6,7 @@
 // either, because they add nothing to any sum.
 #include "contact_loads.hpp"
 
+#include "../../ledger.hpp"
 #include "../../registered.hpp"
 #include "../../tables/columns.hpp"
 #include "face_contacts.hpp"
@@ -220,20 +221,12 @@ void add_contact_loads(const Turn &turn, const Moving &all, const StepCut &cut, 
 BONDEM_PASS(add_contact_loads, elements_of_blocks, "changes ContactSums.sums StepCut.sums loss")
 
 void sum_pair_energies(const Turn &turn, const Moving &all, const ContactConstants &law, const ContactPairs &pairs,
-                       const ContactEnergies &energies) {
-    double sum = 0.0;
-    for (Index k = pairs.start(turn.first); k < pairs.start(turn.last); k++)
-        if (pairs.touch(k) == touching) sum += pair_energy(all.pose.data, law, pairs, k);
-    energies.energy(turn.block) = sum;
+                       const Ledger &ledger) {
+    add_up(ledger, history_column::contact, [&](ExactSum &sum) {
+        for (Index k = pairs.start(turn.first); k < pairs.start(turn.last); k++)
+            if (pairs.touch(k) == touching) sum.add(pair_energy(all.pose.data, law, pairs, k));
+    });
 }
 BONDEM_PASS(sum_pair_energies, of_elements, "")
-
-// Adds the energy of contacts to a record.
-void write_contact_energy(const Turn &turn, const ContactEnergies &energies, const HistoryRows &history) {
-    double sum = 0.0;
-    for (Index q = 0; q < energies.energy.size(); q++) sum += energies.energy(q);
-    history.record(turn.clock.record, history_column::contact) = sum;
-}
-BONDEM_PASS(write_contact_energy, single, "")
 
 }  // namespace bondem

@@ -8,6 +8,6 @@ namespace bondem {
 void add_contact_loads(const Turn &turn, const Moving &all, const StepCut &cut, const ContactSums &contacts);
 // Sums the elastic energy of the pairs of a portion [J].
 void sum_pair_energies(const Turn &turn, const Moving &all, const ContactConstants &law, const ContactPairs &pairs,
-                       const ContactEnergies &energies);
+                       const Ledger &ledger);
 
 }  // namespace bondem

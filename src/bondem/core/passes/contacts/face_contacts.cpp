@@ -1,5 +1,6 @@
 #include "face_contacts.hpp"
 
+#include "../../ledger.hpp"
 #include "../../registered.hpp"
 
 namespace bondem {
@@ -11,11 +12,11 @@ void add_face_loads(const Turn &turn, const ContactPairs &pairs, const FacePairs
 BONDEM_PASS(add_face_loads, of_ranges, "adds sums")
 
 void sum_face_energies(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
-                       const FacePairs &faces, const ContactEnergies &energies) {
-    double sum = 0.0;
-    for (Index k = pairs.start(turn.first); k < pairs.start(turn.last); k++)
-        if (pairs.touch(k) == facing) sum += face_energy(all, c, pairs, faces, k);
-    energies.energy(turn.block) += sum;
+                       const FacePairs &faces, const Ledger &ledger) {
+    add_up(ledger, history_column::contact, [&](ExactSum &sum) {
+        for (Index k = pairs.start(turn.first); k < pairs.start(turn.last); k++)
+            if (pairs.touch(k) == facing) sum.add(face_energy(all, c, pairs, faces, k));
+    });
 }
 BONDEM_PASS(sum_face_energies, of_elements, "")
 

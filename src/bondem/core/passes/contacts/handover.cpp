@@ -1,5 +1,6 @@
 #include "handover.hpp"
 
+#include "../../exact_sum.hpp"
 #include "../../registered.hpp"
 #include "../cracks/crack_rows.hpp"
 #include "../damage/pipeline.hpp"
@@ -59,9 +60,14 @@ template <class On> void over_pairs_of(const ContactPairs &pairs, const FacePair
 // Begins contact where beams have broken in this step, on the sums that are kept for their ends.
 void begin_contacts(const Turn &, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                     const NearPairs &near, const EventLog &log, const Postponed &postponed) {
+    if (!any_event(log)) return;
+    ExactSum stored = {};
     for_each_event(log, [&](Index bond, Index event) {
-        take_over(log, event, hand_over(all, c, pairs, near, bond, postponed.kept.data));
+        const double energy = hand_over(all, c, pairs, near, bond, postponed.kept.data);
+        log.event(event, event_column::energy) -= energy;
+        stored.add(energy);
     });
+    log.released(0) -= stored.value();
 }
 BONDEM_PASS(begin_contacts, of_events, "ends motion; still pose; adds kept")
 
@@ -108,14 +114,14 @@ void begin_face_contacts(const Turn &, const Moving &all, const ContactPairs &pa
     over_parted([&](Index k, Short, Short, Index pair) { mark_parting(pairs, faces, k, pair); });
     constexpr double unknown = infinity;
     over_all_pairs([&](Index k) { faces.gained(k) = unknown; });
-    double gained = 0.0;
+    ExactSum &gained = exact_sum(faces.begun, 0);
     over_all_pairs([&](Index k) {
         if (faces.gained(k) != unknown) return;
         faces.gained(k) = begin_by_faces(all, pairs, faces, k);
-        gained += faces.gained(k);
+        gained.add(faces.gained(k));
         if (!bonded(pairs, k)) examine(pairs, near, k);
     });
-    log.released(0) -= gained;
+    log.released(0) -= gained.take();
     over_parted([&](Index k, Short a, Short b, Index) {
         if (has_faces(faces, k)) faces.open(k) = faces.faced(a) = faces.faced(b) = 1;
     });

@@ -9,6 +9,7 @@
 // the trapezoid of its power.
 #include "rigid_walls.hpp"
 
+#include "../../ledger.hpp"
 #include "../../registered.hpp"
 #include "../boundary/timeline.hpp"
 #include "../../tables/columns.hpp"
@@ -194,15 +195,21 @@ void measure_wall_overlaps(const Turn &turn, const Moving &all, const ContactCon
 }
 BONDEM_PASS(measure_wall_overlaps, of_elements, "")
 
-void begin_loads(WallRow &row, double half) {
-    row.work -= half * (moving_power(row) + turning_power(row));
-    put_load(row, {});
-    row.growth_force = 0.0;
+void add_to_wall(const WallContacts &contacts, Index e) {
+    const double *const load = &contacts.output(e, 0);
+    const Index first = wall_sum::count * Index(contacts.wall(e));
+    for (Index c = 0; c < wall_sum::count; c++)
+        if (load[c] != 0.0) exact_sum(contacts.sums, first + c).add(load[c]);
 }
 
-void end_loads(const Walls &walls, Index w, double half) {
+void load_wall_by_sums(const WallContacts &contacts, const Walls &walls, Index w, double half) {
     const WallPlace wall(walls, w);
     WallRow &row = walls.body.row<WallRow>(w);
+    row.work -= half * (moving_power(row) + turning_power(row));
+    const auto sum = [&](Index c) { return exact_sum(contacts.sums, wall_sum::count * w + c).take(); };
+    for (Index c = 0; c < 3; c++) row.force[c] = sum(wall_sum::force + c), row.torque[c] = sum(wall_sum::torque + c);
+    row.normal_force = sum(wall_sum::normal);
+    row.growth_force = 0.0;
     if (!wall.flat()) row.growth_force = wall.among() ? -row.normal_force : row.normal_force;
     row.work -= half * (moving_power(row) + turning_power(row));
 }
@@ -210,16 +217,8 @@ void end_loads(const Walls &walls, Index w, double half) {
 // Sums the forces of elements on walls, adds their work, and closes the step of free walls.
 void load_walls(const Turn &turn, const WallContacts &contacts, const WallMotions &motions, const Walls &walls) {
     const double half = 0.5 * turn.clock.dt;
-    for (Index w = 0; w < walls.body.size(); w++) begin_loads(walls.body.row<WallRow>(w), half);
-    // contacts that follow each other at one wall are summed in registers, in the same order
-    for (Index e = 0, count = contacts.wall.size(); e < count;) {
-        const Index w = contacts.wall(e);
-        WallRow &row = walls.body.row<WallRow>(w);
-        WallLoad sum = load_of(row);
-        for (; e < count && contacts.wall(e) == w; e++) sum = sum + contacts.output.row<const WallLoad>(e);
-        put_load(row, sum);
-    }
-    for (Index w = 0; w < walls.body.size(); w++) end_loads(walls, w, half);
+    for (Index e = 0; e < contacts.wall.size(); e++) add_to_wall(contacts, e);
+    for (Index w = 0; w < walls.body.size(); w++) load_wall_by_sums(contacts, walls, w, half);
     for (Index e = 0; e < motions.free_wall.size(); e++) {
         kick_free(motions, walls, e, half);
         show_free_spin(walls, motions.free_wall(e));
@@ -228,34 +227,32 @@ void load_walls(const Turn &turn, const WallContacts &contacts, const WallMotion
 BONDEM_PASS(load_walls, of_rows, "")
 
 void sum_wall_energies(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
-                       const Walls &walls, const ContactEnergies &energies) {
-    double sum = 0.0;
-    for (Index e = contacts.start(turn.first); e < contacts.start(turn.last); e++) {
-        if (contacts.touch(e) != touching) continue;
-        const double overlap = positive(contacts.gap(e) - surface_of(all, c, contacts, walls, e).gap);
-        const Vector s = contacts.memory.row<const Vector>(e);
-        const Short p = contacts.element(e);
-        const ContactRow &of = c.at_wall(p, contacts.wall(e));
-        with_law(c, of, [&](auto law) {
-            sum += contact_energy(law.at_wall(c.radius(p), overlap), of.soft, overlap, dot(s, s));
-        });
-    }
-    energies.energy(turn.block) += sum;
+                       const Walls &walls, const Ledger &ledger) {
+    add_up(ledger, history_column::contact, [&](ExactSum &sum) {
+        for (Index e = contacts.start(turn.first); e < contacts.start(turn.last); e++) {
+            if (contacts.touch(e) != touching) continue;
+            const double overlap = positive(contacts.gap(e) - surface_of(all, c, contacts, walls, e).gap);
+            const Vector s = contacts.memory.row<const Vector>(e);
+            const Short p = contacts.element(e);
+            const ContactRow &of = c.at_wall(p, contacts.wall(e));
+            with_law(c, of, [&](auto law) {
+                sum.add(contact_energy(law.at_wall(c.radius(p), overlap), of.soft, overlap, dot(s, s)));
+            });
+        }
+    });
 }
 BONDEM_PASS(sum_wall_energies, of_elements, "")
 
-// Finds the work supplied by walls, for the guard of the energy.
-void count_wall_work(const Turn &, const Walls &walls, const Portions &portions) {
-    double supplied = 0.0;
-    for (Index w = 0; w < walls.body.size(); w++) supplied += absolute(walls.body.row<const WallRow>(w).work);
-    portions.budget(guard_energy::walls) = supplied;
-}
-BONDEM_PASS(count_wall_work, single, "")
-
-// Adds the work of walls to a record, and writes gauges of walls.
-void write_walls(const Turn &turn, const Walls &walls, const Gauges &gauges, const HistoryRows &history) {
+void count_wall_work(const Turn &, const Walls &walls, const Ledger &ledger) {
     for (Index w = 0; w < walls.body.size(); w++)
-        history.record(turn.clock.record, history_column::work) += walls.body.row<const WallRow>(w).work;
+        sum_of(ledger, history_column::work).add(absolute(walls.body.row<const WallRow>(w).work));
+}
+BONDEM_PASS(count_wall_work, of_rows, "")
+
+void write_walls(const Turn &turn, const Walls &walls, const Gauges &gauges, const Ledger &ledger,
+                 const HistoryRows &history) {
+    for (Index w = 0; w < walls.body.size(); w++)
+        sum_of(ledger, history_column::work).add(walls.body.row<const WallRow>(w).work);
     for (Index g = 0; g < gauges.quantity.size(); g++) {
         const Index quantity = gauges.quantity(g);
         if (quantity < wall_quantity::displacement) continue;

@@ -1,5 +1,6 @@
 #include "rolling.hpp"
 
+#include "../../ledger.hpp"
 #include "../../registered.hpp"
 
 namespace bondem {
@@ -49,26 +50,26 @@ void roll_at_walls(const Turn &turn, const Moving &all, const ContactConstants &
 BONDEM_PASS(roll_at_walls, of_elements, "own motion; changes sums")
 
 void sum_rolling_energies(const Turn &turn, const ContactConstants &c, const ContactPairs &pairs, const RolledPairs &of,
-                          const ContactEnergies &energies) {
-    double sum = 0.0;
-    for (Index k = pairs.start(turn.first); k < pairs.start(turn.last); k++) {
-        const Vector rolled = of.rolled.row<const Vector>(k);
-        if (pairs.touch(k) == touching) sum += 0.5 * rolling_stiffness(c, pairs, k) * dot(rolled, rolled);
-    }
-    energies.energy(turn.block) += sum;
+                          const Ledger &ledger) {
+    add_up(ledger, history_column::contact, [&](ExactSum &sum) {
+        for (Index k = pairs.start(turn.first); k < pairs.start(turn.last); k++) {
+            const Vector rolled = of.rolled.row<const Vector>(k);
+            if (pairs.touch(k) == touching) sum.add(0.5 * rolling_stiffness(c, pairs, k) * dot(rolled, rolled));
+        }
+    });
 }
 BONDEM_PASS(sum_rolling_energies, of_elements, "")
 
 void sum_rolling_at_walls(const Turn &turn, const ContactConstants &c, const WallContacts &contacts, const RolledWalls &of,
-                          const ContactEnergies &energies) {
-    double sum = 0.0;
-    for (Index e = contacts.start(turn.first); e < contacts.start(turn.last); e++) {
-        const Vector rolled = of.rolled.row<const Vector>(e);
-        const Short p = contacts.element(e);
-        if (contacts.touch(e) == touching)
-            sum += 0.5 * rolling_stiffness_at_wall(c, c.at_wall(p, contacts.wall(e)), c.radius(p)) * dot(rolled, rolled);
-    }
-    energies.energy(turn.block) += sum;
+                          const Ledger &ledger) {
+    add_up(ledger, history_column::contact, [&](ExactSum &sum) {
+        for (Index e = contacts.start(turn.first); e < contacts.start(turn.last); e++) {
+            const Vector rolled = of.rolled.row<const Vector>(e);
+            const Short p = contacts.element(e);
+            if (contacts.touch(e) == touching)
+                sum.add(0.5 * rolling_stiffness_at_wall(c, c.at_wall(p, contacts.wall(e)), c.radius(p)) * dot(rolled, rolled));
+        }
+    });
 }
 BONDEM_PASS(sum_rolling_at_walls, of_elements, "")
 

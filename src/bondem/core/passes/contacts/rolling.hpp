@@ -91,9 +91,9 @@ void roll_at_walls(const Turn &turn, const Moving &all, const ContactConstants &
                    const Walls &walls, const RolledWalls &of, const ContactSums &to);
 // Adds the energy that springs of rolling store in the pairs of a portion [J].
 void sum_rolling_energies(const Turn &turn, const ContactConstants &c, const ContactPairs &pairs, const RolledPairs &of,
-                          const ContactEnergies &energies);
+                          const Ledger &ledger);
 // Adds the energy that springs of rolling store at walls, of a portion of elements [J].
 void sum_rolling_at_walls(const Turn &turn, const ContactConstants &c, const WallContacts &contacts, const RolledWalls &of,
-                          const ContactEnergies &energies);
+                          const Ledger &ledger);
 
 }  // namespace bondem

@@ -35,12 +35,12 @@ void measure_travel(const Turn &turn, const Moving &all, const Travel &travel) {
 BONDEM_PASS(measure_travel, of_elements, "")
 
 // Finds whether the list may miss a contact by now, also where a centre is not a number.
-void check_travel(const Turn &, const Travel &travel, const Walls &walls, const Portions &portions) {
+void check_travel(const Turn &, const Travel &travel, const Walls &walls, const Ledger &ledger) {
     double farthest = 0.0;
     for (Index q = 0; q < travel.portion.size(); q++) farthest = most(farthest, travel.portion(q, 0));
     travel.far(0) = root(farthest);
     const bool holds = travel.far(0) + most(travel.far(1), 0.0) < travel.reach && wall_travel(walls, travel.reach) < travel.reach;
-    portions.found(guard_number::out_of_date) = !holds;
+    ledger.found(guard_number::out_of_date) = !holds;
     if (travel.far(1) < 0.0) travel.far(0) = infinity;  // distances have not been measured yet
 }
 BONDEM_PASS(check_travel, single, "")

@@ -1,6 +1,7 @@
 // Cracks as passes read and write them: one, or as many as there are lanes. Their changes are written once for both
 // (`crack_places.hpp` and others).
 #pragma once
+#include "../../exact_sum.hpp"
 #include "../../threads.hpp"
 #include "../cells/facets.hpp"
 #include "crack_rows.hpp"
@@ -69,7 +70,7 @@ struct OneCrack {
         if (mask) on(crack, e, 0);
     }
     static BONDEM_INLINE double lane(double a, int) { return a; }
-    static BONDEM_INLINE void add(double a, double &total) { total += a; }
+    static BONDEM_INLINE void add(double a, ExactSum &total) { total.add(a); }
 };
 
 #if defined(BONDEM_LANES)
@@ -238,9 +239,9 @@ struct CrackGroup {
             if (mask[n] != 0) on(crack[n], e + n, n);
     }
     static BONDEM_INLINE double lane(Lanes a, int n) { return a[n]; }
-    BONDEM_INLINE void add(Lanes a, double &total) const {
+    BONDEM_INLINE void add(Lanes a, ExactSum &total) const {
         if (any(a != Lanes{}))
-            for (int n = 0; n < known; n++) total += a[n];
+            for (int n = 0; n < known; n++) total.add(a[n]);
     }
 
   private:
@@ -260,15 +261,9 @@ template <class On> inline void over_places(const Turn &turn, Index count, On on
         on(first, least(first + crack::of_portion, count), task);
     });
 }
-// Calls on(group, portion) for the groups of a list of so many cracks; `before(first, last, portion)` comes before.
-template <class Before, class On>
-inline void over_treated(const Turn &turn, const CrackLists &lists, Before before, On on) {
-    const Index count = lists.size(list_count::treated);
-    over_places(turn, count, [&](Index first, Index last, Index portion) {
-        before(first, last, portion);
-        for (Index e = first; e < last; e += lanes)
-            on(CrackGroup{lists.treated, lists.treated_i, lists.treated_j, e, count}, portion);
-    });
+// Calls on(group) for the groups of places first … last - 1 of a list of so many cracks.
+template <class On> BONDEM_INLINE void for_each_group_of(const CrackLists &lists, Index first, Index last, Index count, On on) {
+    for (Index e = first; e < last; e += lanes) on(CrackGroup{lists.treated, lists.treated_i, lists.treated_j, e, count});
 }
 #endif
 

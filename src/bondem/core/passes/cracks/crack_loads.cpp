@@ -1,6 +1,7 @@
 // Forces, torques and dissipation of cracks, and their sums on cells.
 #include "crack_loads.hpp"
 
+#include "../../ledger.hpp"
 #include "../../registered.hpp"
 #include "../cells/walls.hpp"
 #include "../../tables/columns.hpp"
@@ -14,11 +15,14 @@ namespace bondem {
 void load_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetStrengths &strengths,
                  const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
     const bool changes = turn.clock.dt > 0.0;
-    over_treated(turn, lists, [&](Index, Index, Index portion) { lists.lost(portion, 0) = 0.0; },
-                 [&](const CrackGroup &group, Index portion) {
-                     load_each(group, all, facets.period.data, strengths, stresses, cracks, lists, portion, changes,
-                               lists.lost(portion, 0));
-                 });
+    const Index count = lists.size(list_count::treated);
+    over_places(turn, count, [&](Index first, Index last, Index portion) {
+        ExactSum lost = {};
+        for_each_group_of(lists, first, last, count, [&](const CrackGroup &group) {
+            load_each(group, all, facets.period.data, strengths, stresses, cracks, lists, portion, changes, lost);
+        });
+        exact_sum(lists.lost, 0).add_shared(lost);
+    });
 }
 BONDEM_PASS(load_cracks, of_cracks, "own tensor; ends pose pose.stress; adds half")
 
@@ -29,17 +33,15 @@ void log_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets
                 const CrackLists &lists, const EventLog &log) {
     if (!(turn.clock.dt > 0.0)) return;
     const Index count = lists.size(list_count::treated);
-    double lost = 0.0;
+    log.released(0) += exact_sum(lists.lost, 0).take();
     log.written(log_count::before) = log.written(log_count::events);
     for (Index q = 0; q < portions(count, crack::of_portion); q++) {
-        lost += lists.lost(q, 0) + lists.lost(q, 1);
         if (lists.flagged(q) != 2) continue;
         for (Index e = q * crack::of_portion; e < least(count, (q + 1) * crack::of_portion); e++) {
             if (lists.flag(e) != crack::fell) continue;
             log_crack(turn.clock, all, facets, cracks, log, lists.treated(e));
         }
     }
-    log.released(0) += lost;
 }
 BONDEM_PASS(log_cracks, of_events, "ends pose")
 
@@ -56,68 +58,48 @@ void add_crack_loads(const Turn &turn, const Moving &all, const CrackLists &list
 BONDEM_PASS(add_crack_loads, elements_of_blocks, "own sum; changes loss sums")
 
 void sum_stressed_dilatation(const Turn &turn, const Moving &all, const CellDilatation &cells,
-                             const CrackEnergies &found) {
-    double sum = 0.0;
-    for (Index p = turn.first; p < turn.last; p++) {
-        const double stress = all.pose(p, stress_column), weight = cells.weight(p);
-        if (weight != 0.0) sum += 0.5 * stress * stress / weight;
-    }
-    found.dilatation(turn.block) = sum;
+                             const Ledger &ledger) {
+    add_up(ledger, history_column::normal, [&](ExactSum &sum) {
+        for (Index p = turn.first; p < turn.last; p++) {
+            const double stress = all.pose(p, stress_column), weight = cells.weight(p);
+            if (weight != 0.0) sum.add(0.5 * stress * stress / weight);
+        }
+    });
 }
 BONDEM_PASS(sum_stressed_dilatation, of_elements, "")
 
 void sum_heat(const Turn &turn, const StressesOfCells &stresses, const YieldingCells &cells,
-              const CrackEnergies &found) {
-    double sum = 0.0;
-    for (Index p = turn.first; p < turn.last; p++) {
-        const double *const row = &cells.plastic(p, 0), *const s = &stresses.tensor(p, 0), *const e = row + 10;
-        if (row[9] == 0.0) continue;
-        const double work = s[0] * e[0] + s[1] * e[1] + s[2] * e[2] + 2.0 * (s[3] * e[3] + s[4] * e[4] + s[5] * e[5]);
-        sum += row[16] + 0.5 * stresses.volume(p) * work;
-    }
-    found.heat(turn.block) = sum;
+              const Ledger &ledger) {
+    add_up(ledger, history_column::plastic, [&](ExactSum &sum) {
+        for (Index p = turn.first; p < turn.last; p++) {
+            const double *const row = &cells.plastic(p, 0), *const s = &stresses.tensor(p, 0), *const e = row + 10;
+            if (row[9] == 0.0) continue;
+            const double work = s[0] * e[0] + s[1] * e[1] + s[2] * e[2] + 2.0 * (s[3] * e[3] + s[4] * e[4] + s[5] * e[5]);
+            sum.add(row[16] + 0.5 * stresses.volume(p) * work);
+        }
+    });
 }
 BONDEM_PASS(sum_heat, of_elements, "")
 
 // Sums the energies of the cracks that are treated one by one [J].
 void sum_crack_energies(const Turn &, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
-                        const CrackEnergies &found) {
-    Vector sum = {};
+                        const Ledger &ledger) {
+    ModeSums sum = {};
     for (Index c = 0; c < cracks.size(crack_number::cracks); c++) {
         const Index k = cracks.order(c);
         if (history_of(cracks, k).status == crack::active) add_energies_of_crack(all, facets, cracks, k, sum);
     }
-    for (Index d = 0; d < 3; d++) found.cracked(d) = sum[d];
+    sum.add_to(ledger);
 }
 BONDEM_PASS(sum_crack_energies, of_cracks, "ends pose pose.stress")
-
-// Adds the energies of cracks and walls to those of the first portion of facets.
-void add_crack_energies(const Turn &, const Moving &all, const WallConstraints &walls, const CrackEnergies &found,
-                        const Portions &portions) {
-    if (portions.bonds.size() == 0) return;
-    double dilatation = 0.0;
-    for (Index q = 0; q < found.dilatation.size(); q++) dilatation += found.dilatation(q);
-    for (Index g = 0; g < walls.cell.size(); g++) dilatation += energy_of_hold(all.pose, all.rest, walls, g);
-    portions.bonds(0, 0) += dilatation + found.cracked(0);
-    portions.bonds(0, 1) += found.cracked(1);
-    portions.bonds(0, 2) += found.cracked(2);
-}
-BONDEM_PASS(add_crack_energies, single, "")
-
-// Writes the heat of yielding into a record.
-void write_heat(const Turn &turn, const CrackEnergies &found, const HistoryRows &history) {
-    double heat = 0.0;
-    for (Index q = 0; q < found.heat.size(); q++) heat += found.heat(q);
-    history.record(turn.clock.record, history_column::plastic) = heat;
-}
-BONDEM_PASS(write_heat, single, "")
 
 // Writes the energy that facets have released beyond their fracture energy.
 void write_crushing_of_facets(const Turn &turn, const FacetStrengths &strengths, const CohesiveCracks &cracks,
                               const EventLog &log, const HistoryRows &history) {
-    double sum = 0.0;
-    for (Index c = 0; c < cracks.size(crack_number::cracks); c++) sum += crushed_by_facet(strengths, cracks, cracks.order(c));
-    history.record(turn.clock.record, history_column::crushing) = sum - log.crushed(0);
+    ExactSum sum = {};
+    for (Index c = 0; c < cracks.size(crack_number::cracks); c++)
+        sum.add(crushed_by_facet(strengths, cracks, cracks.order(c)));
+    history.record(turn.clock.record, history_column::crushing) = sum.value() - log.crushed(0);
 }
 BONDEM_PASS(write_crushing_of_facets, of_cracks, "")
 

@@ -10,9 +10,9 @@ namespace bondem {
 void add_crack_loads(const Turn &turn, const Moving &all, const CrackLists &lists, const StepCut &cut);
 // Sums the energy of dilatation of a portion of cells by their stresses [J].
 void sum_stressed_dilatation(const Turn &turn, const Moving &all, const CellDilatation &cells,
-                             const CrackEnergies &found);
+                             const Ledger &ledger);
 // Sums the energy that the cells of a portion have dissipated by yielding [J].
 void sum_heat(const Turn &turn, const StressesOfCells &stresses, const YieldingCells &cells,
-              const CrackEnergies &found);
+              const Ledger &ledger);
 
 }  // namespace bondem

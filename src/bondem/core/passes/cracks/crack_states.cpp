@@ -165,7 +165,6 @@ void leave_cracks(const Turn &turn, const Moving &all, const ElasticFacets &face
     if (!(turn.clock.dt > 0.0)) return;
     const Index count = lists.size(list_count::treated);
     for (Index q = 0; q < portions(count, crack::of_portion); q++) {
-        lists.lost(q, 1) = 0.0;
         if (lists.flagged(q) == 0) continue;
         for (Index e = q * crack::of_portion; e < least(count, (q + 1) * crack::of_portion); e++) {
             const Byte flag = lists.flag(e);
@@ -181,7 +180,7 @@ void leave_cracks(const Turn &turn, const Moving &all, const ElasticFacets &face
                 const double lost = energy_of_parting(one, facets, cracks, lists, k, [&](Short p, Index half) {
                     return stiffness_without(all, lists, cells.weight(p), p, half, [](Index) { return false; });
                 });
-                lists.lost(q, 1) += lost;
+                exact_sum(lists.lost, 0).add(lost);
                 history_of(cracks, k).spent += lost;
                 end_treating(facets, cracks, lists, k, crack::parted);
                 lists.parted(lists.size(list_count::parted)++) = k;

@@ -9,24 +9,23 @@ namespace {
 
 void sum_powers(const Moving &all, const CellStrains &strains, const ElasticFacets &facets,
                 const CohesiveCracks &cracks) {
-    for (Index g = 0; g < strains.schedule.size(); g++) strains.cracked(g) = 0.0;
     for (Index c = 0; c < cracks.size(crack_number::cracks); c++) {
         const Index k = cracks.order(c);
         if (history_of(cracks, k).status == crack::active)
-            add_power_of_crack(all, strains, facets, cracks, k, strains.cracked.data);
+            add_power_of_crack(all, strains, facets, cracks, k);
     }
 }
 
 }  // namespace
 
-// Sets ∂U/∂factor of the stress-free strains at cracks that are treated one by one, where it is needed.
+// Adds ∂U/∂factor of the stress-free strains at cracks that are treated one by one, where it is needed.
 void sum_crack_powers(const Turn &, const Moving &all, const CellStrains &strains, const ElasticFacets &facets,
                       const CohesiveCracks &cracks) {
     if (strains.due(strain_due::power)) sum_powers(all, strains, facets, cracks);
 }
 BONDEM_PASS(sum_crack_powers, of_cracks, "ends pose")
 
-// Sets ∂U/∂factor of the stress-free strains by the forces that cracks have, where the time of the clock was not
+// Adds ∂U/∂factor of the stress-free strains by the forces that cracks have, where the time of the clock was not
 // reached by a step.
 void begin_crack_powers(const Turn &turn, const Moving &all, const CellStrains &strains, const ElasticFacets &facets,
                         const CohesiveCracks &cracks) {

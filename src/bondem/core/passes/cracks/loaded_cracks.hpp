@@ -1,5 +1,6 @@
 // Forces, torques and dissipation of cracks: of one crack, or of as many as there are lanes.
 #pragma once
+#include "../../ledger.hpp"
 #include "../damage/pipeline.hpp"
 #include "slides.hpp"
 
@@ -10,7 +11,7 @@ namespace bondem {
 template <class Group, class T = typename Group::Number>
 BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double *period, const FacetStrengths &strengths,
                              const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists,
-                             Index portion, bool changes, double &total) {
+                             Index portion, bool changes, ExactSum &total) {
     group.prefetch(cracks.past, cracks.softening, cracks, lists);
     const T zero = {};
     const CrackPlace<T> at = place_of(group, all.pose, period, cracks);
@@ -104,7 +105,7 @@ inline void log_crack(const Clock &clock, const Moving &all, const ElasticFacets
 
 // Adds the elastic energies of the crack of facet k: across it, along it, and of bending [J].
 inline void add_energies_of_crack(const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks, Index k,
-                                  Vector &sum) {
+                                  ModeSums &sum) {
     SingleCrack one(all.pose, facets, cracks, k);
     const double *const q = state_of(cracks, k).rub;
     // its forces are those of the slip before this step
@@ -112,10 +113,10 @@ inline void add_energies_of_crack(const Moving &all, const ElasticFacets &facets
     const float *const h = softening_of(cracks, k).H;
     const CrackHalves<double> half = crack_halves(one.stiffness, one.now, one.stress);
     const CrackEnergy<double> energy = crack_energy(one.stiffness, one.now, half, Vector{q[0], q[1], q[2]});
-    sum.x += energy.across;
-    sum.y += energy.along;
+    sum.mode[0].add(energy.across);
+    sum.mode[1].add(energy.along);
     const Symmetric3<double> H = {h[0], h[1], h[2], h[3], h[4], h[5]};
-    sum.z += one.now.left.least_left() * facet_bending(one.ends, H).energy;
+    sum.mode[2].add(one.now.left.least_left() * facet_bending(one.ends, H).energy);
 }
 
 }  // namespace bondem

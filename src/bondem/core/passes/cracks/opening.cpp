@@ -36,14 +36,14 @@ BONDEM_PASS(begin_bases, of_elements, "own pose.stress weight; writes base")
 void measure_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellSlack &slack,
                     const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
     const bool changes = turn.clock.dt > 0.0;
-    over_treated(turn, lists,
-                 [&](Index first, Index last, Index portion) {
-                     lists.flagged(portion) = 0;
-                     for (Index e = first; e < last; e++) lists.flag(e) = crack::unchanged;
-                 },
-                 [&](const CrackGroup &group, Index portion) {
-                     measure_each(group, all, facets, slack, stresses, cracks, lists, portion, changes);
-                 });
+    const Index count = lists.size(list_count::treated);
+    over_places(turn, count, [&](Index first, Index last, Index portion) {
+        lists.flagged(portion) = 0;
+        for (Index e = first; e < last; e++) lists.flag(e) = crack::unchanged;
+        for_each_group_of(lists, first, last, count, [&](const CrackGroup &group) {
+            measure_each(group, all, facets, slack, stresses, cracks, lists, portion, changes);
+        });
+    });
 }
 BONDEM_PASS(measure_cracks, of_cracks, "around pose tensor; adds half")
 

@@ -1,5 +1,6 @@
 // Power of stress-free strains at a crack.
 #pragma once
+#include "../../exact_sum.hpp"
 #include "../cells/facets.hpp"
 #include "../cells/strain_growth.hpp"
 #include "crack_rows.hpp"
@@ -8,11 +9,11 @@ namespace bondem {
 
 // Adds ∂U/∂factor of each strain at the crack of facet k, by the force that the crack has [J].
 inline void add_power_of_crack(const Moving &all, const CellStrains &strains, const ElasticFacets &facets,
-                               const CohesiveCracks &cracks, Index k, double *power) {
+                               const CohesiveCracks &cracks, Index k) {
     const OpenFacet<double> open = opened(ends_of(all.pose.data, facets, k), FacetColumns(facets).shape<double>(k));
     const Vector f = {cracks.pull(k, 0), cracks.pull(k, 1), cracks.pull(k, 2)};
     const double each = dot(f, open.arm_j - open.arm_i) / growth_of(strains, k);
-    for (Index g = 0; g < strains.schedule.size(); g++) power[g] += each * strains.part(g, k);
+    for (Index g = 0; g < strains.schedule.size(); g++) exact_sum(strains.power, g).add_shared(each * strains.part(g, k));
 }
 
 }  // namespace bondem

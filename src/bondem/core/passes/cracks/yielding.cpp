@@ -96,16 +96,13 @@ void stretch_anew(const Turn &, const CellStrains &strains, const ElasticFacets 
 }
 BONDEM_PASS(stretch_anew, of_rows, "ends plastic; changes arm slipped; writes base_wall")
 
-// Adds the work of loads on free facets that move as their cells yield.
+// Adds the work of loads on free facets that move as their cells yield to the rows of these cells.
 void add_yielding_work(const Turn &turn, const FacetTractions &tractions, const StressesOfCells &stresses,
                        const YieldingCells &cells, const Rows &rows) {
     if (!(turn.clock.dt > 0.0)) return;
-    for (Index l = 0; l < stresses.pressed.shape[0]; l++) {
-        double power = 0.0;
-        for (Index p = 0; p < cells.plastic.size(); p++) power += yielding_work(stresses, cells, l, p);
-        rows.work(tractions.place) += tractions.factor(l) * power;
-    }
+    for (Index e = turn.held; e < turn.last; e++)
+        add_yielding_work_of(tractions, stresses, cells, rows, turn.element[e]);
 }
-BONDEM_PASS(add_yielding_work, of_rows, "")
+BONDEM_PASS(add_yielding_work, elements_of_blocks, "own plastic tensor")
 
 }  // namespace bondem

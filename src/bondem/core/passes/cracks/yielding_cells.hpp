@@ -115,5 +115,11 @@ inline double yielding_work(const StressesOfCells &stresses, const YieldingCells
     const double *m = &stresses.pressed(l, p, 0);
     return work_of({m[0], m[1], m[2], m[3], m[4], m[5]}, strain_of(cells, p));
 }
+// Adds the work of loads on free facets of cell p, which owns a row.
+inline void add_yielding_work_of(const FacetTractions &tractions, const StressesOfCells &stresses, const YieldingCells &cells,
+                                 const Rows &rows, Index p) {
+    for (Index l = 0; l < stresses.pressed.shape[0]; l++)
+        rows.work(rows.of(p)) += tractions.factor(l) * yielding_work(stresses, cells, l, p);
+}
 
 }  // namespace bondem

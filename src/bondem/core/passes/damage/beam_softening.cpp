@@ -7,6 +7,7 @@
 // force does not jump.
 #include "beam_softening.hpp"
 
+#include "../../ledger.hpp"
 #include "../../registered.hpp"
 #include "../../tables/columns.hpp"
 #include "pipeline.hpp"
@@ -18,19 +19,21 @@ namespace bondem {
 void soften_beams(const Turn &turn, const Moving &all, const Beams &beams, const SofteningBounds &bounds,
                   const SofteningBeams &soft) {
     const Index q = turn.block, last = turn.first + soft.number(q);
-    double lost = 0.0;
+    if (last == turn.first) return;
+    ExactSum lost = {};
     for (Index e = turn.first; e < last; e++)
-        lost += soften_beam(turn.clock, all, beams, bounds, soft, soft.listed(e));
+        lost.add(soften_beam(turn.clock, all, beams, bounds, soft, soft.listed(e)));
     part_broken(bounds, soft, q);
-    soft.lost(q) = lost;
+    exact_sum(soft.lost, 0).add_shared(lost);
 }
 BONDEM_PASS(soften_beams, of_bonds, "ends motion pose")
 
 void log_softened_beams(const Turn &turn, const Moving &all, const Beams &beams, const SofteningBeams &soft,
                         const EventLog &log) {
     log.written(log_count::before) = log.written(log_count::events);
+    if (soft.begun(0) == 0) return;
+    log.released(0) += exact_sum(soft.lost, 0).take();
     for (Index q = 0; q < soft.number.size(); q++) {
-        log.released(0) += soft.lost(q);
         for (Index e = 0; e < soft.parted(q); e++) {
             const double *row = &soft.row(soft.listed(q * bonds_of_portion + soft.number(q) + e), 0);
             const Index k = Index(row[soft_column::bond]);
@@ -48,6 +51,7 @@ BONDEM_PASS(log_softened_beams, of_events, "ends pose")
 void begin_softening(const Turn &turn, const Candidates &candidates, const SofteningBounds &bounds, const SofteningBeams &soft,
                      const EventLog &log) {
     if (!any_fails(candidates)) return;
+    ExactSum lost = {};
     for_each_failing(candidates, [&](Index k, Index mode) {
         const Index c = soft.begun(0)++, q = k / bonds_of_portion;
         const double *const onset = &bounds.onset(k, 0), spent = onset[onset_column::spent];
@@ -56,30 +60,30 @@ void begin_softening(const Turn &turn, const Candidates &candidates, const Softe
         for (Index column = 0; column < 7; column++) soft.row(c, column) = all[column];
         soft.listed(q * bonds_of_portion + soft.number(q)++) = c;
         bounds.limit(k) = float(infinity);
-        log.released(0) += spent;
+        lost.add(spent);
     });
+    log.released(0) += lost.value();
     end_failures(candidates);
 }
 BONDEM_PASS(begin_softening, of_events, "")
 
 void sum_pressed_energies(const Turn &turn, const Moving &all, const Beams &beams, const SofteningBounds &bounds,
-                          const Portions &portions) {
-    double sum = 0.0;
-    for (Index k = turn.first; k < turn.last; k++) {
-        if (bounds.press(k) == 0.0) continue;
-        const double pressed = positive(beams.length(k) - length(ends_of(all.pose.data, beams, k).branch));
-        sum += 0.5 * bounds.press(k) * pressed * pressed;
-    }
-    portions.bonds(turn.block, 0) += sum;
+                          const Ledger &ledger) {
+    add_up(ledger, history_column::normal, [&](ExactSum &sum) {
+        for (Index k = turn.first; k < turn.last; k++) {
+            if (bounds.press(k) == 0.0) continue;
+            const double pressed = positive(beams.length(k) - length(ends_of(all.pose.data, beams, k).branch));
+            sum.add(0.5 * bounds.press(k) * pressed * pressed);
+        }
+    });
 }
 BONDEM_PASS(sum_pressed_energies, of_bonds, "ends pose")
 
-// Writes the energy that beams have released beyond their fracture energy.
 void write_crushing_of_beams(const Turn &turn, const SofteningBounds &bounds, const SofteningBeams &soft, const EventLog &log,
                              const HistoryRows &history) {
-    double sum = 0.0;
-    for (Index c = 0; c < soft.begun(0); c++) sum += crushed_by_beam(bounds, soft, c);
-    history.record(turn.clock.record, history_column::crushing) = sum - log.crushed(0);
+    ExactSum sum = {};
+    for (Index c = 0; c < soft.begun(0); c++) sum.add(crushed_by_beam(bounds, soft, c));
+    history.record(turn.clock.record, history_column::crushing) = sum.value() - log.crushed(0);
 }
 BONDEM_PASS(write_crushing_of_beams, of_rows, "")
 

@@ -19,7 +19,7 @@
 //              of bonds. It subtracts the force of the bond from the kept sums of its ends, and sets the integrity.
 //              The event is logged, and its energy added to the energy released in the run.
 //              A further pass may follow for each of these bonds (`for_each_event`): contact where its ends press on
-//              each other, which adds to the kept sums, and stores a part of the energy (`take_over`).
+//              each other, which adds to the kept sums, and stores a part of the energy.
 //     resume   `list_postponed` lists all postponed elements, and ends the failures of the step. They find their
 //     acceleration
 //              by the passes of motion, with a clock that stands still, and then open the next step.
@@ -34,6 +34,7 @@
 //
 // No bit depends on threads, on blocks or on pauses: failure is decided bond by bond, from the poses alone.
 #pragma once
+#include "../../exact_sum.hpp"
 #include "../../laws/criteria/loads.hpp"
 #include "../../select.hpp"
 #include "../../steps.hpp"
@@ -141,6 +142,7 @@ template <class On> inline void for_each_failing(const Candidates &candidates, O
         for (Index e = candidates.begin(b); e < candidates.begin(b) + candidates.count(b); e++)
             on(candidates.marked(e), candidates.mode(e));
 }
+inline bool any_event(const EventLog &log) { return log.written(log_count::before) < log.written(log_count::events); }
 // Calls on(k, event) for those that have failed in this step; event is the number of a row of the log.
 template <class On> inline void for_each_event(const EventLog &log, On on) {
     for (Index event = log.written(log_count::before); event < log.written(log_count::events); event++)
@@ -162,17 +164,14 @@ inline void log_event(const Clock &clock, const EventLog &log, Index k, Index mo
 template <class Apply>
 inline void remove(const Turn &turn, const Candidates &candidates, const EventLog &log, Apply apply) {
     log.written(log_count::before) = log.written(log_count::events);
+    if (!any_fails(candidates)) return;
+    ExactSum released = {};
     for_each_failing(candidates, [&](Index k, Index mode) {
         const Removal removal = apply(k);
         log_event(turn.clock, log, k, mode, removal);
-        log.released(0) += removal.energy;
+        released.add(removal.energy);
     });
-}
-
-// Subtracts the energy that a contact of the two elements stores from the energy of an event [J].
-inline void take_over(const EventLog &log, Index event, double energy) {
-    log.event(event, event_column::energy) -= energy;
-    log.released(0) -= energy;
+    log.released(0) += released.value();
 }
 
 // Ends the failures of a step that postpone no element.

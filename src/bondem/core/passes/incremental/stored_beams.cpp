@@ -1,6 +1,7 @@
 // Beams of the incremental formulation: their stored loads advance by a step, and act on their elements.
 #include "stored_beams.hpp"
 
+#include "../../ledger.hpp"
 #include "../../registered.hpp"
 #include "stored_columns.hpp"
 
@@ -45,16 +46,16 @@ BONDEM_PASS(add_stored_loads, bonds_of_blocks, "ends motion pose; adds sums")
 #endif
 
 void sum_stored_energies(const Turn &turn, const Moving &all, const Beams &beams, const StoredLoads &stored,
-                         const Portions &portions) {
+                         const Ledger &ledger) {
     const StoredColumns<double> history(stored);
-    double *const sum = &portions.bonds(turn.block, 0);
-    for (Index c = 0; c < 4; c++) sum[c] = 0.0;
+    ModeSums sum = {};
     for (Index k = turn.first; k < turn.last; k++) {
         const Vector apart = branch_of(all.pose.data, beams, k);
         const BeamEnergy<double> energy =
             stored_energy(history(k), apart / length(apart), stored_stiffness<double>(beams, stored, k));
-        add_energy(sum, beams.integrity(k), energy);
+        sum.add(beams.integrity(k), energy);
     }
+    sum.add_to(ledger);
 }
 BONDEM_PASS(sum_stored_energies, of_bonds, "ends pose")
 

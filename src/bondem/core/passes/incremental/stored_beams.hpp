@@ -6,6 +6,6 @@ namespace bondem {
 
 // Sums normal, shear, bending and twisting energy of a portion [J].
 void sum_stored_energies(const Turn &turn, const Moving &all, const Beams &beams, const StoredLoads &stored,
-                         const Portions &portions);
+                         const Ledger &ledger);
 
 }  // namespace bondem

@@ -7,6 +7,7 @@
 // stresses do not change.
 #include "non_local_bonds.hpp"
 
+#include "../../ledger.hpp"
 #include "../../registered.hpp"
 #include "../../tables/columns.hpp"
 #include "bond_columns.hpp"
@@ -146,28 +147,22 @@ BONDEM_PASS(add_lasting_loads, bonds_of_blocks, "ends pose space; adds moment su
 
 #endif
 
-// Writes the work of the extra forces of bonds to the energy balance.
-void write_non_local_work(const Turn &turn, const NonLocalWork &work, const HistoryRows &history) {
-    history.record(turn.clock.record, history_column::extra_work) = sum_of(work);
-}
-BONDEM_PASS(write_non_local_work, single, "")
-
 void sum_non_local_energies(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
-                            const Portions &portions, const NonLocalWork &work) {
-    double normal = 0.0, shear = 0.0, taken = 0.0;
+                            const Ledger &ledger) {
+    ExactSum normal = {}, shear = {}, taken = {};
     for (Index k = turn.first; k < turn.last; k++) {
         const double s = beams.integrity(k);
         if (s > 0.0) {
             const SpringEnergy<double> energy =
                 spring_energy(pair_pose(all.pose.data, beams, bonds, k), pair_stiffness<double>(bonds, k));
-            normal += s * energy.normal;
-            shear += s * energy.shear;
+            normal.add(s * energy.normal);
+            shear.add(s * energy.shear);
         }
-        taken += bonds.history(taken_column, k);
+        taken.add(bonds.history(taken_column, k));
     }
-    double *const sum = &portions.bonds(turn.block, 0);
-    sum[0] = normal, sum[1] = shear, sum[2] = sum[3] = 0.0;
-    work.taken(turn.block) = taken;
+    sum_of(ledger, history_column::normal).add_shared(normal);
+    sum_of(ledger, history_column::shear).add_shared(shear);
+    sum_of(ledger, history_column::extra_work).add_shared(taken);
 }
 BONDEM_PASS(sum_non_local_energies, of_bonds, "ends pose")
 

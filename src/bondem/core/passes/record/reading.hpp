@@ -1,5 +1,6 @@
 // Quantities of elements that gauges record.
 #pragma once
+#include "../../exact_sum.hpp"
 #include "../motion/elements.hpp"
 
 namespace bondem::gauge {
@@ -25,5 +26,20 @@ inline double read(const Moving &all, const Rows &rows, Index quantity, Index p,
     const double of_walls = rows.grip.size() > 0 ? rows.grip(r, axis) : 0.0;  // that hold facets of the cell
     return of_walls + (rows.fixed(r, axis) ? rows.reaction(r, axis) : rows.force(r, axis));
 }
+
+// Sum and largest value of the readings of a gauge.
+struct Reading {
+    ExactSum sum = {};
+    double largest = -infinity;
+
+    void add(double x) {
+        sum.add(x);
+        largest = most(largest, absolute(x));
+    }
+    double reduced(Index reduction, Index count) const {
+        if (reduction == gauge_reduction::max_abs) return largest;
+        return reduction == gauge_reduction::mean ? sum.value() / double(count) : sum.value();
+    }
+};
 
 }  // namespace bondem::gauge

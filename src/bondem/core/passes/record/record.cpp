@@ -1,6 +1,7 @@
 // A row of the history (time, energy balance and gauges), and the guard of the energy.
 #include "record.hpp"
 
+#include "../../ledger.hpp"
 #include "../../registered.hpp"
 #include "../../tables/columns.hpp"
 #include "reading.hpp"
@@ -24,53 +25,44 @@ Kinetic kinetic_energy(double *motion, Index p) {
 
 }  // namespace
 
-void sum_element_energies(const Turn &turn, const Moving &all, const Portions &portions) {
-    double sum[4] = {};
+void sum_element_energies(const Turn &turn, const Moving &all, const Ledger &ledger) {
+    ExactSum moved = {}, turned = {}, damped = {}, rubbed = {};
     for (Index p = turn.first; p < turn.last; p++) {
         const Kinetic energy = kinetic_energy(all.motion.data, p);
-        sum[0] += energy.translation;
-        sum[1] += energy.rotation;
-        sum[2] += all.loss(p, 0);
-        sum[3] += all.loss(p, 2);
+        moved.add(energy.translation);
+        turned.add(energy.rotation);
+        damped.add(all.loss(p, 0));
+        rubbed.add(all.loss(p, rubbed_loss));
     }
-    for (Index c = 0; c < 4; c++) portions.elements(turn.block, c) = sum[c];
+    sum_of(ledger, translation).add_shared(moved);
+    sum_of(ledger, rotation).add_shared(turned);
+    sum_of(ledger, loss).add_shared(damped);
+    sum_of(ledger, friction).add_shared(rubbed);
 }
 BONDEM_PASS(sum_element_energies, of_elements, "")
 
-// Finds whether a number is not finite, or the motion has more energy than can have come in.
-void judge_energy(const Turn &, const Rows &rows, const Portions &portions) {
-    Index wide = 0, lost = 0, not_finite = 0;
-    for (Index q = 0; q < portions.turned.size(); q++) {
-        wide += portions.turned(q, 0);
-        lost += portions.turned(q, 1);
-        not_finite |= portions.turned(q, 2);
-    }
-    double kinetic = 0.0, supplied = portions.budget(guard_energy::walls);
-    for (Index q = 0; q < portions.elements.size(); q++) kinetic += portions.elements(q, 0) + portions.elements(q, 1);
-    for (Index r = 0; r < rows.work.size(); r++) supplied += absolute(rows.work(r));
-    portions.found(guard_number::wide) = wide;
-    portions.found(guard_number::lost) = lost;
-    portions.found(guard_number::ending) = 1;
+void judge_energy(const Turn &, const Rows &rows, const Ledger &ledger) {
+    for (Index r = 0; r < rows.work.size(); r++) sum_of(ledger, work).add(absolute(rows.work(r)));
+    double sum[history_column::count];
+    for (Index c = 0; c < history_column::count; c++) sum[c] = sum_of(ledger, c).take();
+    const double kinetic = sum[translation] + sum[rotation], supplied = sum[work];
+    const bool not_finite = ledger.turned(turn_count::not_finite) != 0;
+    ledger.found(guard_number::wide) = ledger.turned(turn_count::wide);
+    ledger.found(guard_number::lost) = ledger.turned(turn_count::lost);
+    for (Index c = 0; c < ledger.turned.size(); c++) ledger.turned(c) = 0;
+    ledger.found(guard_number::ending) = 1;
     if (not_finite || !(kinetic < infinity && supplied < infinity)) return;
-    portions.budget(guard_energy::supplied) = most(portions.budget(guard_energy::supplied), supplied);
-    const double known = portions.budget(guard_energy::start) + portions.budget(guard_energy::supplied);
-    portions.found(guard_number::ending) = kinetic > beyond * known ? 2 : 0;
+    ledger.budget(guard_energy::supplied) = most(ledger.budget(guard_energy::supplied), supplied);
+    const double known = ledger.budget(guard_energy::start) + ledger.budget(guard_energy::supplied);
+    ledger.found(guard_number::ending) = kinetic > beyond * known ? 2 : 0;
 }
 BONDEM_PASS(judge_energy, single, "")
 
-// Writes time and the entries of the energy balance.
-void write_ledger(const Turn &turn, const Rows &rows, const Portions &portions, const HistoryRows &history) {
+void write_ledger(const Turn &turn, const Rows &rows, const Ledger &ledger, const HistoryRows &history) {
     double *const record = &history.record(turn.clock.record, 0);
+    for (Index r = 0; r < rows.work.size(); r++) sum_of(ledger, work).add(rows.work(r));
+    for (Index c = 0; c < history_column::count; c++) record[c] += sum_of(ledger, c).take();
     record[time] = turn.clock.time;
-    for (Index q = 0; q < portions.elements.size(); q++) {
-        record[translation] += portions.elements(q, 0);
-        record[rotation] += portions.elements(q, 1);
-        record[loss] += portions.elements(q, 2);
-        record[friction] += portions.elements(q, 3);
-    }
-    for (Index q = 0; q < portions.bonds.size(); q++)
-        for (Index c = 0; c < 4; c++) record[normal + c] += portions.bonds(q, c);
-    for (Index r = 0; r < rows.work.size(); r++) record[work] += rows.work(r);
 }
 BONDEM_PASS(write_ledger, single, "")
 
@@ -81,13 +73,9 @@ void read_gauges(const Turn &turn, const Moving &all, const Rows &rows, const Ga
         const Index first = gauges.start(g), last = gauges.start(g + 1);
         if (quantity >= gauge_quantity::of_walls) continue;
         for (Index axis = 0; axis < 3; axis++) {
-            double value = reduction == gauge_reduction::max_abs ? -infinity : 0.0;
-            for (Index e = first; e < last; e++) {
-                const double x = gauge::read(all, rows, quantity, gauges.element(e), axis);
-                value = reduction == gauge_reduction::max_abs ? most(value, absolute(x)) : value + x;
-            }
-            history.record(turn.clock.record, history_column::count + 3 * g + axis) =
-                reduction == gauge_reduction::mean ? value / double(last - first) : value;
+            gauge::Reading sum;
+            for (Index e = first; e < last; e++) sum.add(gauge::read(all, rows, quantity, gauges.element(e), axis));
+            history.record(turn.clock.record, history_column::count + 3 * g + axis) = sum.reduced(reduction, last - first);
         }
     }
 }
