@@ -91,7 +91,7 @@ def test_tangent_at_rest_is_the_stiffness_matrix():
     system = System.of(model)
     tangent = tangent_matrix(model, system.matrix.bonds, model.state().pose)
     difference = (tangent.tocsc() - system.matrix.tocsc()).toarray()
-    assert np.abs(difference).max() <= 1e-8 * np.abs(system.matrix.bonds.data).max()
+    assert np.abs(difference).max() <= 1e-15 * np.abs(system.matrix.bonds.data).max()
 
 
 def test_a_block_twisted_by_its_faces_balances():

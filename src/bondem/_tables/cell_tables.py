@@ -49,7 +49,7 @@ class DilatationGradients(NamedTuple):
     wall: Ints  #: number of the wall, (layer_walls,)
     wall_way: Floats  #: n × s of the wall for both directions, in space [m²], (layer_walls, 6)
     weight: Floats  #: J λ / V² for both directions [Pa/m], (layered, 2)
-    bend: Floats  #: J λ χ / V for both directions [Pa·m], (layered, 2)
+    bend: Floats  #: J λ χ / V for both directions, and by small motions [Pa·m], (layered, 4)
     torque: Floats  #: on each cell by bent layers [N·m], (layered, 3)
 
 

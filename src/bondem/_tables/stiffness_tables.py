@@ -43,6 +43,21 @@ class BlockRows(NamedTuple):
     data: Floats  #: blocks of (u, θ) [N/m, N, N·m], (blocks, 6, 6)
 
 
+class StiffnessProduct(NamedTuple):
+    """A small motion of each element, and the product of a stiffness with it."""
+
+    given: Floats  #: displacements and rotations [m, rad], (n, 6)
+    found: Floats  #: forces and torques [N, N·m], (n, 6)
+    motion: Floats  #: displacement, change of λ θ, rotation, 0 [m, Pa, rad], (n, 8)
+    sums: Floats  #: -force, 0, -torque, 0 [N, N·m], (n, 8)
+
+
+class BondTangents(NamedTuple):
+    """The second derivative of the energy of each bond by the motions (u, θ) of its two elements."""
+
+    tangent: Floats  #: [N/m, N, N·m], (12, 12, m)
+
+
 class DilatationRows(NamedTuple):
     """Forms whose sum is the dilatation of each cell, in the same rows."""
 

@@ -28,7 +28,7 @@ BONDEM_TABLE(SofteningBounds, F(limit, "m"), F(of_force, ""), F(of_moment, ""), 
 BONDEM_TABLE(SofteningBeams, F(row, "bonds 7"), F(begun, "1"), F(listed, "bonds"), F(number, "bond_portions"), F(parted, "bond_portions"), F(lost, "1 68"))
 BONDEM_TABLE(ElasticFacets, F(i, "m"), F(j, "m"), F(integrity, "m"), F(k, "m"), F(pitch, "3"), F(lever_i, "3 m"), F(lever_j, "3 m"), F(share_i, "3 m"), F(share_j, "3 m"), F(H, "6 m"), F(normal, "3 m"), F(period, "6"))
 BONDEM_TABLE(CellDilatation, F(weight, "n"), F(given, "n"), F(swelling, "*"), F(to_i, "m"))
-BONDEM_TABLE(DilatationGradients, F(start, "n+1"), F(other, "springs"), F(spring, "springs"), F(difference, "n"), F(layer, "layered+1"), F(next, "turns"), F(way, "turns 12"), F(hold, "layered+1"), F(wall, "layer_walls"), F(wall_way, "layer_walls 6"), F(weight, "layered 2"), F(bend, "layered 2"), F(torque, "layered 3"))
+BONDEM_TABLE(DilatationGradients, F(start, "n+1"), F(other, "springs"), F(spring, "springs"), F(difference, "n"), F(layer, "layered+1"), F(next, "turns"), F(way, "turns 12"), F(hold, "layered+1"), F(wall, "layer_walls"), F(wall_way, "layer_walls 6"), F(weight, "layered 2"), F(bend, "layered 4"), F(torque, "layered 3"))
 BONDEM_TABLE(CorrectedMass, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"), F(factor, "n"), F(wall_start, "n+1"), F(wall, "held"), F(acceleration, "n 6"), F(inertia, "n"), F(force, "n 6"))
 BONDEM_TABLE(CellEnergies, F(energy, "4"))
 BONDEM_TABLE(CellPoses, F(pose, "n 8"), F(rest, "n 3"))
@@ -140,6 +140,8 @@ BONDEM_TABLE(LaggedStresses, F(inverse, "n"), F(stress, "n 6"), F(space, "n 8"),
 BONDEM_TABLE(BeamRows, F(i, "m"), F(j, "m"), F(direction, "3 m"), F(length, "m"), F(lever, "m"), F(kn, "m"), F(ks, "m"), F(kb, "m"), F(kt, "m"))
 BONDEM_TABLE(FacetRows, F(i, "m"), F(j, "m"), F(k, "m"), F(lever_i, "m 3"), F(lever_j, "m 3"), F(H, "m 3 3"), F(share_i, "m 3"), F(share_j, "m 3"))
 BONDEM_TABLE(BlockRows, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "m"), F(indptr, "n+1"), F(indices, "blocks"), F(data, "blocks 6 6"))
+BONDEM_TABLE(StiffnessProduct, F(given, "n 6"), F(found, "n 6"), F(motion, "n 8"), F(sums, "n 8"))
+BONDEM_TABLE(BondTangents, F(tangent, "12 12 m"))
 BONDEM_TABLE(DilatationRows, F(forms, "blocks 1 6"))
 BONDEM_TABLE(CandidateFacets, F(scale, "m"), F(area, "m"), F(tension, ""), F(least, ""), F(hot, ""), F(along, "m"), F(bond, "candidates"), F(stress, "candidates 3 3"), F(found, "candidates"), F(number, "bond_portions"), F(total, "1"))
 BONDEM_TABLE(LoadedFacets, F(i, "m"), F(j, "m"), F(normal, "m 3"), F(traction, "m 3"), F(bending, "m"), F(tensor, "n 6"))
@@ -285,6 +287,8 @@ BONDEM_TABLE(WallLoad, F(force, "3"), F(normal, ""), F(torque, "3"))
     described<BeamRows>(), \
     described<FacetRows>(), \
     described<BlockRows>(), \
+    described<StiffnessProduct>(), \
+    described<BondTangents>(), \
     described<DilatationRows>(), \
     described<CandidateFacets>(), \
     described<LoadedFacets>(), \

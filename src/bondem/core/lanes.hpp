@@ -135,8 +135,8 @@ BONDEM_INLINE void transpose_four(Four *r) {
 }
 
 // Rows of the first and of the second ends of bonds. Columns come in the order in which they need few registers.
-struct PairOfRows {
-    Row<Lanes> first, second;
+template <class T> struct PairOfRows {
+    Row<T> first, second;
 };
 
 #if defined(__AVX512F__)
@@ -165,7 +165,7 @@ BONDEM_INLINE Row<Lanes> gather(const double *table, const Short *place) {
     transpose(rows);
     return rows;
 }
-BONDEM_INLINE PairOfRows gather(const double *table, const Short *first, const Short *second) {
+BONDEM_INLINE PairOfRows<Lanes> gather(const double *table, const Short *first, const Short *second) {
     return {gather(table, first), gather(table, second)};
 }
 BONDEM_INLINE Row<Lanes> gather_sums(const double *table, const Short *first, const Short *second) {
@@ -197,8 +197,8 @@ BONDEM_INLINE Row<Lanes> gather(const double *table, const Short *place) {
     gather_half(table + 4, place, rows.column + 4);
     return rows;
 }
-BONDEM_INLINE PairOfRows gather(const double *table, const Short *first, const Short *second) {
-    PairOfRows rows;
+BONDEM_INLINE PairOfRows<Lanes> gather(const double *table, const Short *first, const Short *second) {
+    PairOfRows<Lanes> rows;
     for (int half = 0; half < 8; half += 4) {
         gather_half(table + half, first, rows.first.column + half);
         gather_half(table + half, second, rows.second.column + half);

@@ -9,26 +9,29 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import cached_property
 from typing import Any, ClassVar, Literal, NamedTuple, Protocol, Self
 
 import numpy as np
 from scipy.sparse import bsr_array
 
+from bondem._cache_lines import lines
 from bondem._core import run_pass
 from bondem._passes import calls
 from bondem._tables.damage_tables import Candidates, EventLog, FailureIndices, Postponed, Strengths
 from bondem._tables.step_tables import Beams, BeamSums, Dashpots, LaggedStresses, Ledger, Moving, Poses, StepCut
+from bondem._tables.stiffness_tables import BondTangents
 from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement, PerElement3, PerElement6
 from bondem.boundary.conditions import BoundaryCondition
 from bondem.boundary.wall_constraints import Grips
-from bondem.interactions.beams.beam_tables import beam_energies, beam_tables, load_beams, loads_of_each
+from bondem.interactions.beams.beam_tables import beam_energies, beam_tables, load_beams
 from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.interactions.beams.bond_strain import BondStrain
-from bondem.interactions.beams.bond_table import BondTable, with_twins
+from bondem.interactions.beams.bond_table import BondTable
 from bondem.interactions.energy_parts import EnergyParts
 from bondem.interactions.step_part import Part, Passes
 from bondem.interactions.stiffness import Stiffness
+from bondem.interactions.stiffness_product import Product, loads_in, product_by
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.ordering import Layout
 
@@ -329,29 +332,23 @@ class Interaction(ABC):
         stretched = self.table.stretched(strain)
         return beam_tables(stretched, self.layout, self.period, integrity, may_share=False)[0]
 
-    def loading(
-        self, pose: Floats, rest: Floats, sums: Floats, integrity: PerBond, table: BondTable
-    ) -> Callable[[], None]:
-        """Return a function that adds forces and torques of bonds in a pose to `sums`, (n, 8), with walls at rest."""
-        beams, alike = beam_tables(table, self.layout, self.period, integrity)
-        return partial(load_beams, pose, beams, alike, BeamSums(beams.i, beams.j, sums))
+    def product(self, pose: Floats, integrity: PerBond, table: BondTable) -> Product:
+        """Return the product of the stiffness in a pose with small motions, internal order; walls are at rest."""
+        beams, _ = beam_tables(table, self.layout, self.period, integrity, may_share=False)
+        return product_by(len(pose), lambda by: calls.multiply_beams(Poses(pose), by, beams))
 
     def gradient(self, pose: Floats) -> tuple[PerElement6, PerElement6]:
         """Return the derivative of the energy by displacements and spins, and wall loads [N, N·m], internal order."""
-        i, j = self.layout.i, self.layout.j
-        on_i, on_j = self.bond_gradient(pose, i, j)
-        force = np.empty((len(pose), 6))
-        for d in range(6):
-            force[:, d] = np.bincount(i, weights=on_i[d], minlength=len(pose))
-            force[:, d] += np.bincount(j, weights=on_j[d], minlength=len(pose))
-        return force, np.zeros_like(force)
+        beams, sums = self._beams(np.zeros(0), np.ones(len(self.layout.i))), lines(len(pose))
+        load_beams(pose, beams, BeamSums(beams.i, beams.j, sums))
+        return -loads_in(sums), np.zeros((len(pose), 6))
 
-    def bond_gradient(self, pose: Floats, i: np.ndarray, j: np.ndarray) -> tuple[Floats, Floats]:
-        """Return the derivative of each bond's energy by the motion of its two ends, (6, m) each."""
-        m = len(i)
-        beams, _ = beam_tables(self.table, self.layout, self.period, np.ones(m), may_share=False)
-        on_i, on_j = loads_of_each(pose, beams._replace(i=with_twins(i), j=with_twins(j)), m)
-        return -on_i[:, [0, 1, 2, 4, 5, 6]].T, -on_j[:, [0, 1, 2, 4, 5, 6]].T
+    def bond_tangents(self, pose: Floats) -> Floats:
+        """Return the second derivative of each bond's energy by the motions of its ends in a pose, (12, 12, m)."""
+        beams = self._beams(np.zeros(0), np.ones(len(self.layout.i)))
+        found = BondTangents(np.empty((12, 12, len(beams.i))))
+        run_pass(calls.differentiate_beams(Poses(pose), beams, found))
+        return found.tangent[:, :, : len(self.layout.i)]
 
     def tangent(self, pose: Floats, data: Floats, pattern: bsr_array) -> Stiffness:
         """Return the second derivative of the energy at a pose, given the blocks of bonds in the pattern at rest."""

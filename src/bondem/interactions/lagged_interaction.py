@@ -6,8 +6,10 @@ from typing import ClassVar, Protocol, Self
 from scipy.sparse import bsr_array
 
 from bondem._types import Floats, PerBond, PerBond3, PerElement6
+from bondem.interactions.beams.bond_table import BondTable
 from bondem.interactions.energy_parts import EnergyParts
 from bondem.interactions.interaction import SteppingInteraction
+from bondem.interactions.stiffness_product import Product
 
 
 class LaggedStrain(Protocol):
@@ -40,6 +42,11 @@ class LaggedInteraction(SteppingInteraction):
     has_potential: ClassVar[bool] = False
     settles: bool
     normal_over_shear: float
+
+    def product(self, pose: Floats, integrity: PerBond, table: BondTable) -> Product:
+        """Return the product of the matrix of intact springs at rest with small motions, internal order."""
+        matrix = self.stiffness()
+        return lambda motion: (matrix @ motion.ravel()).reshape(motion.shape)
 
     @abstractmethod
     def springs(self, kn: PerBond, kt: PerBond) -> bsr_array:

@@ -20,8 +20,6 @@ from bondem.specimen.local_origin import local_rest
 # Relative error of ω²_max that is left: Lanczos ends there, and its answer, from below, is raised by this much.
 _TOLERANCE = 1e-3
 _LEAST, _MOST, _EVERY = 24, 600, 4
-# Largest displacement over the shortest bond, and rotation, to which forces are found; so is the error of K u.
-_SMALL = 1e-5
 
 
 def highest_frequency(
@@ -61,8 +59,8 @@ def stiffest(
 ) -> float:
     """Return an upper bound of the largest eigenvalue of K u = ω² M u [1/s²], for any masses in internal order.
 
-    It is found by Lanczos iteration without a matrix: K u is the response of the bonds to small displacements of the
-    lattice at rest. The iteration ends when the residual is below the tolerance, and the residual is added. It starts
+    It is found by Lanczos iteration without a matrix: K u is the derivative of the forces of the bonds at rest along
+    u. The iteration ends when the residual is below the tolerance, and the residual is added. It starts
     from a fixed vector that is larger where an element is stiffer for its mass. The highest mode involves few
     elements, and from another start one that is hardly above the others could stay hidden. `slips` are of
     `long_slips`.
@@ -72,30 +70,17 @@ def stiffest(
         return 0.0
     intact = np.ones(m) if integrity is None else integrity
     table = model.bonds if table is None else table
-    pose, sums = lines(n), lines(n)
-    rest = local_rest(model.lattice)[layout.order]
-    load = model.interaction.loading(pose, rest, sums, intact, table)
-    shortest = float(table.length.min())
+    pose = lines(n)
+    pose[:, :3], pose[:, 4] = local_rest(model.lattice)[layout.order], 1.0
+    product = model.interaction.product(pose, intact, table)
     root = 1.0 / np.sqrt(np.column_stack([mass, mass, mass, inertia, inertia, inertia]))
-
-    matrix = None if model.interaction.has_potential else model.interaction.stiffness()
 
     def answer(y: Floats) -> Floats:
         motion = y * root
-        if matrix is not None:  # of the springs alone
-            return (matrix @ motion.ravel()).reshape(motion.shape) * root
-        size = max(np.abs(motion[:, :3]).max() / shortest, np.abs(motion[:, 3:]).max()) / _SMALL
-        motion /= size
-        pose[:, :3] = rest + motion[:, :3]
-        pose[:, 4] = 1.0
-        pose[:, 5:] = 0.5 * motion[:, 3:]
-        pose[:, 4:] /= np.sqrt(np.einsum("nk,nk->n", pose[:, 4:], pose[:, 4:]))[:, None]
-        load()
-        forces = sums[:, [0, 1, 2, 4, 5, 6]] * (-size * root)
-        sums[:] = 0.0
+        forces = product(motion)
         for slip in slips:
-            forces += slip.forces(motion) * (size * root)
-        return forces
+            forces += slip.forces(motion)
+        return forces * root
 
     held = np.zeros(n)
     for end, arm in ((layout.i, table.lever), (layout.j, table.length - table.lever)):

@@ -4,14 +4,20 @@ Written by `python -m tests.core.passes`.
 """
 
 from bondem._passes import Call
-from bondem._tables.step_tables import AlikeBeams, Beams, BeamSums, Poses
+from bondem._tables.step_tables import Beams, BeamSums, Poses
+from bondem._tables.stiffness_tables import BondTangents, StiffnessProduct
 
 
-def load_alike_beams(poses: Poses, beams: Beams, alike_beams: AlikeBeams, beam_sums: BeamSums) -> Call:
-    """Adds forces and torques of all beams in any poses that differ in length only."""
-    return Call("load_alike_beams", (poses, beams, alike_beams, beam_sums))
+def differentiate_beams(poses: Poses, beams: Beams, bond_tangents: BondTangents) -> Call:
+    """Sets the second derivative of the energy of each beam by the motions of its elements."""
+    return Call("differentiate_beams", (poses, beams, bond_tangents))
 
 
 def load_beams(poses: Poses, beams: Beams, beam_sums: BeamSums) -> Call:
     """Adds forces and torques of all beams in any poses; rows of the sums are given."""
     return Call("load_beams", (poses, beams, beam_sums))
+
+
+def multiply_beams(poses: Poses, stiffness_product: StiffnessProduct, beams: Beams) -> Call:
+    """Multiplies small motions by the stiffness of beams in any poses."""
+    return Call("multiply_beams", (poses, stiffness_product, beams))

@@ -14,6 +14,14 @@ from bondem._tables.cell_tables import (
     WallTime,
 )
 from bondem._tables.step_tables import BeamSums, Poses
+from bondem._tables.stiffness_tables import BondTangents, StiffnessProduct
+
+
+def differentiate_facets(poses: Poses, elastic_facets: ElasticFacets, bond_tangents: BondTangents) -> Call:
+    """Sets the second derivative of the energy of each facet by the motions of its cells, at the stresses in the
+    poses.
+    """
+    return Call("differentiate_facets", (poses, elastic_facets, bond_tangents))
 
 
 def load_body(
@@ -26,11 +34,6 @@ def load_body(
     ))
 
 
-def load_facets(poses: Poses, elastic_facets: ElasticFacets, beam_sums: BeamSums) -> Call:
-    """Adds force and torque of all facets at the stresses in the poses; rows of the sums are given."""
-    return Call("load_facets", (poses, elastic_facets, beam_sums))
-
-
 def measure_cell_energies(
     cell_poses: CellPoses, elastic_facets: ElasticFacets, cell_dilatation: CellDilatation, dilatation_gradients:
     DilatationGradients, wall_constraints: WallConstraints, cell_energies: CellEnergies
@@ -38,6 +41,16 @@ def measure_cell_energies(
     """Sums the energies of all facets, cells and walls [J]; that of dilatation is part of the normal energy."""
     return Call("measure_cell_energies", (
         cell_poses, elastic_facets, cell_dilatation, dilatation_gradients, wall_constraints, cell_energies
+    ))
+
+
+def multiply_body(
+    cell_poses: CellPoses, stiffness_product: StiffnessProduct, elastic_facets: ElasticFacets, cell_dilatation:
+    CellDilatation, dilatation_gradients: DilatationGradients, wall_constraints: WallConstraints
+) -> Call:
+    """Multiplies small motions by the stiffness of a body."""
+    return Call("multiply_body", (
+        cell_poses, stiffness_product, elastic_facets, cell_dilatation, dilatation_gradients, wall_constraints
     ))
 
 

@@ -1,8 +1,7 @@
 // Beams on a device: a thread computes one beam, and writes the loads on its ends into rows of the beam.
 #pragma once
-#include "../laws/damping.hpp"
 #include "../passes/beams/beam_report.hpp"
-#include "../passes/beams/bonds.hpp"
+#include "../passes/damage/beam_removal.hpp"
 #include "turns.hpp"
 
 namespace bondem {
@@ -32,11 +31,7 @@ inline void load_alike_beam(Index k, const Moving &all, const Beams &beams, cons
     put(to, k, loads_of(k, all, beams, alike));
 }
 inline void load_dashpot(Index k, const Moving &all, const Beams &beams, const Dashpots &dashpots, const LoadsOfBonds &to) {
-    const Short i = beams.i(k), j = beams.j(k);
-    const Motion<double> a(gather(all.motion.data, i)), b(gather(all.motion.data, j));
-    const double s = beams.integrity(k);
-    const BeamDashpots<double> c = {s * dashpots.c(0, k), s * dashpots.c(1, k), s * dashpots.c(2, k), s * dashpots.c(3, k)};
-    put(to, k, dashpot_loads(ends_of(all.pose.data, beams, k).branch, {b.v - a.v, a.w, b.w}, dashpots.share(k), c));
+    put(to, k, loads_of_dashpot(all, beams, dashpots, k));
 }
 
 constexpr auto check_portion = portion_of_bonds<check_beams>;

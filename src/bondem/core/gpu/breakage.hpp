@@ -5,7 +5,6 @@
 // the marks return at once. Sums have the order of bonds: a thread adds those of one element, and one thread adds all
 // energies.
 #pragma once
-#include "../passes/damage/beam_removal.hpp"
 #include "../passes/damage/beam_verdicts.hpp"
 #include "../passes/damage/pipeline.hpp"
 #include "beams.hpp"

@@ -10,7 +10,8 @@
 #include "../passes/cells/gradients.hpp"
 #include "../passes/cells/tractions.hpp"
 #include "../passes/cells/walls.hpp"
-#include "turns.hpp"
+#include "../passes/cells/facet_verdicts.hpp"
+#include "beams.hpp"
 
 namespace bondem {
 
@@ -79,19 +80,8 @@ constexpr auto subtract_portion_of_dilatation = portion_of_elements<subtract_dil
 
 // ---- forces
 
-BONDEM_INLINE void put_loads(const LoadsOfBonds &to, Index k, const FacetLoads<double> &loads) {
-    const Index m = to.load.shape[1];
-    const double each[9] = {loads.force.x, loads.force.y, loads.force.z, loads.on_i.x, loads.on_i.y,
-                            loads.on_i.z,  loads.on_j.x,  loads.on_j.y,  loads.on_j.z};
-    for (Index c = 0; c < 9; c++) to.load.data[c * m + k] = each[c];
-}
 inline void load_facet(Index k, const Moving &all, const ElasticFacets &facets, const LoadsOfBonds &to) {
-    const FacetColumns columns(facets);
-    const Row<double> i = gather(all.pose.data, facets.i(k)), j = gather(all.pose.data, facets.j(k));
-    const double s = facets.integrity(k);
-    const FacetLoads<double> loads = facet_loads(ends_of(i, j, facets.period.data), columns.shape<double>(k),
-                                                 columns.stiffness<double>(k, s), stresses_of(i, j, s));
-    put_loads(to, k, loads);
+    put(to, k, loads_of(all.pose.data, facets, k));
 }
 
 // ---- walls that hold facets

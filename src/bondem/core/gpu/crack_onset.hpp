@@ -25,7 +25,7 @@ inline void load_kept_facet(Index k, const Moving &all, const ElasticFacets &fac
     const OpenFacet<double> open = opened(ends, shape);
     const Vector moment = bending_moment(ends, stiffness.H);
     const FacetLoads<double> loads = facet_loads(ends, shape, open, moment, stiffness.k, stresses_of(i, j, s));
-    put_loads(to, k, loads);
+    put(to, k, loads);
     for (Index d = 0; d < 3; d++) {
         kept.force(d, k) = -loads.force[d];
         arms.arm(arm_of_i + d, k) = open.arm_i[d];

@@ -9,9 +9,8 @@ namespace bondem {
 
 inline void load_stored_beam(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,
                              const StoredLoads &stored, const LoadsOfBonds &to) {
-    const Short i = beams.i(k), j = beams.j(k);
-    const Vector apart = branch(gather(all.pose.data, i), gather(all.pose.data, j), beams.period.data);
-    const Motion<double> a(gather(all.motion.data, i)), b(gather(all.motion.data, j));
+    const Vector apart = ends_of(all.pose.data, beams, k).branch;
+    const Motion<double> a(gather(all.motion.data, beams.i(k))), b(gather(all.motion.data, beams.j(k)));
     const StoredColumns<double> history(stored);
     const StoredShape<double> shape = stored_shape<double>(beams, k);
     const StoredLoad<double> now = integrated(history(k), apart, {b.v - a.v, a.w, b.w}, shape,

@@ -45,11 +45,6 @@ template <class T> struct BeamStiffness {
     T A, B, C;  // [N·m]
     T kt;  // [N·m]
 };
-// Force and torques of a beam on its elements.
-template <class T> struct BeamLoads {
-    Vector3<T> force;  // on j; its opposite on i [N]
-    Vector3<T> on_i, on_j;  // torques [N·m]
-};
 
 // The gradient of U, with the opposite sign.
 template <class T>

@@ -30,7 +30,7 @@
 //
 // where δ × g comes from normals that turn with their cells. Cells need two passes: dilatation, then forces.
 //
-// Signs: tension positive. `FacetLoads` has the force on j, as beams do; its opposite acts on i.
+// Signs: tension positive. `BeamLoads` has the force on j, as beams do; its opposite acts on i.
 //
 // U does not change under rigid motion, has no square root and no history, and is positive for -1 < ν < ½. Facets alone
 // are the lattice of Bolander and Saito (1998), whose ν is 0; with m = n the law is that of Mariotti (2007) and of Monasse
@@ -57,11 +57,7 @@ template <class T> struct FacetStiffness {
 template <class T> struct OfCells {
     T i, j;
 };
-// Force and torques of a facet on its cells.
-template <class T> struct FacetLoads {
-    Vector3<T> force;  // on j; its opposite on i [N]
-    Vector3<T> on_i, on_j;  // torques [N·m]
-};
+template <class T> using FacetLoads = BeamLoads<T>;
 
 // A facet in space: the turned levers R b of both cells, and the gap δ [m].
 template <class T> struct OpenFacet {

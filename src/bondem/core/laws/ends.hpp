@@ -8,5 +8,10 @@ template <class T> struct Ends {
     Vector3<T> branch;  // centre of j minus centre of i [m]
     Quaternion<T> i, j;  // orientations
 };
+// Force and torques of a bond on its elements.
+template <class T> struct BeamLoads {
+    Vector3<T> force;  // on j; its opposite on i [N]
+    Vector3<T> on_i, on_j;  // torques [N·m]
+};
 
 }  // namespace bondem

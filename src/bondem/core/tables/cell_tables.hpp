@@ -49,7 +49,7 @@ struct DilatationGradients {
     Array<const Index, 1> wall;  // number of the wall, (layer_walls,)
     Array<const double, 2> wall_way;  // n × s of the wall for both directions, in space [m²], (layer_walls, 6)
     Array<const double, 2> weight;  // J λ / V² for both directions [Pa/m], (layered, 2)
-    Array<double, 2> bend;  // J λ χ / V for both directions [Pa·m], (layered, 2)
+    Array<double, 2> bend;  // J λ χ / V for both directions, and by small motions [Pa·m], (layered, 4)
     Array<double, 2> torque;  // on each cell by bent layers [N·m], (layered, 3)
 };
 // The mass that waves of pressure lack in cells of finite size.

@@ -39,6 +39,18 @@ struct BlockRows {
     Array<double, 3> data;  // blocks of (u, θ) [N/m, N, N·m], (blocks, 6, 6)
 };
 
+// A small motion of each element, and the product of a stiffness with it.
+struct StiffnessProduct {
+    Array<const double, 2> given;  // displacements and rotations [m, rad], (n, 6)
+    Array<double, 2> found;  // forces and torques [N, N·m], (n, 6)
+    Array<double, 2> motion;  // displacement, change of λ θ, rotation, 0 [m, Pa, rad], (n, 8)
+    Array<double, 2> sums;  // -force, 0, -torque, 0 [N, N·m], (n, 8)
+};
+// The second derivative of the energy of each bond by the motions (u, θ) of its two elements.
+struct BondTangents {
+    Array<double, 3> tangent;  // [N/m, N, N·m], (12, 12, m)
+};
+
 // Forms whose sum is the dilatation of each cell, in the same rows.
 struct DilatationRows {
     Array<double, 3> forms;  // V θ under unit motions [m², m³], (blocks, 1, 6)

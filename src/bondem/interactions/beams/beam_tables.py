@@ -38,19 +38,16 @@ def beam_tables(
     return beams, None if same is None else AlikeBeams(with_zeros(hold), *same)
 
 
-def load_beams(pose: Floats, beams: Beams, alike: AlikeBeams | None, sums: BeamSums) -> None:
+def load_beams(pose: Floats, beams: Beams, sums: BeamSums) -> None:
     """Add force and torques of all beams to the sums of their ends."""
-    if alike is None:
-        run_pass(calls.load_beams(Poses(pose), beams, sums))
-    else:
-        run_pass(calls.load_alike_beams(Poses(pose), beams, alike, sums))
+    run_pass(calls.load_beams(Poses(pose), beams, sums))
 
 
 def loads_of_each(pose: Floats, beams: Beams, m: int) -> tuple[Floats, Floats]:
     """Return force, 0, torque, 0 of each of the first m beams on i and on j [N, N·m], (m, 8) each."""
     sums = lines(2 * m)  # every beam adds to two rows of its own
     own = np.arange(m, dtype=np.uint32)
-    load_beams(pose, beams, None, BeamSums(with_twins(own), with_twins(own + np.uint32(m)), sums))
+    load_beams(pose, beams, BeamSums(with_twins(own), with_twins(own + np.uint32(m)), sums))
     return sums[:m], sums[m:]
 
 

@@ -17,7 +17,7 @@ from bondem._tables.cell_tables import (
     WallConstraints,
     WallTime,
 )
-from bondem._tables.step_tables import BeamSums, Poses
+from bondem._tables.step_tables import BeamSums
 from bondem._types import Floats, Ints, PerBond
 from bondem.geometry.rotations import turned_vectors
 from bondem.interactions.beams.bond_table import with_twins, with_zeros
@@ -80,7 +80,7 @@ def gradient_tables(
     return DilatationGradients(
         start, other, np.tile(spring, 2)[order], np.zeros(n), layer, following, np.ascontiguousarray(way),
         hold, held[by_cell], np.ascontiguousarray(turned.reshape(-1, 6)[by_cell]),
-        np.ascontiguousarray(gradients.weight), np.zeros((layered, 2)), np.zeros((layered, 3)),
+        np.ascontiguousarray(gradients.weight), np.zeros((layered, 4)), np.zeros((layered, 3)),
     )  # fmt: skip
 
 
@@ -121,11 +121,6 @@ def load_body(
 ) -> None:  # fmt: skip
     """Set the stresses of the cells in the poses, and add the loads of facets and walls to the sums, (n, 8)."""
     run_pass(calls.load_body(all_cells, facets, cells, gradients, walls, BeamSums(facets.i, facets.j, sums)))
-
-
-def load_all_facets(pose: Floats, facets: ElasticFacets, sums: BeamSums) -> None:
-    """Add force and torque of all facets to rows of the sums, at the stresses in the poses."""
-    run_pass(calls.load_facets(Poses(pose), facets, sums))
 
 
 def body_energies(

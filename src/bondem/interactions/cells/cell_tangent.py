@@ -1,9 +1,7 @@
 """Forces of a body of cells in any pose, and their derivative, for Newton's method."""
 
 from abc import abstractmethod
-from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
 
 import numpy as np
 from scipy.sparse import bsr_array, csr_array
@@ -13,22 +11,23 @@ from bondem._core import run_pass
 from bondem._passes import calls
 from bondem._tables.cell_tables import CellDilatation, CellPoses, DilatationGradients, ElasticFacets, WallConstraints
 from bondem._tables.damage_tables import FailureIndices, Strengths
-from bondem._tables.step_tables import BeamSums, Poses
+from bondem._tables.step_tables import Poses
+from bondem._tables.stiffness_tables import BondTangents
 from bondem._types import Floats, PerBond, PerElement6
 from bondem.geometry.rotations import relative_rotations, turned_vectors
-from bondem.interactions.beams.bond_table import BondTable, with_twins
+from bondem.interactions.beams.bond_table import BondTable
 from bondem.interactions.cells.cell_constants import CellConstants
 from bondem.interactions.cells.cell_tables import (
     STRESS,
     body_energies,
     cell_tables,
     gradient_tables,
-    load_all_facets,
     load_body,
 )
 from bondem.interactions.energy_parts import EnergyParts
 from bondem.interactions.interaction import Arrays, Interaction, SurfaceState
 from bondem.interactions.stiffness import Stiffness
+from bondem.interactions.stiffness_product import Product, loads_in, product_by
 from bondem.specimen.local_origin import local_rest
 
 
@@ -76,12 +75,18 @@ class CellsAtAnyPose(Interaction):
     def constants(self) -> CellConstants:
         """Constants of the law, internal order."""
 
-    def loading(
-        self, pose: Floats, rest: Floats, sums: Floats, integrity: PerBond, table: BondTable
-    ) -> Callable[[], None]:
-        body = BodyTables.of(self, self.constants, integrity)
+    def product(self, pose: Floats, integrity: PerBond, table: BondTable) -> Product:
+        body, poses = BodyTables.of(self, self.constants, integrity), CellPoses(pose, self._rest)
         body.walls.wall[:] = 0.0
-        return partial(body.load, pose, rest, sums)
+        body.load(pose, poses.rest, lines(len(pose)))  # stresses of cells, bending of layers
+        body.cells.given[:] = 0.0
+        tables = body.facets, body.cells, body.gradients, body.walls
+        return product_by(len(pose), lambda by: calls.multiply_body(poses, by, *tables))
+
+    @property
+    def _rest(self) -> Floats:
+        """Centres at rest [m], internal order, (n, 3)."""
+        return local_rest(self.lattice)[self.layout.order]
 
     def energy(
         self, pose: Floats, rest: Floats, integrity: PerBond, strain: PerBond, surface: SurfaceState | None = None
@@ -108,18 +113,17 @@ class CellsAtAnyPose(Interaction):
         """Return the derivative of the energy and wall loads; the stresses of the cells are stored in the pose."""
         body = BodyTables.of(self, self.constants, np.ones(len(self.layout.i)))
         sums, walls = lines(len(pose)), np.zeros((len(pose), 6))
-        body.load(pose, local_rest(self.lattice)[self.layout.order], sums)
+        body.load(pose, self._rest, sums)
         np.add.at(walls, body.walls.cell, body.walls.load)
-        return -sums[:, [0, 1, 2, 4, 5, 6]], walls
+        return -loads_in(sums), walls
 
-    def bond_gradient(self, pose: Floats, i: np.ndarray, j: np.ndarray) -> tuple[Floats, Floats]:
-        """Return the derivative of the energy of facets, at the pose's stresses."""
-        m = len(i)
-        facets = BodyTables.of(self, self.constants, np.ones(m)).facets._replace(i=with_twins(i), j=with_twins(j))
-        loads, own = lines(2 * m), np.arange(m, dtype=np.uint32)
-        load_all_facets(pose, facets, BeamSums(with_twins(own), with_twins(own + np.uint32(m)), loads))
-        columns = -loads[:, [0, 1, 2, 4, 5, 6]].T
-        return columns[:, :m], columns[:, m:]
+    def bond_tangents(self, pose: Floats) -> Floats:
+        """Return the second derivative of the energy of facets, at the pose's stresses, (12, 12, m)."""
+        m = len(self.layout.i)
+        facets = BodyTables.of(self, self.constants, np.ones(m)).facets
+        found = BondTangents(np.empty((12, 12, len(facets.i))))
+        run_pass(calls.differentiate_facets(Poses(pose), facets, found))
+        return found.tangent[:, :, :m]
 
     def _current_forms(self, pose: Floats, pattern: bsr_array) -> bsr_array:
         """Return V θ of each cell under unit motions from the present pose [m², m³], 1×6 blocks, (n, 6 n)."""
@@ -151,10 +155,10 @@ class CellsAtAnyPose(Interaction):
 
     def _grip_blocks(self, pose: Floats) -> tuple[np.ndarray, Floats]:
         """Return the cells that walls hold, (g,), and their parts of diagonal blocks in a pose, (g, 6, 6)."""
-        order, grips = self.layout.order, self.constants.grips
+        grips = self.constants.grips
         held = self.layout.rank[grips.cell]
         arm = turned_vectors(pose[held, 4:], grips.arm)
-        moved = pose[held, :3] + arm - local_rest(self.lattice)[order][held] - grips.lever
+        moved = pose[held, :3] + arm - self._rest[held] - grips.lever
         force = grips.k[:, None] * grips.axes * (grips.motion - moved) + pose[held, STRESS, None] * grips.share
         own, _ = grips.blocks(arm)
         # the lever turns under the force

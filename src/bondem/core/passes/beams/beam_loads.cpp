@@ -3,9 +3,9 @@
 
 #include "../../laws/damping.hpp"
 #include "../../registered.hpp"
+#include "../assembly/derivatives.hpp"
 #include "../damage/pipeline.hpp"
 #include "../damage/softening_beam.hpp"
-#include "bonds.hpp"
 
 namespace bondem {
 namespace {
@@ -16,32 +16,25 @@ constexpr Index ahead = 32;
 // Beams with constants of their own, or those that all share, over their length.
 struct Own {
     const Beams &beams;
-    BONDEM_INLINE BeamStiffness<Lanes> stiffness(Index k) const {
-        return stiffness_of(beams, k, load(beams.integrity.data + k));
+    template <class T> BONDEM_INLINE BeamStiffness<T> stiffness(Index k) const {
+        return stiffness_of(beams, k, number<T>(beams.integrity.data, k));
     }
 };
 struct Alike {
     const double *hold;
     double kn, A, B, kt;
-    BONDEM_INLINE BeamStiffness<Lanes> stiffness(Index k) const {
-        const Lanes h = load(hold + k);
+    template <class T> BONDEM_INLINE BeamStiffness<T> stiffness(Index k) const {
+        const T h = number<T>(hold, k);
         return {kn * h, A * h, B * h, A * h, kt * h};
     }
 };
 
 inline Alike all_alike(const AlikeBeams &alike) { return {alike.hold.data, alike.knL, alike.AL, alike.BL, alike.ktL}; }
 
-BONDEM_INLINE void add(double *sums, const Short *row_i, const Short *row_j, const BeamLoads<Lanes> &loads, int known) {
-    const Vector3<Lanes> f = loads.force, a = loads.on_i, b = loads.on_j;
-    const Lanes zero = {};
-    add_rows(sums, row_i, row_j, {{-f.x, -f.y, -f.z, zero, a.x, a.y, a.z, zero}}, {{f.x, f.y, f.z, zero, b.x, b.y, b.z, zero}},
-             known);
-}
-
 // Beams that cannot fail.
 struct NoMarks {
-    BONDEM_INLINE void mark(Index, int, BeamLoads<Lanes> &) const {}
-    BONDEM_INLINE void press(Index, Vector3<Lanes>, Lanes, BeamLoads<Lanes> &) const {}
+    template <class Loads> BONDEM_INLINE void mark(Index, int, Loads &) const {}
+    template <class T> BONDEM_INLINE void press(Index, Vector3<T>, T, BeamLoads<T> &) const {}
 };
 // Beams that are compared with their bounds.
 struct BeamMarks {
@@ -88,8 +81,8 @@ template <class Criterion> struct SofteningMarks {
 };
 
 // Adds the loads of the beams first … last - 1; `to` has the rows of the sums, and the sums.
-template <class Sums, class Kind, class Marking>
-BONDEM_INLINE void add_loads(Index first, const Index last, const double *const pose, const Beams &beams, const Sums &to,
+template <class Pose, class Sums, class Kind, class Marking>
+BONDEM_INLINE void add_loads(Index first, const Index last, const Pose pose, const Beams &beams, const Sums &to,
                              const Kind kind, Marking &marking) {
     double *const __restrict sums = to.sums.data;
     const Short *const i = beams.i.data, *const j = beams.j.data;
@@ -100,16 +93,17 @@ BONDEM_INLINE void add_loads(Index first, const Index last, const double *const 
     for_each_group(first, last, [&](Group group) __attribute__((always_inline)) {
         const Index k = group.first;
         prefetch(pose, i + least(k + ahead, last - lanes));
-        const Ends<Lanes> ends = ends_of(gather(pose, i + k, j + k), period);
-        const BeamShape<Lanes> shape = {{load(X0 + k), load(Y0 + k), load(Z0 + k)}, load(L + k)};
-        BeamLoads<Lanes> loads = beam_loads(ends, shape, kind.stiffness(k));
+        const auto ends = ends_of(gather(pose, i + k, j + k), period);
+        using T = decltype(ends.branch.x);
+        const BeamShape<T> shape = {{number<T>(X0, k), number<T>(Y0, k), number<T>(Z0, k)}, number<T>(L, k)};
+        BeamLoads<T> loads = beam_loads(ends, shape, kind.template stiffness<T>(k));
         marking.mark(k, group.known, loads);
         marking.press(k, ends.branch, shape.length, loads);
-        add(sums, row_i + k, row_j + k, loads, group.known);
+        add_loads_of(sums, row_i + k, row_j + k, loads, group.known);
     });
 }
-template <class Sums, class Kind>
-BONDEM_INLINE void add_loads(Index first, Index last, const double *pose, const Beams &beams, const Sums &to, Kind kind) {
+template <class Pose, class Sums, class Kind>
+BONDEM_INLINE void add_loads(Index first, Index last, Pose pose, const Beams &beams, const Sums &to, Kind kind) {
     NoMarks none;
     add_loads(first, last, pose, beams, to, kind, none);
 }
@@ -194,7 +188,24 @@ Index load_alike_beams(Index, const Poses &all, const Beams &beams, const AlikeB
     add_loads(0, beams.i.size(), all.pose.data, beams, to, all_alike(alike));
     return 0;
 }
-BONDEM_CALL(load_alike_beams, "")
+
+// Multiplies small motions by the stiffness of beams in any poses.
+Index multiply_beams(Index, const Poses &all, const StiffnessProduct &by, const Beams &beams) {
+    const BeamSums to = {beams.i, beams.j, by.sums};
+    multiply(all.pose.data, by, [&](const MovedPoses &moved) { add_loads(0, beams.i.size(), moved, beams, to, Own{beams}); });
+    return 0;
+}
+BONDEM_CALL(multiply_beams, "")
+
+// Sets the second derivative of the energy of each beam by the motions of its elements.
+Index differentiate_beams(Index, const Poses &all, const Beams &beams, const BondTangents &to) {
+    using T = Dual<Lanes>;
+    differentiate(all.pose.data, beams, to, [&](Index k, const PairOfRows<T> &rows) __attribute__((always_inline)) {
+        return beam_loads(ends_of(rows, beams.period.data), shape_of<T>(beams, k), Own{beams}.stiffness<T>(k));
+    });
+    return 0;
+}
+BONDEM_CALL(differentiate_beams, "")
 
 // Adds forces and torques of the dashpots of beams to sums of their own.
 void add_dashpot_loads(const Turn &turn, const Moving &all, const Beams &beams, const Dashpots &dashpots,
@@ -209,8 +220,8 @@ void add_dashpot_loads(const Turn &turn, const Moving &all, const Beams &beams, 
         const Lanes s = load(beams.integrity.data + k);
         const BeamDashpots<Lanes> dashpot = {s * load(c + k), s * load(c + m + k), s * load(c + 2 * m + k),
                                              s * load(c + 3 * m + k)};
-        add(dashpots.sums.data, cut.row_i.data + k, cut.row_j.data + k,
-            dashpot_loads(apart, {b.v - a.v, a.w, b.w}, load(dashpots.share.data + k), dashpot), group.known);
+        add_loads_of(dashpots.sums.data, cut.row_i.data + k, cut.row_j.data + k,
+                     dashpot_loads(apart, {b.v - a.v, a.w, b.w}, load(dashpots.share.data + k), dashpot), group.known);
     });
 }
 BONDEM_PASS(add_dashpot_loads, bonds_of_blocks, "ends motion pose; adds Dashpots.sums")

@@ -1,7 +1,7 @@
 // Access of passes to the bonds of a table: one, or as many as there are lanes.
 #pragma once
 #include "../../laws/beam.hpp"
-#include "../motion/elements.hpp"
+#include "../motion/moved_poses.hpp"
 
 namespace bondem {
 
@@ -22,7 +22,7 @@ template <class T> BONDEM_INLINE Ends<T> ends_of(const Row<T> &i, const Row<T> &
 }
 
 #if defined(BONDEM_LANES)
-BONDEM_INLINE Ends<Lanes> ends_of(const PairOfRows &rows, const double *period) {
+template <class T> BONDEM_INLINE Ends<T> ends_of(const PairOfRows<T> &rows, const double *period) {
     return ends_of(rows.first, rows.second, period);
 }
 #endif
@@ -32,6 +32,7 @@ template <class T> BONDEM_INLINE T number(const double *column, Index k);
 template <> BONDEM_INLINE double number<double>(const double *column, Index k) { return column[k]; }
 #if defined(BONDEM_LANES)
 template <> BONDEM_INLINE Lanes number<Lanes>(const double *column, Index k) { return load(column + k); }
+template <> BONDEM_INLINE Dual<Lanes> number<Dual<Lanes>>(const double *column, Index k) { return load(column + k); }
 #endif
 
 template <class T> BONDEM_INLINE Vector3<T> direction_of(const Beams &beams, Index k) {
@@ -45,8 +46,8 @@ template <class T> BONDEM_INLINE BeamStiffness<T> stiffness_of(const Beams &beam
     return {share * number<T>(beams.kn.data, k), share * number<T>(beams.A.data, k), share * number<T>(beams.B.data, k),
             share * number<T>(beams.C.data, k), share * number<T>(beams.kt.data, k)};
 }
-inline Ends<double> ends_of(const double *pose, const Beams &beams, Index k) {
-    return ends_of(gather(pose, beams.i(k)), gather(pose, beams.j(k)), beams.period.data);
+template <class Bonds> inline Ends<double> ends_of(const double *pose, const Bonds &bonds, Index k) {
+    return ends_of(gather(pose, bonds.i(k)), gather(pose, bonds.j(k)), bonds.period.data);
 }
 
 #if defined(BONDEM_LANES)
@@ -56,6 +57,14 @@ struct Group {
     Index first;
     int known;  // how many of it belong to the group before
 };
+// Adds force and torques of bonds known … to the sums of their ends; of duals, their derivatives.
+template <class Loads>
+BONDEM_INLINE void add_loads_of(double *sums, const Short *row_i, const Short *row_j, const Loads &loads, int known) {
+    const Vector3<Lanes> f = written(loads.force), a = written(loads.on_i), b = written(loads.on_j);
+    const Lanes zero = {};
+    add_rows(sums, row_i, row_j, {{-f.x, -f.y, -f.z, zero, a.x, a.y, a.z, zero}}, {{f.x, f.y, f.z, zero, b.x, b.y, b.z, zero}},
+             known);
+}
 // Calls on(group) for the groups of the bonds first … last - 1. The last group is moved back to end with the last
 // bond, so that every group is read as a whole. Tables contain at least one group; entries behind fewer bonds have no
 // effect.

@@ -14,7 +14,7 @@ BONDEM_INLINE void stress_cell(const Array<double, 2> &pose, const CellDilatatio
 // Facets that cannot fail.
 struct NoFacetMarks {
     BONDEM_INLINE bool counts(const FacetColumns &, Index) { return true; }
-    BONDEM_INLINE void mark(Index, int, const Row<Lanes> &, const Row<Lanes> &, const Ends<Lanes> &, const FacetColumns &) {}
+    template <class... Facet> BONDEM_INLINE void mark(const Facet &...) {}
 };
 
 // Facets of which many have no integrity left.
@@ -23,18 +23,17 @@ struct LeftFacets : NoFacetMarks {
 };
 
 // Adds contributions of the facets first … last - 1 to V θ of their cells, and marks facets near to failure.
-template <class Marking>
-BONDEM_INLINE void accumulate(Index first, Index last, const double *pose, const ElasticFacets &facets,
+template <class Pose, class Marking>
+BONDEM_INLINE void accumulate(Index first, Index last, Pose pose, const ElasticFacets &facets,
                               const CellDilatation &cells, Marking &marking) {
     double *const __restrict swelling = cells.swelling.data;
     const Short *const to_i = cells.to_i.data, *const to_j = facets.j.data;
     const FacetColumns columns(facets);
     for_each_facets(first, last, pose, facets, columns.period,
                     [&](Index k) __attribute__((always_inline)) { return marking.counts(columns, k); },
-                    [&](Index k, int known, const Row<Lanes> &a, const Row<Lanes> &b, const Ends<Lanes> &ends)
-                        __attribute__((always_inline)) {
-        const OfCells<Lanes> grown = dilatation(ends, columns.shape<Lanes>(k));
-        const Lanes s = load(columns.integrity + k), on_i = s * grown.i, on_j = s * grown.j;
+                    [&](Index k, int known, const auto &a, const auto &b, const auto &ends) __attribute__((always_inline)) {
+        const auto grown = dilatation(ends, columns.shape<LanesOf<Pose>>(k));
+        const Lanes s = load(columns.integrity + k), on_i = s * written(grown.i), on_j = s * written(grown.j);
         const auto add = [&](int n) __attribute__((always_inline)) {
             swelling[to_j[k + n]] += on_j[n];
             swelling[to_i[k + n]] += on_i[n];

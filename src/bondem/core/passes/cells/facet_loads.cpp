@@ -1,7 +1,7 @@
 // The second of two passes over facets: forces and torques, with the stresses of the cells from the first.
 #include "../../registered.hpp"
 #include "../../tables/cell_tables.hpp"
-#include "facet_sums.hpp"
+#include "facets.hpp"
 
 namespace bondem {
 namespace {
@@ -9,15 +9,6 @@ namespace {
 BONDEM_INLINE Row<Lanes> moment_row(Vector3<Lanes> arm, Vector3<Lanes> force, Lanes bent) {
     const Symmetric3<Lanes> m = symmetric_product(arm, force);
     return {{m.xx, m.yy, m.zz, bent, m.xy, m.xz, m.yz, Lanes{}}};
-}
-
-// Writes lanes known … to memory: cells of the group before may have moved since it was written.
-BONDEM_INLINE void keep(double *to, Lanes a, int known) {
-    if (__builtin_expect(known == 0, 1)) {
-        store(to, a);
-    } else {
-        for (int n = known; n < lanes; n++) to[n] = a[n];
-    }
 }
 
 }  // namespace
@@ -46,12 +37,12 @@ void add_and_keep_facet_loads(const Turn &turn, const Moving &all, const Elastic
         const OpenFacet<Lanes> open = opened(ends, shape);
         const FacetLoads<Lanes> loads = facet_loads(ends, shape, open, moment, stiffness.k, stresses_of(a, b, s));
         const Vector3<Lanes> on_i = -loads.force;
-        keep(force + k, on_i.x, known), keep(force + columns.m + k, on_i.y, known);
-        keep(force + 2 * columns.m + k, on_i.z, known);
+        // cells of the group before may have moved since its forces were stored
+        for (Index axis = 0; axis < 3; axis++) store_behind(force + axis * columns.m + k, on_i[axis], known);
         const Lanes bent = bending_square(ends, load(kept.bends.data + k), stiffness.H);
         add_rows(kept.sums.data, row_i + k, row_j + k, moment_row(open.arm_i, on_i, bent),
                  moment_row(open.arm_j, loads.force, bent), known);
-        add_loads_of_facets(cut.sums.data, row_i + k, row_j + k, loads, known);
+        add_loads_of(cut.sums.data, row_i + k, row_j + k, loads, known);
     });
 }
 BONDEM_PASS(add_and_keep_facet_loads, bonds_of_blocks, "ends pose pose.stress; adds FacetForces.sums StepCut.sums")

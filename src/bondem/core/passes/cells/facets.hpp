@@ -13,6 +13,7 @@ BONDEM_INLINE double widened(const float *from, double) { return double(*from); 
 #if defined(BONDEM_LANES)
 BONDEM_INLINE Lanes widened(const int32_t *from, Lanes) { return load(from); }
 BONDEM_INLINE Lanes widened(const float *from, Lanes) { return load(from); }
+template <class Number> BONDEM_INLINE Dual<Lanes> widened(const Number *from, Dual<Lanes>) { return load(from); }
 #endif
 
 // Columns k … of a table with a row for each of three axes.
@@ -65,10 +66,7 @@ BONDEM_INLINE T pull_squared(const Row<T> &i, const Row<T> &j, const Ends<T> &en
     return s * s * dot(f, f);
 }
 
-// One facet, and its normal in the reference.
-inline Ends<double> ends_of(const double *pose, const ElasticFacets &facets, Index k) {
-    return ends_of(gather(pose, facets.i(k)), gather(pose, facets.j(k)), facets.period.data);
-}
+// The normal of a facet in the reference.
 inline Vector normal_of(const ElasticFacets &facets, Index k) {
     return {facets.normal(0, k), facets.normal(1, k), facets.normal(2, k)};
 }
@@ -77,8 +75,8 @@ inline Vector normal_of(const ElasticFacets &facets, Index k) {
 
 // Calls on(k, known, i, j, ends) for the groups of the facets first … last - 1 that counts(k) names, with the poses
 // of their cells; later rows are prefetched.
-template <class Counts, class On>
-BONDEM_INLINE void for_each_facets(Index first, const Index last, const double *const pose, const ElasticFacets &facets,
+template <class Pose, class Counts, class On>
+BONDEM_INLINE void for_each_facets(Index first, const Index last, const Pose pose, const ElasticFacets &facets,
                                    const double *const period, Counts counts, On on) {
     constexpr Index ahead = 32;
     const Short *const i = facets.i.data, *const j = facets.j.data;
@@ -87,22 +85,35 @@ BONDEM_INLINE void for_each_facets(Index first, const Index last, const double *
         const Index k = group.first;
         prefetch(pose, i + least(k + ahead, most(last - lanes, Index(0))));
         if (!counts(k)) return;
-        const PairOfRows rows = gather(pose, i + k, j + k);
-        const Row<Lanes> &a = rows.first, &b = rows.second;
-        Ends<Lanes> ends = {{b.column[0] - a.column[0], b.column[1] - a.column[1], b.column[2] - a.column[2]},
-                            orientation(a), orientation(b)};
+        const auto rows = gather(pose, i + k, j + k);
+        const auto &a = rows.first, &b = rows.second;
+        Ends<LanesOf<Pose>> ends = {{b.column[0] - a.column[0], b.column[1] - a.column[1], b.column[2] - a.column[2]},
+                                     orientation(a), orientation(b)};
         if (periodic) ends.branch = over_nearest_image(ends.branch, period);
         on(k, group.known, a, b, ends);
     });
 }
-template <class On>
-BONDEM_INLINE void for_each_facets(Index first, const Index last, const double *const pose, const ElasticFacets &facets,
+template <class Pose, class On>
+BONDEM_INLINE void for_each_facets(Index first, const Index last, const Pose pose, const ElasticFacets &facets,
                                    const double *const period, On on) {
     for_each_facets(first, last, pose, facets, period, [](Index) { return true; }, on);
 }
 // True if a facet of a group has a positive integrity.
 BONDEM_INLINE bool any_left(const FacetColumns &columns, Index k) {
     return any(load(columns.integrity + k) != Lanes{});
+}
+// Adds the loads of the facets first … last - 1, in their order.
+template <class Pose>
+BONDEM_INLINE void add_loads_of_facets(Index first, Index last, Pose pose, const ElasticFacets &facets,
+                                       const Short *row_i, const Short *row_j, double *const __restrict sums) {
+    const FacetColumns columns(facets);
+    for_each_facets(first, last, pose, facets, columns.period,
+                    [&](Index k, int known, const auto &a, const auto &b, const auto &ends) __attribute__((always_inline)) {
+        using T = LanesOf<Pose>;
+        const T s = number<T>(columns.integrity, k);
+        const auto loads = facet_loads(ends, columns.shape<T>(k), columns.stiffness<T>(k, s), stresses_of(a, b, s));
+        add_loads_of(sums, row_i + k, row_j + k, loads, known);
+    });
 }
 
 #endif

@@ -30,65 +30,72 @@ inline double difference_of(const DilatationGradients &gradients, Index p, Stres
 inline bool has_layers(const DilatationGradients &gradients) { return gradients.bend.size() > 0; }
 
 // The rotation of the other cell of facet e of a layer relative to cell p: its cosine, and its vector in the frame of p.
-struct LayerTurn {
-    double w;
-    Vector v;
-};
-inline LayerTurn positive(double w, Vector v) {
-    const double sign = w < 0.0 ? -1.0 : 1.0;
+template <class T> HeldTurn<T> positive(T w, Vector3<T> v) {
+    const T sign = w < 0.0 ? -1.0 : 1.0;
     return {sign * w, sign * v};
 }
-inline LayerTurn layer_turn(const Array<double, 2> &pose, const DilatationGradients &gradients, Index p, Index e) {
-    const Quaternion<double> own = orientation(gather(pose.data, Short(p)));
-    const RelativeTurn<double> turn = relative_turn(own, orientation(gather(pose.data, gradients.next(e))));
+template <class Pose>
+inline HeldTurn<NumberOf<Pose>> layer_turn(const Pose &pose, const DilatationGradients &gradients, Index p, Index e) {
+    const auto own = orientation(gather(pose, Short(p)));
+    const auto turn = relative_turn(own, orientation(gather(pose, gradients.next(e))));
     return positive(turn.w, turn.v);
 }
 // Rotation of cell p since the wall of entry e began to hold it, in space.
-inline LayerTurn wall_turn(const Array<double, 2> &pose, const WallConstraints &walls,
-                           const DilatationGradients &gradients, Index e) {
-    const HeldTurn turn = held_turn(pose, walls, gradients.wall(e));
+template <class Pose>
+inline HeldTurn<NumberOf<Pose>> wall_turn(const Pose &pose, const WallConstraints &walls,
+                                          const DilatationGradients &gradients, Index e) {
+    const auto turn = held_turn(pose, walls, gradients.wall(e));
     return positive(turn.w, turn.v);
 }
 // n × s of one direction of facet e, of the cell itself (0, 1) or of the other (2, 3); and that of a wall.
-inline Vector vector_of(const Array<const double, 2> &ways, Index e, Index which) {
+template <class T> inline Vector3<T> vector_of(const Array<const double, 2> &ways, Index e, Index which) {
     const double *way = &ways(e, 3 * which);
     return {way[0], way[1], way[2]};
 }
 
-inline void bend_cell(const Array<double, 2> &pose, const WallConstraints &walls, const DilatationGradients &gradients,
-                      Index p) {
-    double sum[2] = {};
+// J λ χ / V of a cell, or a dual.
+template <class T> inline T bend_of(const DilatationGradients &gradients, Index p, Index d) { return gradients.bend(p, d); }
+template <> inline Dual<double> bend_of(const DilatationGradients &gradients, Index p, Index d) {
+    return {gradients.bend(p, d), gradients.bend(p, 2 + d)};
+}
+
+template <class Pose>
+inline void bend_cell(const Pose &pose, const WallConstraints &walls, const DilatationGradients &gradients, Index p) {
+    using T = NumberOf<Pose>;
+    T sum[2] = {};
     for (Index e = gradients.layer(p); e < gradients.layer(p + 1); e++) {
-        const Vector v = layer_turn(pose, gradients, p, e).v;
-        for (Index d = 0; d < 2; d++) sum[d] += 2.0 * dot(v, vector_of(gradients.way, e, d));
+        const Vector3<T> v = layer_turn(pose, gradients, p, e).v;
+        for (Index d = 0; d < 2; d++) sum[d] = sum[d] + 2.0 * dot(v, vector_of<T>(gradients.way, e, d));
     }
     for (Index e = gradients.hold(p); e < gradients.hold(p + 1); e++) {
-        const Vector v = wall_turn(pose, walls, gradients, e).v;
-        for (Index d = 0; d < 2; d++) sum[d] -= 2.0 * dot(v, vector_of(gradients.wall_way, e, d));
+        const Vector3<T> v = wall_turn(pose, walls, gradients, e).v;
+        for (Index d = 0; d < 2; d++) sum[d] = sum[d] - 2.0 * dot(v, vector_of<T>(gradients.wall_way, e, d));
     }
-    for (Index d = 0; d < 2; d++) gradients.bend(p, d) = gradients.weight(p, d) * sum[d];
+    const Index column = sizeof(T) > sizeof(double) ? 2 : 0;  // changes stand behind the values
+    for (Index d = 0; d < 2; d++) gradients.bend(p, column + d) = written(gradients.weight(p, d) * sum[d]);
 }
-inline void twist_cell(const Array<double, 2> &pose, const WallConstraints &walls, const DilatationGradients &gradients,
-                       Index p) {
-    Vector sum = {};
+template <class Pose>
+inline void twist_cell(const Pose &pose, const WallConstraints &walls, const DilatationGradients &gradients, Index p) {
+    using T = NumberOf<Pose>;
+    Vector3<T> sum = {};
     for (Index e = gradients.layer(p); e < gradients.layer(p + 1); e++) {
-        const LayerTurn turn = layer_turn(pose, gradients, p, e);
+        const HeldTurn<T> turn = layer_turn(pose, gradients, p, e);
         const Index q = gradients.next(e);
-        Vector m = {};
+        Vector3<T> m = {};
         for (Index d = 0; d < 2; d++) {
-            m = plus(m, gradients.bend(p, d), vector_of(gradients.way, e, d));
-            m = plus(m, gradients.bend(q, d), vector_of(gradients.way, e, 2 + d));
+            m = plus(m, bend_of<T>(gradients, p, d), vector_of<T>(gradients.way, e, d));
+            m = plus(m, bend_of<T>(gradients, q, d), vector_of<T>(gradients.way, e, 2 + d));
         }
         sum = sum + plus_cross(turn.w * m, turn.v, m);
     }
-    Vector torque = turned_by(orientation(gather(pose.data, Short(p))), sum);
+    Vector3<T> torque = turned_by(orientation(gather(pose, Short(p))), sum);
     for (Index e = gradients.hold(p); e < gradients.hold(p + 1); e++) {
-        const LayerTurn turn = wall_turn(pose, walls, gradients, e);
-        Vector m = {};
-        for (Index d = 0; d < 2; d++) m = plus(m, gradients.bend(p, d), vector_of(gradients.wall_way, e, d));
+        const HeldTurn<T> turn = wall_turn(pose, walls, gradients, e);
+        Vector3<T> m = {};
+        for (Index d = 0; d < 2; d++) m = plus(m, bend_of<T>(gradients, p, d), vector_of<T>(gradients.wall_way, e, d));
         torque = torque + plus_cross(turn.w * m, turn.v, m);
     }
-    for (Index axis = 0; axis < 3; axis++) gradients.torque(p, axis) = torque[axis];
+    for (Index axis = 0; axis < 3; axis++) gradients.torque(p, axis) = written(torque[axis]);
 }
 
 // Energy of the springs of a cell, half of each, and of its bending [J]; the dilatation is that in `cells`.

@@ -17,43 +17,47 @@
 namespace bondem {
 
 // A held facet in space: its gap, and its lever turned with the cell [m].
-struct HeldFacet {
-    Vector gap, arm;
+template <class T> struct HeldFacet {
+    Vector3<T> gap, arm;
 };
-inline HeldFacet held_facet(const Array<double, 2> &pose, const Array<const double, 2> &rest, const WallConstraints &walls,
-                            Index g) {
+template <class Pose>
+inline HeldFacet<NumberOf<Pose>> held_facet(const Pose &pose, const Array<const double, 2> &rest,
+                                            const WallConstraints &walls, Index g) {
+    using T = NumberOf<Pose>;
     const Index p = walls.cell(g);
-    const Vector arm = turned_by(orientation(gather(pose.data, Short(p))), walls.arm.row<const Vector>(g));
+    const Row<T> at = gather(pose, Short(p));
+    const Vector3<T> arm = turned_by(orientation(at), constant<T>(walls.arm.row<const Vector>(g)));
     const auto gap = [&](Index axis) {
-        const double moved = (pose(p, axis) - rest(p, axis)) + (arm[axis] - walls.lever(g, axis));
+        const T moved = (at.column[axis] - rest(p, axis)) + (arm[axis] - walls.lever(g, axis));
         return walls.axes(g, axis) * (walls.wall(g, axis) - moved);
     };
     return {{gap(0), gap(1), gap(2)}, arm};
 }
 
 // The rotation q q₀* of a cell since its wall holds it.
-struct HeldTurn {
-    double w;
-    Vector v;
+template <class T> struct HeldTurn {
+    T w;
+    Vector3<T> v;
 };
-inline HeldTurn held_turn(const Array<double, 2> &pose, const WallConstraints &walls, Index g) {
-    const Quaternion<double> q = orientation(gather(pose.data, Short(walls.cell(g))));
-    const Quaternion<double> o = {walls.base(g, 3), walls.base(g, 4), walls.base(g, 5), walls.base(g, 6)};
+template <class Pose>
+inline HeldTurn<NumberOf<Pose>> held_turn(const Pose &pose, const WallConstraints &walls, Index g) {
+    const auto q = orientation(gather(pose, Short(walls.cell(g))));
+    const Quaternion<NumberOf<Pose>> o = {walls.base(g, 3), walls.base(g, 4), walls.base(g, 5), walls.base(g, 6)};
     return {relative_cosine(q, o), relative_sine(o, q)};
-}
-inline const Symmetric3<double> &resistance_of(const WallConstraints &walls, Index g) {
-    return walls.H.row<const Symmetric3<double>>(g);
 }
 
 // Contribution of a wall to V θ of its cell [m³].
-inline double dilatation_of_hold(const Array<double, 2> &pose, const Array<const double, 2> &rest,
-                                 const WallConstraints &walls, Index g) {
-    return dot(walls.share.row<const Vector>(g), held_facet(pose, rest, walls, g).gap);
+template <class Pose>
+inline double dilatation_of_hold(const Pose &pose, const Array<const double, 2> &rest, const WallConstraints &walls,
+                                 Index g) {
+    return written(dot(constant<NumberOf<Pose>>(walls.share.row<const Vector>(g)), held_facet(pose, rest, walls, g).gap));
 }
 
 // Force of a wall on its cell, whose stress is known [N].
-inline Vector force_of_hold(const Array<double, 2> &pose, const WallConstraints &walls, Index g, const Vector &gap) {
-    return plus(walls.k(g) * gap, pose(walls.cell(g), stress_column), walls.share.row<const Vector>(g));
+template <class Pose, class T>
+inline Vector3<T> force_of_hold(const Pose &pose, const WallConstraints &walls, Index g, const Vector3<T> &gap) {
+    const T stress = gather(pose, Short(walls.cell(g))).column[stress_column];
+    return plus(T(walls.k(g)) * gap, stress, constant<T>(walls.share.row<const Vector>(g)));
 }
 
 // Slides a facet on its wall beyond the limit of friction; returns the energy lost to friction [J].
@@ -79,16 +83,17 @@ inline double slide_hold(const Array<double, 2> &pose, const Array<const double,
 }
 
 // Sets force and torque of a wall on its cell, whose stress is known.
-inline void load_hold(const Array<double, 2> &pose, const Array<const double, 2> &rest, const WallConstraints &walls,
-                      Index g) {
-    const HeldFacet facet = held_facet(pose, rest, walls, g);
-    const Vector f = force_of_hold(pose, walls, g, facet.gap);
-    const HeldTurn turn = held_turn(pose, walls, g);
-    const Vector h = resistance_of(walls, g) * turn.v;
-    const Vector torque = cross(facet.arm, f) - 2.0 * plus(cross(turn.v, h), turn.w, h);
+template <class Pose>
+inline void load_hold(const Pose &pose, const Array<const double, 2> &rest, const WallConstraints &walls, Index g) {
+    using T = NumberOf<Pose>;
+    const HeldFacet<T> facet = held_facet(pose, rest, walls, g);
+    const Vector3<T> f = force_of_hold(pose, walls, g, facet.gap);
+    const HeldTurn<T> turn = held_turn(pose, walls, g);
+    const Vector3<T> h = constant<T>(walls.H.row<const Symmetric3<double>>(g)) * turn.v;
+    const Vector3<T> torque = cross(facet.arm, f) - T(2.0) * plus(cross(turn.v, h), turn.w, h);
     for (Index axis = 0; axis < 3; axis++) {
-        walls.load(g, axis) = f[axis];
-        walls.load(g, 3 + axis) = torque[axis];
+        walls.load(g, axis) = written(f[axis]);
+        walls.load(g, 3 + axis) = written(torque[axis]);
     }
 }
 
@@ -109,7 +114,7 @@ inline void add_half_work(const WallConstraints &walls, const Rows &rows, Index 
 inline double energy_of_hold(const Array<double, 2> &pose, const Array<const double, 2> &rest,
                              const WallConstraints &walls, Index g) {
     const Vector gap = held_facet(pose, rest, walls, g).gap, v = held_turn(pose, walls, g).v;
-    return 0.5 * walls.k(g) * dot(gap, gap) + 2.0 * dot(v, resistance_of(walls, g) * v);
+    return 0.5 * walls.k(g) * dot(gap, gap) + 2.0 * dot(v, walls.H.row<const Symmetric3<double>>(g) * v);
 }
 
 // Moves the wall of a held facet to its place at a time; `came` is its displacement.

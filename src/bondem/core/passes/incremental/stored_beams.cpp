@@ -6,13 +6,6 @@
 #include "stored_columns.hpp"
 
 namespace bondem {
-namespace {
-
-inline Vector branch_of(const double *pose, const Beams &beams, Index k) {
-    return branch(gather(pose, beams.i(k)), gather(pose, beams.j(k)), beams.period.data);
-}
-
-}  // namespace
 
 #if defined(BONDEM_LANES)
 
@@ -34,11 +27,9 @@ void add_stored_loads(const Turn &turn, const Moving &all, const Beams &beams, c
         const StoredLoad<Lanes> now = integrated(history(k), apart, {b.v - a.v, a.w, b.w}, shape,
                                                  stored_stiffness<Lanes>(beams, stored, k), turn.clock.dt);
         history.keep(group, now);
-        const Lanes s = load(beams.integrity.data + k), zero = {};
-        const BeamLoads<Lanes> loads = stored_loads(now, apart, shape);
-        const Vector3<Lanes> f = s * loads.force, t = s * loads.on_i, u = s * loads.on_j;
-        add_rows(cut.sums.data, cut.row_i.data + k, cut.row_j.data + k,
-                 {{-f.x, -f.y, -f.z, zero, t.x, t.y, t.z, zero}}, {{f.x, f.y, f.z, zero, u.x, u.y, u.z, zero}}, group.known);
+        const Lanes s = load(beams.integrity.data + k);
+        const BeamLoads<Lanes> one = stored_loads(now, apart, shape), loads = {s * one.force, s * one.on_i, s * one.on_j};
+        add_loads_of(cut.sums.data, cut.row_i.data + k, cut.row_j.data + k, loads, group.known);
     });
 }
 BONDEM_PASS(add_stored_loads, bonds_of_blocks, "ends motion pose; adds sums")
@@ -50,7 +41,7 @@ void sum_stored_energies(const Turn &turn, const Moving &all, const Beams &beams
     const StoredColumns<double> history(stored);
     ModeSums sum = {};
     for (Index k = turn.first; k < turn.last; k++) {
-        const Vector apart = branch_of(all.pose.data, beams, k);
+        const Vector apart = ends_of(all.pose.data, beams, k).branch;
         const BeamEnergy<double> energy =
             stored_energy(history(k), apart / length(apart), stored_stiffness<double>(beams, stored, k));
         sum.add(beams.integrity(k), energy);
@@ -65,7 +56,7 @@ Index load_stored_beams(Index, const Poses &all, const Beams &beams, const Store
     const StoredColumns<double> history(stored);
     for (Index k = 0; k < beams.i.size(); k++) {
         const BeamLoads<double> one =
-            stored_loads(history(k), branch_of(all.pose.data, beams, k), stored_shape<double>(beams, k));
+            stored_loads(history(k), ends_of(all.pose.data, beams, k).branch, stored_shape<double>(beams, k));
         const double s = beams.integrity(k);
         for (Index c = 0; c < 3; c++) {
             loads.found(c, k) = s * one.force[c];

@@ -95,10 +95,8 @@ BONDEM_INLINE void add_moments(const LaggedStresses &stresses, const Beams &beam
 }
 BONDEM_INLINE void add_loads(const StepCut &cut, Group group, const NonLocalLoads<Lanes> &loads) {
     const Index k = group.first;
-    const Vector3<Lanes> &f = loads.force, &t = loads.on_i, &u = loads.on_j;
-    const Lanes zero = {};
-    add_rows(cut.sums.data, cut.row_i.data + k, cut.row_j.data + k, {{f.x, f.y, f.z, zero, t.x, t.y, t.z, zero}},
-             {{-f.x, -f.y, -f.z, zero, -u.x, -u.y, -u.z, zero}}, group.known);
+    const BeamLoads<Lanes> each = {-loads.force, loads.on_i, -loads.on_j};
+    add_loads_of(cut.sums.data, cut.row_i.data + k, cut.row_j.data + k, each, group.known);
 }
 
 #endif
