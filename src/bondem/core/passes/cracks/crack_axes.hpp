@@ -4,7 +4,7 @@
 // notch, and those of layers that a crack reaches one after the other, where a body tears by turning, 10 to 22 %. So a crack
 // takes the axes of that crack of its two cells and all their neighbours which has lost most, where one of the three is
 // within 45° of the largest principal stress around it; else the principal directions of that stress, the mean over the
-// same cells. The axis next to that stress becomes the first.
+// same cells.
 #pragma once
 #include "../../laws/principal.hpp"
 #include "single_cracks.hpp"
@@ -72,9 +72,8 @@ inline void choose_axes(const Moving &all, const ElasticFacets &facets, const Ce
     if (leader >= 0) {
         const Quaternion<double> turn = orientation(gather(all.pose.data, facets.i(leader)));
         const CrackAxes<double> other = axes_of(turn, quaternion_of(frame_of(cracks, leader).axes));
-        for (int d = 0; d < 3; d++)
-            if (absolute(dot(other.e[d], here.direction[first])) > crack::near_enough)
-                axes = {{other.e[d], other.e[(d + 1) % 3], other.e[(d + 2) % 3]}};
+        for (const Vector &e : other.e)
+            if (absolute(dot(e, here.direction[first])) > crack::near_enough) axes = other;
     }
     put_axes(cracks, k, orientation(gather(all.pose.data, cells[0])), axes);
 }
