@@ -30,7 +30,7 @@ KINDS = {"steps": "StepEntry", "calls": "Call", "kernels": "Kernel"}
 # A function with its comment; a pass that is made of a template; what passes of each kind run over.
 FUNCTION = re.compile(
     r"((?:^//[^\n]*\n)+)(?:^template <[^>]*>[ \n])?(?:inline )?"
-    r"(?:void|Index) (\w+)\((?:const Turn &|Index\b)([^)]*)\)",
+    r"(?:void|Index) (\w+)\((?:const Range &|Index\b)([^)]*)\)",
     re.MULTILINE,
 )
 REGISTERED = re.compile(r"BONDEM_(?:PASS|CALL)(?:_AS)?\((\w+)")

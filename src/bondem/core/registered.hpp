@@ -27,9 +27,9 @@ template <class... Tables> struct TableNames {
     static constexpr const char *names[] = {TableName<Tables>::name..., nullptr};
 };
 
-// A pass of a step is called with a turn and with pointers to its tables.
+// A pass of a step is called with a range and with pointers to its tables.
 template <auto pass, class... Tables>
-PassDescription described(const char *name, PassKind kind, const char *columns, void (*)(const Turn &, const Tables &...)) {
+PassDescription described(const char *name, PassKind kind, const char *columns, void (*)(const Range &, const Tables &...)) {
     void *const address = reinterpret_cast<void *>(Called<pass>::call);
     return {name, columns, kind, address, TableNames<Tables...>::names, Index(sizeof...(Tables)), nullptr};
 }

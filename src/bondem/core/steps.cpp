@@ -43,14 +43,14 @@ class ElementPasses {
     }
     void call(const Entry &entry) {
         if (entry.kind == divides_elements)
-            entry.call(turn(clock, all), entry.tables);
+            entry.call(range(clock, all), entry.tables);
         else if (entry.kind == parts_of_shared)
-            entry.call(turn(clock, all), entry.tables);
+            entry.call(range(clock, all), entry.tables);
         else if (entry.kind == elements_of_blocks)
-            entry.call(turn(clock, division.going), entry.tables);
+            entry.call(range(clock, division.going), entry.tables);
         if (division.postponed.first < division.postponed.last &&
             (entry.kind == elements_of_blocks || entry.kind == postponed_of_blocks))
-            entry.call(turn(late, division.postponed), entry.tables);
+            entry.call(range(late, division.postponed), entry.tables);
     }
     // Elements that were postponed resume by the passes of two lists.
     void resume(const List &acceleration, const List &opening) {
@@ -60,15 +60,15 @@ class ElementPasses {
             const Entry &entry = acceleration.entry[p];
             const bool divides = entry.kind == divides_elements;
             if (!divides && division.postponed.first == division.postponed.last) return;
-            entry.call(turn(still, divides ? all : division.postponed), entry.tables);
+            entry.call(range(still, divides ? all : division.postponed), entry.tables);
         }
         if (clock.goes_on)
             for (Index p = 0; p < opening.count; p++)
-                opening.entry[p].call(turn(clock, division.postponed), opening.entry[p].tables);
+                opening.entry[p].call(range(clock, division.postponed), opening.entry[p].tables);
     }
 
   private:
-    Turn turn(const Clock &at, const ElementList &list) {
+    Range range(const Clock &at, const ElementList &list) {
         return {at, list.first, list.last, list.held, list.element, list.row, block, &division};
     }
     const Clock &clock;
@@ -100,7 +100,7 @@ class StepDriver {
             } else {
                 p++;
                 if (called_once(first->kind))
-                    first->call(Turn{clock, 0, 0, 0, nullptr, nullptr, 0, nullptr, threads}, first->tables);
+                    first->call(Range{clock, 0, 0, 0, nullptr, nullptr, 0, nullptr, threads}, first->tables);
                 else if (first->kind == of_elements)
                     by_portions(*first, clock, span.n, elements_of_portion);
                 else if (first->kind == of_ranges)
@@ -120,7 +120,7 @@ class StepDriver {
     void by_portions(const Entry &entry, const Clock &clock, Index count, Index size) const {
         for_each_task(threads, portions(count, size), [&](Index task) {
             const Index first = task * size, last = least(first + size, count);
-            entry.call(Turn{clock, first, last, last, nullptr, nullptr, task, nullptr}, entry.tables);
+            entry.call(Range{clock, first, last, last, nullptr, nullptr, task, nullptr}, entry.tables);
         });
     }
 
@@ -128,7 +128,8 @@ class StepDriver {
         const Index domains = cut.domain.size() - 1, blocks = cut.held.size();
         for_each_task(threads, domains, [&](Index d) {
             for (Index b = cut.domain(d); b < cut.domain(d + 1); b++) {
-                const Turn bonds = {clock, cut.bond(b), cut.bond(b + 1), cut.bond(b + 1), nullptr, nullptr, b, nullptr};
+                const Index end = cut.bond(b + 1);
+                const Range bonds = {clock, cut.bond(b), end, end, nullptr, nullptr, b, nullptr};
                 const ElementList list = {cut.move(b), cut.move(b + 1), cut.held(b), cut.ready.data, cut.ready_row.data};
                 ElementPasses elements(clock, list, b);
                 for (const Entry *entry = first; entry < last; entry++)

@@ -1,7 +1,7 @@
 // A step as a list of passes, which Python composes and the core walks without returning.
 //
 // A pass is a function over tables. Features that a model lacks have no pass in its list. `take_steps` calls each
-// pass with a `Turn`, which is the part of the step that it is called for, and with the tables that its entry names.
+// pass with a `Range`, which is the part of the step that it is called for, and with the tables that its entry names.
 // Its place in the list decides the time of its call, and its kind the parts that it runs over (`PassKind`). The
 // elements of a block are those whose last bond is in the block. A pass that divides them separates those that
 // continue from those that are postponed (`passes/damage/`): further passes over elements are called for either, for
@@ -38,7 +38,7 @@ struct ElementDivision {
 };
 
 // A part of a step.
-struct Turn {
+struct Range {
     const Clock &clock;
     Index first, last;  // bonds of a block, elements of a list, or a portion of all
     Index held;  // elements held … last - 1 of the list own rows of the boundary
@@ -72,7 +72,7 @@ inline Index portions(Index count, Index size) { return (count + size - 1) / siz
 
 // ---- how a pass is called with the tables of its entry
 
-using PassFunction = void (*)(const Turn &, const void *const *);
+using PassFunction = void (*)(const Range &, const void *const *);
 
 template <Index... numbers> struct Numbers {};
 template <Index n, Index... rest> struct CountTo : CountTo<n - 1, n - 1, rest...> {};
@@ -81,12 +81,12 @@ template <Index... numbers> struct CountTo<0, numbers...> {
 };
 
 template <auto pass> struct Called;
-template <class... Tables, void (*pass)(const Turn &, const Tables &...)> struct Called<pass> {
-    template <Index... n> static void with(const Turn &turn, const void *const *tables, Numbers<n...>) {
-        pass(turn, *static_cast<const Tables *>(tables[n])...);
+template <class... Tables, void (*pass)(const Range &, const Tables &...)> struct Called<pass> {
+    template <Index... n> static void with(const Range &range, const void *const *tables, Numbers<n...>) {
+        pass(range, *static_cast<const Tables *>(tables[n])...);
     }
-    static void call(const Turn &turn, const void *const *tables) {
-        with(turn, tables, typename CountTo<sizeof...(Tables)>::type{});
+    static void call(const Range &range, const void *const *tables) {
+        with(range, tables, typename CountTo<sizeof...(Tables)>::type{});
     }
 };
 

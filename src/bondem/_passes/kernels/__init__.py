@@ -13,11 +13,11 @@ from bondem._passes.kernels.cracks import *
 from bondem._passes.kernels.facet_breakage import *
 from bondem._passes.kernels.motion import *
 from bondem._passes.kernels.non_local_pairs import *
+from bondem._passes.kernels.ranges import *
 from bondem._passes.kernels.record import *
 from bondem._passes.kernels.rolling import *
 from bondem._passes.kernels.softening_beams import *
 from bondem._passes.kernels.storing_beams import *
 from bondem._passes.kernels.strains import *
 from bondem._passes.kernels.stress_onset import *
-from bondem._passes.kernels.turns import *
 from bondem._passes.kernels.yielding import *

@@ -2,7 +2,7 @@
 #pragma once
 #include "../passes/beams/beam_report.hpp"
 #include "../passes/damage/beam_removal.hpp"
-#include "turns.hpp"
+#include "ranges.hpp"
 
 namespace bondem {
 

@@ -3,7 +3,7 @@
 #pragma once
 #include "../passes/boundary/following.hpp"
 #include "../passes/boundary/rows.hpp"
-#include "turns.hpp"
+#include "ranges.hpp"
 
 namespace bondem {
 

@@ -198,7 +198,7 @@ inline void resume_resisted_row(Index h, const DeviceSpan &span, const Moving &a
 }
 inline void reopen_work_of_body(Index p, const DeviceSpan &span, const Moving &all, const BodyForces &body,
                                 const Postponed &postponed) {
-    if (is_held(postponed, p) && clock_of(span).goes_on) open_body_work(turn_of(span, p), all, body);
+    if (is_held(postponed, p) && clock_of(span).goes_on) open_body_work(range_of(span, p), all, body);
 }
 inline void release_element(Index p, const Candidates &candidates, const Postponed &postponed) {
     if (any_fails(candidates)) postponed.held(p) = 0;

@@ -119,14 +119,14 @@ inline void kick_free_wall(Index e, const DeviceSpan &span, const WallMotions &m
 inline void measure_overlaps(Index b, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
                              const ContactPairs &pairs, const WallContacts &contacts, const Walls &walls,
                              const Travel &travel) {
-    const Turn turn = portion_of(span, b, elements_of_portion, span.n);
+    const Range range = portion_of(span, b, elements_of_portion, span.n);
     double deepest = travel.portion(b, 2);
-    for (Index k = pairs.start(turn.first); k < pairs.start(turn.last); k++)
+    for (Index k = pairs.start(range.first); k < pairs.start(range.last); k++)
         if (pairs.touch(k) == touching) {
             const double overlap = pairs.reach(k) - length(branch_of(all.pose.data, pairs, k));
             deepest = most(deepest, overlap / least(c.radius(pairs.first(k)), c.radius(pairs.second(k))));
         }
-    for (Index e = contacts.start(turn.first); e < contacts.start(turn.last); e++) {
+    for (Index e = contacts.start(range.first); e < contacts.start(range.last); e++) {
         const Short p = contacts.element(e);
         const WallSurface at = WallPlace(walls, contacts.wall(e)).surface(centre(all.pose.data, p), c.radius(p));
         deepest = most(deepest, (contacts.gap(e) - at.gap) / c.radius(p));

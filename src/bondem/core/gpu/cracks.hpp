@@ -16,7 +16,7 @@
 #include "../passes/cracks/resting_cracks.hpp"
 #include "../passes/cracks/softening_cracks.hpp"
 #include "heap_sort.hpp"
-#include "turns.hpp"
+#include "ranges.hpp"
 
 namespace bondem {
 

@@ -3,7 +3,7 @@
 #pragma once
 #include "../passes/motion/body_forces.hpp"
 #include "../passes/motion/moving.hpp"
-#include "turns.hpp"
+#include "ranges.hpp"
 
 namespace bondem {
 
@@ -64,14 +64,14 @@ BONDEM_INLINE Clock clock_on(const DeviceSpan &span, Index p) {
 template <class Load, class Resisted>
 BONDEM_INLINE void move_free_one(Index e, const DeviceSpan &span, const Moving &all, const StepCut &cut, const Load &load,
                                  const Resisted &resistance) {
-    const One one(turn_of(span, cut, e), e);
+    const One one(range_of(span, cut, e), e);
     move(one, clock_on(span, one.element), all, load.on(one), NoRow{}, resistance, -1);
 }
 template <class Load, class Resisted>
 BONDEM_INLINE void move_held_one(Index h, const DeviceSpan &span, const Moving &all, const StepCut &cut, const Rows &rows,
                                  const Load &load, const Resisted &resistance) {
     const Index e = cut.held(0) + h;
-    const One one(turn_of(span, cut, e), e);
+    const One one(range_of(span, cut, e), e);
     const Index r = rows.of(one.element);
     move(one, clock_on(span, one.element), all, load.on(one), BoundaryRow(rows, r), resistance, r);
 }
@@ -122,7 +122,7 @@ constexpr auto open_work_of_body = one_element<open_body_work>;
 constexpr auto add_body_force = listed_element<add_body_forces>;
 inline void add_work_of_body(Index e, const DeviceSpan &span, const Moving &all, const StepCut &cut,
                              const BodyForces &body) {
-    if (clock_on(span, cut.ready(e)).goes_on) add_body_work(turn_of(span, cut, e), all, body);
+    if (clock_on(span, cut.ready(e)).goes_on) add_body_work(range_of(span, cut, e), all, body);
 }
 
 }  // namespace bondem

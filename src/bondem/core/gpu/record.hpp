@@ -2,7 +2,7 @@
 #pragma once
 #include "../passes/record/reading.hpp"
 #include "../passes/record/record.hpp"
-#include "turns.hpp"
+#include "ranges.hpp"
 
 namespace bondem {
 

@@ -5,7 +5,7 @@
 #include "../passes/boundary/timeline.hpp"
 #include "../passes/cells/cell_strains.hpp"
 #include "../passes/cells/strained_cells.hpp"
-#include "turns.hpp"
+#include "ranges.hpp"
 
 namespace bondem {
 

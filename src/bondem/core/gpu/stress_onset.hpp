@@ -7,7 +7,7 @@
 #include "../laws/criteria/cone.hpp"
 #include "../laws/criteria/mean_stress.hpp"
 #include "../passes/cracks/stress_onset_of_facets.hpp"
-#include "turns.hpp"
+#include "ranges.hpp"
 
 namespace bondem {
 

@@ -49,7 +49,7 @@ struct BeamMarks {
 // Beams that begin to soften where they reach their criterion, and that transmit pressure.
 template <class Criterion> struct SofteningMarks {
     Marks marks;
-    const Turn &turn;
+    const Range &range;
     const Moving &all;
     const Beams &beams;
     const SofteningBounds &bounds;
@@ -70,10 +70,10 @@ template <class Criterion> struct SofteningMarks {
   private:
     // Integrity of beam k, which is near to its bound, under the present loads.
     __attribute__((noinline)) double left_of(Index k) {
-        if (turn.clock.first || !(beams.integrity(k) > 0.0)) return 1.0;
-        const Verdict<double> verdict = begin_beam<Criterion>(all, beams, bounds, turn.clock.dt, k);
+        if (range.clock.first || !(beams.integrity(k) > 0.0)) return 1.0;
+        const Verdict<double> verdict = begin_beam<Criterion>(all, beams, bounds, range.clock.dt, k);
         if (!(verdict.index >= 1.0)) return 1.0;
-        candidates.mode(candidates.begin(turn.block) + marks.count()) = Index(verdict.mode);
+        candidates.mode(candidates.begin(range.block) + marks.count()) = Index(verdict.mode);
         marks.put(k);
         put_shared(candidates.any(0), Index(1));
         return beams.integrity(k);
@@ -108,50 +108,50 @@ BONDEM_INLINE void add_loads(Index first, Index last, Pose pose, const Beams &be
     add_loads(first, last, pose, beams, to, kind, none);
 }
 template <class Kind>
-BONDEM_INLINE void add_marked_loads(const Turn &turn, const double *pose, const Beams &beams, const StepCut &cut, Kind kind,
+BONDEM_INLINE void add_marked_loads(const Range &range, const double *pose, const Beams &beams, const StepCut &cut, Kind kind,
                                     const FailureBounds &bounds, const Candidates &candidates) {
-    BeamMarks marked = {Marks(bounds, candidates, turn)};
-    add_loads(turn.first, turn.last, pose, beams, cut, kind, marked);
-    candidates.count(turn.block) = marked.marks.count();
+    BeamMarks marked = {Marks(bounds, candidates, range)};
+    add_loads(range.first, range.last, pose, beams, cut, kind, marked);
+    candidates.count(range.block) = marked.marks.count();
 }
 
 }  // namespace
 
 // Adds forces and torques of the beams of a block to the sums of their elements.
-void add_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const StepCut &cut) {
-    add_loads(turn.first, turn.last, all.pose.data, beams, cut, Own{beams});
+void add_beam_loads(const Range &range, const Moving &all, const Beams &beams, const StepCut &cut) {
+    add_loads(range.first, range.last, all.pose.data, beams, cut, Own{beams});
 }
 BONDEM_PASS(add_beam_loads, bonds_of_blocks, "ends pose; adds sums")
 
 // Adds forces and torques of beams that differ in length only.
-void add_alike_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const AlikeBeams &alike,
+void add_alike_beam_loads(const Range &range, const Moving &all, const Beams &beams, const AlikeBeams &alike,
                           const StepCut &cut) {
-    add_loads(turn.first, turn.last, all.pose.data, beams, cut, all_alike(alike));
+    add_loads(range.first, range.last, all.pose.data, beams, cut, all_alike(alike));
 }
 BONDEM_PASS(add_alike_beam_loads, bonds_of_blocks, "ends pose; adds sums")
 
 // Adds forces and torques of the beams of a block, and marks beams near to failure.
-void add_marked_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const StepCut &cut,
+void add_marked_beam_loads(const Range &range, const Moving &all, const Beams &beams, const StepCut &cut,
                            const FailureBounds &bounds, const Candidates &candidates) {
-    add_marked_loads(turn, all.pose.data, beams, cut, Own{beams}, bounds, candidates);
+    add_marked_loads(range, all.pose.data, beams, cut, Own{beams}, bounds, candidates);
 }
 BONDEM_PASS(add_marked_beam_loads, bonds_of_blocks, "ends pose; adds sums")
 
 // Adds forces and torques of beams that differ in length only, and marks beams near to failure.
-void add_marked_alike_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const AlikeBeams &alike,
+void add_marked_alike_beam_loads(const Range &range, const Moving &all, const Beams &beams, const AlikeBeams &alike,
                                  const StepCut &cut, const FailureBounds &bounds, const Candidates &candidates) {
-    add_marked_loads(turn, all.pose.data, beams, cut, all_alike(alike), bounds, candidates);
+    add_marked_loads(range, all.pose.data, beams, cut, all_alike(alike), bounds, candidates);
 }
 BONDEM_PASS(add_marked_alike_beam_loads, bonds_of_blocks, "ends pose; adds sums")
 
 namespace {
 
 template <class Criterion, class Kind>
-BONDEM_INLINE void add_softening_loads(const Turn &turn, const Moving &all, const Beams &beams, const StepCut &cut,
+BONDEM_INLINE void add_softening_loads(const Range &range, const Moving &all, const Beams &beams, const StepCut &cut,
                                        Kind kind, const SofteningBounds &bounds, const Candidates &candidates) {
-    SofteningMarks<Criterion> marked = {Marks(bounds, candidates, turn), turn, all, beams, bounds, candidates};
-    add_loads(turn.first, turn.last, all.pose.data, beams, cut, kind, marked);
-    candidates.count(turn.block) = marked.marks.count();
+    SofteningMarks<Criterion> marked = {Marks(bounds, candidates, range), range, all, beams, bounds, candidates};
+    add_loads(range.first, range.last, all.pose.data, beams, cut, kind, marked);
+    candidates.count(range.block) = marked.marks.count();
 }
 
 // Adds forces and torques of beams that may soften, with the pressure on softened ones.
@@ -159,15 +159,15 @@ BONDEM_INLINE void add_softening_loads(const Turn &turn, const Moving &all, cons
 // Beams that reach their criterion lose integrity before their loads are added, and are listed as failed in this
 // step.
 template <class Criterion>
-void add_softening(const Turn &turn, const Moving &all, const Beams &beams, const StepCut &cut, const SofteningBounds &bounds,
+void add_softening(const Range &range, const Moving &all, const Beams &beams, const StepCut &cut, const SofteningBounds &bounds,
                    const Candidates &candidates) {
-    add_softening_loads<Criterion>(turn, all, beams, cut, Own{beams}, bounds, candidates);
+    add_softening_loads<Criterion>(range, all, beams, cut, Own{beams}, bounds, candidates);
 }
 // Adds forces and torques of beams that may soften and differ in length only, with the pressure on softened ones.
 template <class Criterion>
-void add_alike_softening(const Turn &turn, const Moving &all, const Beams &beams, const AlikeBeams &alike, const StepCut &cut,
+void add_alike_softening(const Range &range, const Moving &all, const Beams &beams, const AlikeBeams &alike, const StepCut &cut,
                          const SofteningBounds &bounds, const Candidates &candidates) {
-    add_softening_loads<Criterion>(turn, all, beams, cut, all_alike(alike), bounds, candidates);
+    add_softening_loads<Criterion>(range, all, beams, cut, all_alike(alike), bounds, candidates);
 }
 
 }  // namespace
@@ -208,12 +208,12 @@ Index differentiate_beams(Index, const Poses &all, const Beams &beams, const Bon
 BONDEM_CALL(differentiate_beams, "")
 
 // Adds forces and torques of the dashpots of beams to sums of their own.
-void add_dashpot_loads(const Turn &turn, const Moving &all, const Beams &beams, const Dashpots &dashpots,
+void add_dashpot_loads(const Range &range, const Moving &all, const Beams &beams, const Dashpots &dashpots,
                        const StepCut &cut) {
     const Short *const i = beams.i.data, *const j = beams.j.data;
     const double *const c = dashpots.c.data;
     const Index m = dashpots.c.shape[1];
-    for_each_group(turn.first, turn.last, [&](Group group) {
+    for_each_group(range.first, range.last, [&](Group group) {
         const Index k = group.first;
         const Vector3<Lanes> apart = branch(gather(all.pose.data, i + k), gather(all.pose.data, j + k), beams.period.data);
         const Motion<Lanes> a(gather(all.motion.data, i + k)), b(gather(all.motion.data, j + k));

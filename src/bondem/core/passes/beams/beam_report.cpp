@@ -33,9 +33,9 @@ void sum_energies(Index first, Index last, const double *pose, const Beams &beam
 
 }  // namespace
 
-void check_beams(const Turn &turn, const Moving &all, const Beams &beams, const Ledger &ledger) {
+void check_beams(const Range &range, const Moving &all, const Beams &beams, const Ledger &ledger) {
     Index count[3];
-    count_turned(turn.first, turn.last, all.pose.data, beams, count);
+    count_turned(range.first, range.last, all.pose.data, beams, count);
     count_turns(ledger, count[0], count[1], count[2]);
 }
 BONDEM_PASS(check_beams, of_bonds, "ends pose")
@@ -47,9 +47,9 @@ Index count_turned_beams(Index, const Poses &all, const Beams &beams, const Beam
 }
 BONDEM_CALL(count_turned_beams, "")
 
-void sum_beam_energies(const Turn &turn, const Moving &all, const Beams &beams, const Ledger &ledger) {
+void sum_beam_energies(const Range &range, const Moving &all, const Beams &beams, const Ledger &ledger) {
     ModeSums sum = {};
-    sum_energies(turn.first, turn.last, all.pose.data, beams, sum);
+    sum_energies(range.first, range.last, all.pose.data, beams, sum);
     sum.add_to(ledger);
 }
 BONDEM_PASS(sum_beam_energies, of_bonds, "ends pose")

@@ -75,10 +75,10 @@ void add_couple(const CoupleTable &couples, Index c, double amplitude, const Mov
 
 }  // namespace
 
-void follow_couples(const Turn &turn, const Timeline &timeline, const CoupleTable &couples, const Moving &all,
+void follow_couples(const Range &range, const Timeline &timeline, const CoupleTable &couples, const Moving &all,
                     const Rows &rows) {
     for (Index c = 0; c < couples.schedule.size(); c++)
-        add_couple(couples, c, value_at(timeline, couples.schedule(c), turn.clock.time), all, rows);
+        add_couple(couples, c, value_at(timeline, couples.schedule(c), range.clock.time), all, rows);
 }
 BONDEM_PASS(follow_couples, of_rows, "ends pose; adds force")
 

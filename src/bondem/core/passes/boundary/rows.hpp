@@ -4,7 +4,7 @@
 namespace bondem {
 
 // Adds moments on regions as forces and torques of their elements.
-void follow_couples(const Turn &turn, const Timeline &timeline, const CoupleTable &couples, const Moving &all,
+void follow_couples(const Range &range, const Timeline &timeline, const CoupleTable &couples, const Moving &all,
                     const Rows &rows);
 
 }  // namespace bondem

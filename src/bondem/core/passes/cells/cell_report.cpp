@@ -18,10 +18,10 @@ Vector direction_at_rest(const Array<const double, 2> &rest, const ElasticFacets
 
 }  // namespace
 
-void check_facets(const Turn &turn, const Moving &all, const ElasticFacets &facets, const Ledger &ledger) {
+void check_facets(const Range &range, const Moving &all, const ElasticFacets &facets, const Ledger &ledger) {
     Index wide = 0, lost = 0, not_finite = 0;
     const FacetColumns columns(facets);
-    for (Index k = turn.first; k < turn.last; k++) {
+    for (Index k = range.first; k < range.last; k++) {
         const Ends<double> ends = ends_of(all.pose.data, facets, k);
         const BeamTurn<double> turned = beam_turn(ends, direction_at_rest(all.rest, facets, k));
         const double c = least(turned.c1, turned.c2);
@@ -36,22 +36,22 @@ void check_facets(const Turn &turn, const Moving &all, const ElasticFacets &face
 }
 BONDEM_PASS(check_facets, of_bonds, "ends pose")
 
-void sum_facet_energies(const Turn &turn, const Moving &all, const ElasticFacets &facets, const Ledger &ledger) {
+void sum_facet_energies(const Range &range, const Moving &all, const ElasticFacets &facets, const Ledger &ledger) {
     ModeSums sum = {};
-    sum_energies(turn.first, turn.last, all.pose.data, facets, sum);
+    sum_energies(range.first, range.last, all.pose.data, facets, sum);
     sum.add_to(ledger);
 }
 BONDEM_PASS(sum_facet_energies, of_bonds, "ends pose")
 
-void sum_dilatation_energies(const Turn &turn, const CellDilatation &cells, const Ledger &ledger) {
+void sum_dilatation_energies(const Range &range, const CellDilatation &cells, const Ledger &ledger) {
     add_up(ledger, history_column::normal, [&](ExactSum &sum) {
-        for (Index p = turn.first; p < turn.last; p++) sum.add(take_dilatation_energy(cells, p));
+        for (Index p = range.first; p < range.last; p++) sum.add(take_dilatation_energy(cells, p));
     });
 }
 BONDEM_PASS(sum_dilatation_energies, of_elements, "writes swelling")
 
 // Sums the energies of half facets at walls.
-void sum_energies_of_holds(const Turn &, const Moving &all, const WallConstraints &walls, const Ledger &ledger) {
+void sum_energies_of_holds(const Range &, const Moving &all, const WallConstraints &walls, const Ledger &ledger) {
     add_up(ledger, history_column::normal, [&](ExactSum &sum) {
         for (Index g = 0; g < walls.cell.size(); g++) sum.add(energy_of_hold(all.pose, all.rest, walls, g));
     });

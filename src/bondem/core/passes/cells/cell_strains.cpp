@@ -25,31 +25,32 @@ void stretch(const CellStrains &strains, const ElasticFacets &facets, const Wall
 }  // namespace
 
 // Sets stress-free strains, and with them the levers of facets and walls, to the time of the clock.
-void follow_cell_strains(const Turn &turn, const Timeline &timeline, const CellStrains &strains,
+void follow_cell_strains(const Range &range, const Timeline &timeline, const CellStrains &strains,
                          const ElasticFacets &facets, const WallConstraints &walls) {
-    const bool changed = follow_factors(turn.clock, timeline, strains);
+    const bool changed = follow_factors(range.clock, timeline, strains);
     if (changed) stretch(strains, facets, walls);
     strains.due(strain_due::levers) = changed;
 }
 BONDEM_PASS(follow_cell_strains, of_rows, "writes arm")
 
-void sum_strain_powers(const Turn &turn, const Moving &all, const CellStrains &strains, const ElasticFacets &facets) {
+void sum_strain_powers(const Range &range, const Moving &all, const CellStrains &strains,
+                       const ElasticFacets &facets) {
     if (strains.due(strain_due::power))
-        sum_powers(turn.first, turn.last, all.pose.data, strains, facets);
+        sum_powers(range.first, range.last, all.pose.data, strains, facets);
 }
 BONDEM_PASS(sum_strain_powers, of_bonds, "ends pose pose.stress")
 
 // Finds ∂U/∂factor by the stresses in the poses, where the time of the clock was not reached by a step.
-void begin_strain_work(const Turn &turn, const Moving &all, const CellStrains &strains, const ElasticFacets &facets,
+void begin_strain_work(const Range &range, const Moving &all, const CellStrains &strains, const ElasticFacets &facets,
                        const WallConstraints &walls) {
-    if (!turn.clock.first) return;
+    if (!range.clock.first) return;
     sum_powers(0, strains.still.size(), all.pose.data, strains, facets);
     take_powers(all, strains, walls);
     for (Index g = 0; g < strains.schedule.size(); g++) strains.factor(before, g) = strains.factor(after, g);
 }
 BONDEM_PASS(begin_strain_work, of_rows, "")
 
-void add_strain_work(const Turn &, const Moving &all, const CellStrains &strains, const WallConstraints &walls,
+void add_strain_work(const Range &, const Moving &all, const CellStrains &strains, const WallConstraints &walls,
                      const Rows &rows) {
     if (!strains.due(strain_due::power)) return;
     const auto &factor = strains.factor;

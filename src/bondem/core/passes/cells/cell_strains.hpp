@@ -5,9 +5,10 @@
 namespace bondem {
 
 // Sums ∂U/∂factor of the facets of a portion, where it is needed.
-void sum_strain_powers(const Turn &turn, const Moving &all, const CellStrains &strains, const ElasticFacets &facets);
+void sum_strain_powers(const Range &range, const Moving &all, const CellStrains &strains,
+                       const ElasticFacets &facets);
 // Adds the work of strains that have changed, when the forces after that are known.
-void add_strain_work(const Turn &turn, const Moving &all, const CellStrains &strains, const WallConstraints &walls,
+void add_strain_work(const Range &range, const Moving &all, const CellStrains &strains, const WallConstraints &walls,
                      const Rows &rows);
 
 }  // namespace bondem

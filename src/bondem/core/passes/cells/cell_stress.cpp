@@ -20,30 +20,30 @@ void add(double *moment, const Symmetric3<double> &m, double bent) {
 }  // namespace
 
 // Adds moments of facets of other domains to the sums of shared cells, and sets their rows to zero.
-void collect_facet_moments(const Turn &turn, const StepCut &cut, const FacetForces &kept) {
-    for (Index e = turn.first; e < turn.last; e++)
+void collect_facet_moments(const Range &range, const StepCut &cut, const FacetForces &kept) {
+    for (Index e = range.first; e < range.last; e++)
         for (Index q = cut.parts + cut.part(e); q < cut.parts + cut.part(e + 1); q++)
             for (Index c = 0; c < 8; c++) {
-                kept.sums(turn.row[e], c) += kept.sums(q, c);
+                kept.sums(range.row[e], c) += kept.sums(q, c);
                 kept.sums(q, c) = 0.0;
             }
 }
 BONDEM_PASS(collect_facet_moments, parts_of_shared, "changes FacetForces.sums")
 
 // Sets V σ and Σ `bending_square` of cells from their complete sums, which are set to zero.
-void take_moments(const Turn &turn, const FacetForces &kept) {
-    for (Index e = turn.first; e < turn.last; e++) {
-        double *const sums = &kept.sums(turn.row[e], 0);
-        for (Index c = 0; c < 7; c++) kept.moment(turn.element[e], c) = sums[column_of[c]];
+void take_moments(const Range &range, const FacetForces &kept) {
+    for (Index e = range.first; e < range.last; e++) {
+        double *const sums = &kept.sums(range.row[e], 0);
+        for (Index c = 0; c < 7; c++) kept.moment(range.element[e], c) = sums[column_of[c]];
         for (Index c = 0; c < 8; c++) sums[c] = 0.0;
     }
 }
 BONDEM_PASS(take_moments, elements_of_blocks, "changes sums; writes moment")
 
-void sum_moments(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetsOfCells &of_cells,
+void sum_moments(const Range &range, const Moving &all, const ElasticFacets &facets, const FacetsOfCells &of_cells,
                  const FacetForces &kept) {
     const FacetColumns columns(facets);
-    for (Index p = turn.first; p < turn.last; p++) {
+    for (Index p = range.first; p < range.last; p++) {
         double *const moment = &kept.moment(p, 0);
         for (Index c = 0; c < 7; c++) moment[c] = 0.0;
         const auto add_facet = [&](Index k, bool is_j) {

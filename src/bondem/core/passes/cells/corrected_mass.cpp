@@ -7,40 +7,40 @@
 namespace bondem {
 
 // Computes the accelerations of the elements by their loads alone.
-void find_accelerations(const Turn &turn, const Moving &all, const Rows &rows, const StepCut &cut,
+void find_accelerations(const Range &range, const Moving &all, const Rows &rows, const StepCut &cut,
                         const CorrectedMass &mass) {
-    for (Index e = turn.first; e < turn.last; e++) {
-        const Index p = turn.element[e];
-        const double *const sum = &cut.sums(turn.row[e], 0);
-        if (e < turn.held) find_acceleration(all, mass, sum, p);
+    for (Index e = range.first; e < range.last; e++) {
+        const Index p = range.element[e];
+        const double *const sum = &cut.sums(range.row[e], 0);
+        if (e < range.held) find_acceleration(all, mass, sum, p);
         else find_acceleration(all, rows, mass, sum, p);
     }
 }
 BONDEM_PASS(find_accelerations, elements_of_blocks, "own Rows.force motion sums; writes CorrectedMass.acceleration")
 
 // Computes ρ β θ̈ of the cells by the accelerations of the elements.
-void find_dilatation_inertia(const Turn &turn, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass) {
-    for (Index p = turn.first; p < turn.last; p++) find_inertia(all, facets, walls, mass, p);
+void find_dilatation_inertia(const Range &range, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass) {
+    for (Index p = range.first; p < range.last; p++) find_inertia(all, facets, walls, mass, p);
 }
 BONDEM_PASS(find_dilatation_inertia, of_elements, "own arm; ends CorrectedMass.acceleration pose; adds inertia")
 
 // Computes the forces of the correction on the elements.
-void find_inertia_forces(const Turn &turn, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass) {
-    for (Index p = turn.first; p < turn.last; p++) find_inertia_force(all, facets, walls, mass, p);
+void find_inertia_forces(const Range &range, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass) {
+    for (Index p = range.first; p < range.last; p++) find_inertia_force(all, facets, walls, mass, p);
 }
 BONDEM_PASS(find_inertia_forces, of_elements, "own arm; ends inertia pose; adds force")
 
 // Adds the forces of the correction to the sums of the elements.
-void add_inertia_forces(const Turn &turn, const CorrectedMass &mass, const StepCut &cut) {
-    for (Index e = turn.first; e < turn.last; e++)
-        add_inertia_force(mass, &cut.sums(turn.row[e], 0), turn.element[e]);
+void add_inertia_forces(const Range &range, const CorrectedMass &mass, const StepCut &cut) {
+    for (Index e = range.first; e < range.last; e++)
+        add_inertia_force(mass, &cut.sums(range.row[e], 0), range.element[e]);
 }
 BONDEM_PASS(add_inertia_forces, elements_of_blocks, "own force; changes sums")
 
-void subtract_dilatation_energies(const Turn &turn, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass,
+void subtract_dilatation_energies(const Range &range, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass,
                                   const Ledger &ledger) {
     add_up(ledger, history_column::translation, [&](ExactSum &sum) {
-        for (Index p = turn.first; p < turn.last; p++) sum.subtract(surplus_of_kinetic_energy(all, facets, walls, mass, p));
+        for (Index p = range.first; p < range.last; p++) sum.subtract(surplus_of_kinetic_energy(all, facets, walls, mass, p));
     });
 }
 BONDEM_PASS(subtract_dilatation_energies, of_elements, "")

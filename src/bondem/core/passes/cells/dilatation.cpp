@@ -21,43 +21,43 @@ struct FacetMarks {
 }  // namespace
 
 // Adds contributions of the facets of a block to V θ of their cells.
-void accumulate_dilatation(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells) {
+void accumulate_dilatation(const Range &range, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells) {
     NoFacetMarks none;
-    accumulate(turn.first, turn.last, all.pose.data, facets, cells, none);
+    accumulate(range.first, range.last, all.pose.data, facets, cells, none);
 }
 BONDEM_PASS(accumulate_dilatation, bonds_of_blocks, "ends pose; adds swelling")
 
 // Adds contributions of facets to V θ of their cells in bodies with many broken facets.
-void accumulate_left_dilatation(const Turn &turn, const Moving &all, const ElasticFacets &facets,
+void accumulate_left_dilatation(const Range &range, const Moving &all, const ElasticFacets &facets,
                                 const CellDilatation &cells) {
     LeftFacets left;
-    accumulate(turn.first, turn.last, all.pose.data, facets, cells, left);
+    accumulate(range.first, range.last, all.pose.data, facets, cells, left);
 }
 BONDEM_PASS(accumulate_left_dilatation, bonds_of_blocks, "ends pose; adds swelling")
 
 // Adds contributions of facets to V θ of their cells, and marks facets near to failure.
-void accumulate_and_mark(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
+void accumulate_and_mark(const Range &range, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
                          const FailureBounds &bounds, const Candidates &candidates) {
-    FacetMarks marked = {Marks(bounds, candidates, turn)};
-    accumulate(turn.first, turn.last, all.pose.data, facets, cells, marked);
-    candidates.count(turn.block) = marked.marks.count();
+    FacetMarks marked = {Marks(bounds, candidates, range)};
+    accumulate(range.first, range.last, all.pose.data, facets, cells, marked);
+    candidates.count(range.block) = marked.marks.count();
 }
 BONDEM_PASS(accumulate_and_mark, bonds_of_blocks, "ends pose pose.stress; adds swelling")
 
 // Adds contributions of facets of other domains to V θ of shared cells, and sets their rows to zero.
-void collect_dilatation(const Turn &turn, const StepCut &cut, const CellDilatation &cells) {
+void collect_dilatation(const Range &range, const StepCut &cut, const CellDilatation &cells) {
     const Index n = cells.weight.size();
-    for (Index e = turn.first; e < turn.last; e++)
+    for (Index e = range.first; e < range.last; e++)
         for (Index q = n + cut.part(e); q < n + cut.part(e + 1); q++) {
-            cells.swelling(turn.element[e]) += cells.swelling(q);
+            cells.swelling(range.element[e]) += cells.swelling(q);
             cells.swelling(q) = 0.0;
         }
 }
 BONDEM_PASS(collect_dilatation, parts_of_shared, "changes swelling")
 
 // Sets the stresses of cells by their complete V θ, which is set to zero.
-void stress_cells(const Turn &turn, const Moving &all, const CellDilatation &cells) {
-    for (Index e = turn.first; e < turn.last; e++) stress_cell(all.pose, cells, turn.element[e]);
+void stress_cells(const Range &range, const Moving &all, const CellDilatation &cells) {
+    for (Index e = range.first; e < range.last; e++) stress_cell(all.pose, cells, range.element[e]);
 }
 BONDEM_PASS(stress_cells, elements_of_blocks, "own given weight; changes swelling; writes pose.stress")
 

@@ -24,10 +24,10 @@ void hold_with_neighbours(const ElasticFacets &facets, const FacetRelease &relea
 // Evaluates marked facets by a criterion at the present stresses, and postpones cells that lose facets and their
 // neighbours.
 template <class Criterion>
-void judge_facets(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetRelease &release,
+void judge_facets(const Range &range, const Moving &all, const ElasticFacets &facets, const FacetRelease &release,
                   const Strengths &strengths, const Candidates &candidates, const Postponed &postponed) {
     for (Index b = 0; b < candidates.count.size(); b++) {
-        Turn block = turn;
+        Range block = range;
         block.block = b;
         judge(
             block, candidates, [&](Index k) { return facets.integrity(k) > 0.0; },
@@ -148,7 +148,7 @@ void add_changed(const Moving &all, const ElasticFacets &facets, const WallConst
 }
 
 // Lists the cells whose loads change, and subtracts the loads of their facets and walls from the kept sums.
-void withdraw_facets(const Turn &, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
+void withdraw_facets(const Range &, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                      const FacetRelease &release, const Candidates &candidates, const Postponed &postponed) {
     if (!any_fails(candidates)) return;
     list_changed(facets, release, candidates, postponed);
@@ -158,14 +158,14 @@ void withdraw_facets(const Turn &, const Moving &all, const ElasticFacets &facet
 BONDEM_PASS(withdraw_facets, of_events, "own load; ends held pose.stress; still pose; adds held kept")
 
 // Removes the facets that fail, and brings the stresses of their cells up to date.
-void break_facets(const Turn &turn, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
+void break_facets(const Range &range, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                   const FacetRelease &release, const Candidates &candidates, const EventLog &log) {
-    remove(turn, candidates, log, [&](Index k) { return break_facet(all, facets, walls, release, k); });
+    remove(range, candidates, log, [&](Index k) { return break_facet(all, facets, walls, release, k); });
 }
 BONDEM_PASS(break_facets, of_events, "ends arm given wall weight; around pose; adds pose.stress weight")
 
 // Adds the loads of the remaining facets and of walls to the kept sums.
-void restore_facets(const Turn &, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
+void restore_facets(const Range &, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                     const FacetRelease &release, const Candidates &candidates, const Postponed &postponed) {
     if (!any_fails(candidates)) return;
     for (Index c = 0; c < release.changes(0); c++)
@@ -174,7 +174,7 @@ void restore_facets(const Turn &, const Moving &all, const ElasticFacets &facets
 BONDEM_PASS(restore_facets, of_events, "own arm base wall; ends held pose.stress; still pose; adds kept load")
 
 // Updates the forces of walls on the rows of their cells.
-void renew_wall_rows(const Turn &, const WallConstraints &walls, const Rows &rows, const Candidates &candidates) {
+void renew_wall_rows(const Range &, const WallConstraints &walls, const Rows &rows, const Candidates &candidates) {
     if (any_fails(candidates)) set_rows(walls, rows);
 }
 BONDEM_PASS(renew_wall_rows, of_rows, "own load; writes grip")

@@ -14,19 +14,20 @@ BONDEM_INLINE Row<Lanes> moment_row(Vector3<Lanes> arm, Vector3<Lanes> force, La
 }  // namespace
 
 // Adds forces and torques of the facets of a block to the sums of their cells, whose stresses are known.
-void add_facet_loads(const Turn &turn, const Moving &all, const ElasticFacets &facets, const StepCut &cut) {
-    add_loads_of_facets(turn.first, turn.last, all.pose.data, facets, cut.row_i.data, cut.row_j.data, cut.sums.data);
+void add_facet_loads(const Range &range, const Moving &all, const ElasticFacets &facets, const StepCut &cut) {
+    add_loads_of_facets(range.first, range.last, all.pose.data, facets, cut.row_i.data, cut.row_j.data,
+                        cut.sums.data);
 }
 BONDEM_PASS(add_facet_loads, bonds_of_blocks, "ends pose pose.stress; adds sums")
 
 // Adds and stores the forces of the facets of a block, and adds up the moments V σ of their cells. A facet without
 // integrity has no force, also if an earlier one is stored.
-void add_and_keep_facet_loads(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
+void add_and_keep_facet_loads(const Range &range, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
                               const StepCut &cut) {
     const FacetColumns columns(facets);
     const Short *const row_i = cut.row_i.data, *const row_j = cut.row_j.data;
     double *const force = kept.force.data;
-    for_each_facets(turn.first, turn.last, all.pose.data, facets, columns.period,
+    for_each_facets(range.first, range.last, all.pose.data, facets, columns.period,
                     [&](Index k) __attribute__((always_inline)) { return any_left(columns, k); },
                     [&](Index k, int known, const Row<Lanes> &a, const Row<Lanes> &b, const Ends<Lanes> &ends)
                         __attribute__((always_inline)) {

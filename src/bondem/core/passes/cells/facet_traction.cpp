@@ -10,13 +10,13 @@
 namespace bondem {
 
 // Brings tractions to the time of the clock.
-void follow_tractions(const Turn &turn, const Timeline &timeline, const FacetTractions &tractions,
+void follow_tractions(const Range &range, const Timeline &timeline, const FacetTractions &tractions,
                       const CellDilatation &cells) {
     const Index count = tractions.schedule.size();
     bool changed = false;
     for (Index l = 0; l < count; l++) {
-        const double now = value_at(timeline, tractions.schedule(l), turn.clock.time);
-        tractions.came(l) = turn.clock.first ? 0.0 : now - tractions.factor(l);
+        const double now = value_at(timeline, tractions.schedule(l), range.clock.time);
+        tractions.came(l) = range.clock.first ? 0.0 : now - tractions.factor(l);
         changed |= now != tractions.factor(l);
         tractions.factor(l) = now;
     }
@@ -31,9 +31,9 @@ BONDEM_PASS(follow_tractions, of_rows, "writes given")
 
 // Adds half the work of tractions that change to the rows of their cells: once by the stresses before, and once by those
 // after.
-void add_traction_work(const Turn &turn, const Moving &all, const FacetTractions &tractions, const Rows &rows) {
+void add_traction_work(const Range &range, const Moving &all, const FacetTractions &tractions, const Rows &rows) {
     if (comes(tractions))
-        for (Index e = turn.held; e < turn.last; e++) add_traction_work_of(all, tractions, rows, turn.element[e]);
+        for (Index e = range.held; e < range.last; e++) add_traction_work_of(all, tractions, rows, range.element[e]);
 }
 BONDEM_PASS(add_traction_work, elements_of_blocks, "own pose.stress")
 

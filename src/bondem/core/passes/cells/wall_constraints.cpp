@@ -17,9 +17,9 @@ void add_half_works(const WallConstraints &walls, const Rows &rows) {
 }  // namespace
 
 // Brings walls to the time of the clock; at a time that no step has reached, their forces are updated as well.
-void follow_walls(const Turn &turn, const Moving &all, const WallConstraints &walls, const Rows &rows) {
-    for (Index g = 0; g < walls.cell.size(); g++) place_hold(walls, turn.clock.time, g);
-    if (!turn.clock.first) return;
+void follow_walls(const Range &range, const Moving &all, const WallConstraints &walls, const Rows &rows) {
+    for (Index g = 0; g < walls.cell.size(); g++) place_hold(walls, range.clock.time, g);
+    if (!range.clock.first) return;
     for (Index g = 0; g < walls.cell.size(); g++)
         for (Index axis = 0; axis < 3; axis++) walls.came(g, axis) = 0.0;
     load_all(all, walls, rows);
@@ -27,7 +27,8 @@ void follow_walls(const Turn &turn, const Moving &all, const WallConstraints &wa
 BONDEM_PASS(follow_walls, of_rows, "own base; changes came wall")
 
 // Adds contributions of walls to V θ of their cells.
-void add_wall_dilatation(const Turn &, const Moving &all, const WallConstraints &walls, const CellDilatation &cells) {
+void add_wall_dilatation(const Range &, const Moving &all, const WallConstraints &walls,
+                         const CellDilatation &cells) {
     for (Index g = 0; g < walls.cell.size(); g++)
         cells.swelling(walls.cell(g)) += dilatation_of_hold(all.pose, all.rest, walls, g);
 }
@@ -35,7 +36,7 @@ BONDEM_PASS(add_wall_dilatation, of_rows, "own arm pose wall; changes swelling")
 
 // Sets the forces of walls on the rows of their cells, whose stresses are known, and adds the work of walls that move:
 // the trapezoid of the force over the displacement.
-void apply_walls(const Turn &, const Moving &all, const WallConstraints &walls, const Rows &rows) {
+void apply_walls(const Range &, const Moving &all, const WallConstraints &walls, const Rows &rows) {
     add_half_works(walls, rows);
     for (Index g = 0; g < walls.cell.size(); g++)
         all.loss(walls.cell(g), rubbed_loss) += slide_hold(all.pose, all.rest, walls, g);
@@ -45,12 +46,12 @@ void apply_walls(const Turn &, const Moving &all, const WallConstraints &walls, 
 BONDEM_PASS(apply_walls, of_rows, "own arm pose pose.stress; changes base load loss wall; writes grip")
 
 // Adds the forces of walls to the sums of their cells.
-void add_wall_loads(const Turn &turn, const Rows &rows, const StepCut &cut) {
-    for (Index e = turn.held; e < turn.last; e++) {
-        const double *load = &rows.grip(rows.of(turn.element[e]), 0);
+void add_wall_loads(const Range &range, const Rows &rows, const StepCut &cut) {
+    for (Index e = range.held; e < range.last; e++) {
+        const double *load = &rows.grip(rows.of(range.element[e]), 0);
         for (Index axis = 0; axis < 3; axis++) {
-            cut.sums(turn.row[e], axis) += load[axis];
-            cut.sums(turn.row[e], 4 + axis) += load[3 + axis];
+            cut.sums(range.row[e], axis) += load[axis];
+            cut.sums(range.row[e], 4 + axis) += load[3 + axis];
         }
     }
 }

@@ -24,24 +24,24 @@ struct NearWall {
 }  // namespace
 
 // Finds the adhesion of the near pairs of a portion of elements.
-void adhere_pairs(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near,
+void adhere_pairs(const Range &range, const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near,
                   const AdheringPairs &of) {
-    const Index begin = pairs.start(turn.first), end = begin + near.counts(turn.block, 0);
+    const Index begin = pairs.start(range.first), end = begin + near.counts(range.block, 0);
     for (Index e = begin; e < end; e++) adhere_pair(all, c, pairs, of, near.near(e));
 }
 BONDEM_PASS(adhere_pairs, of_elements, "ends pose")
 
 // Adds adhesion to the elements of a range.
-void add_adhesion_loads(const Turn &turn, const ContactPairs &pairs, const NearPairs &near, const AdheringPairs &of,
+void add_adhesion_loads(const Range &range, const ContactPairs &pairs, const NearPairs &near, const AdheringPairs &of,
                         const ContactSums &to) {
-    over_listed_pairs(turn, pairs, near.near, [&](Index q) { return near.counts(q, 0); },
+    over_listed_pairs(range, pairs, near.near, [&](Index q) { return near.counts(q, 0); },
                       [&](Short k, Short p, bool later) { add_adhesion(of, k, later, &to.sums(p, 0)); });
 }
 BONDEM_PASS(add_adhesion_loads, of_ranges, "adds sums")
 
-void adhere_at_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
+void adhere_at_walls(const Range &range, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                      const Walls &walls, const ContactSums &to) {
-    for (Index e = contacts.start(turn.first); e < contacts.start(turn.last); e++) {
+    for (Index e = contacts.start(range.first); e < contacts.start(range.last); e++) {
         const NearWall near(all, c, contacts, walls, e);
         const double pull = near.adhesion.force(near.gap);
         if (pull == 0.0) continue;
@@ -56,20 +56,20 @@ void adhere_at_walls(const Turn &turn, const Moving &all, const ContactConstants
 }
 BONDEM_PASS(adhere_at_walls, of_elements, "own pose; changes sums")
 
-void sum_adhesion_energies(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
-                           const Ledger &ledger) {
+void sum_adhesion_energies(const Range &range, const Moving &all, const ContactConstants &c,
+                           const ContactPairs &pairs, const Ledger &ledger) {
     add_up(ledger, history_column::contact, [&](ExactSum &sum) {
-        for (Index k = pairs.start(turn.first); k < pairs.start(turn.last); k++)
+        for (Index k = pairs.start(range.first); k < pairs.start(range.last); k++)
             if (pairs.bond(k) < 0)
                 sum.add(adhesion_of(c, pairs, k).energy(length(branch_of(all.pose.data, pairs, k)) - pairs.reach(k)));
     });
 }
 BONDEM_PASS(sum_adhesion_energies, of_elements, "")
 
-void sum_adhesion_at_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
+void sum_adhesion_at_walls(const Range &range, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                            const Walls &walls, const Ledger &ledger) {
     add_up(ledger, history_column::contact, [&](ExactSum &sum) {
-        for (Index e = contacts.start(turn.first); e < contacts.start(turn.last); e++) {
+        for (Index e = contacts.start(range.first); e < contacts.start(range.last); e++) {
             const NearWall near(all, c, contacts, walls, e);
             sum.add(near.adhesion.energy(near.gap));
         }

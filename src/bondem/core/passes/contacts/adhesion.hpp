@@ -30,13 +30,13 @@ inline void add_adhesion(const AdheringPairs &of, Index k, bool later, double *r
 }
 
 // Finds the adhesion of a portion of elements at walls.
-void adhere_at_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
+void adhere_at_walls(const Range &range, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                      const Walls &walls, const ContactSums &to);
 // Adds the energy of adhesion of the pairs of a portion, below 0 [J].
-void sum_adhesion_energies(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
-                           const Ledger &ledger);
+void sum_adhesion_energies(const Range &range, const Moving &all, const ContactConstants &c,
+                           const ContactPairs &pairs, const Ledger &ledger);
 // Adds the energy of adhesion at walls of a portion of elements, below 0 [J].
-void sum_adhesion_at_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
+void sum_adhesion_at_walls(const Range &range, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                            const Walls &walls, const Ledger &ledger);
 
 }  // namespace bondem

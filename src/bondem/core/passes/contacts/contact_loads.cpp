@@ -22,9 +22,9 @@ constexpr double rounding = 1e-9;
 // Lists the pairs of a portion that may touch before an element has moved by `width`, and those that do; `outer` is the
 // distance within which a pair may touch otherwise than as spheres [m].
 template <class Outer>
-void list_near(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+void list_near(const Range &range, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                const NearPairs &near, const Travel &travel, Outer outer) {
-    const Index begin = pairs.start(turn.first), end = pairs.start(turn.last);
+    const Index begin = pairs.start(range.first), end = pairs.start(range.last);
     Index count = 0;
     double deepest = 0.0;
     for (Index k = begin; k < end; k++) {
@@ -39,20 +39,20 @@ void list_near(const Turn &turn, const Moving &all, const ContactConstants &c, c
             deepest = most(deepest, (reach - root(square)) / smaller);
         }
     }
-    near.counts(turn.block, 0) = count;
+    near.counts(range.block, 0) = count;
     double farthest = 0.0;
-    for (Index p = turn.first; p < turn.last; p++) {
+    for (Index p = range.first; p < range.last; p++) {
         const Vector x = centre(all.pose.data, Short(p)), moved = x - travel.listed.row<const Vector>(p);
         farthest = most(farthest, dot(moved, moved));
         travel.measured.row<Vector>(p) = x;
     }
-    travel.portion(turn.block, 1) = farthest;
-    travel.portion(turn.block, 2) = most(travel.portion(turn.block, 2), deepest);
+    travel.portion(range.block, 1) = farthest;
+    travel.portion(range.block, 2) = most(travel.portion(range.block, 2), deepest);
 }
 
 // Finds the near pairs that touch, or did a step ago.
-Index find_close(const Turn &turn, const Moving &all, const ContactPairs &pairs, const NearPairs &near) {
-    const Index begin = pairs.start(turn.first), count = near.counts(turn.block, 0);
+Index find_close(const Range &range, const Moving &all, const ContactPairs &pairs, const NearPairs &near) {
+    const Index begin = pairs.start(range.first), count = near.counts(range.block, 0);
     Index found = 0;
     for (Index e = begin; e < begin + count; e++) {
         const Short k = near.near(e);
@@ -63,25 +63,25 @@ Index find_close(const Turn &turn, const Moving &all, const ContactPairs &pairs,
         near.close(begin + found) = k;
         found += !off;
     }
-    near.counts(turn.block, 1) = found;
+    near.counts(range.block, 1) = found;
     return found;
 }
 
 // Computes pairs of bodies with cracks, of which some touch by faces that face each other.
-Index find_close(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+Index find_close(const Range &range, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                  const NearPairs &near, const FacePairs &faces) {
-    const Index begin = pairs.start(turn.first), count = near.counts(turn.block, 0);
+    const Index begin = pairs.start(range.first), count = near.counts(range.block, 0);
     Index found = 0, faced = 0;
     for (Index e = begin; e < begin + count; e++) {
         const Short k = near.near(e);
-        const PairOf kind = press_faces(all, c, pairs, faces, k, turn.clock.dt);
+        const PairOf kind = press_faces(all, c, pairs, faces, k, range.clock.dt);
         near.close(begin + found) = k;
         found += kind == PairOf::spheres;
-        faces.close(least(begin + faced, pairs.start(turn.last) - 1)) = k;
+        faces.close(least(begin + faced, pairs.start(range.last) - 1)) = k;
         faced += kind == PairOf::faces;
     }
-    near.counts(turn.block, 1) = found;
-    faces.count(turn.block) = faced;
+    near.counts(range.block, 1) = found;
+    faces.count(range.block) = faced;
     return found;
 }
 
@@ -134,21 +134,21 @@ BONDEM_INLINE void press(const Law &law, const Numbers &of, const SeveralPairs &
     for (int n = 0; n < lanes; n++) pairs.touch.data[who.pair[n]] = loads.overlap[n] > 0.0 ? touching : parted;
 }
 
-void press_close(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+void press_close(const Range &range, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                  const NearPairs &near, Index count) {
-    const Index begin = pairs.start(turn.first), end = begin + count;
+    const Index begin = pairs.start(range.first), end = begin + count;
     if (c.between.shape[0] == 1) {
         const ContactRow one = c.of(0, 0);
         with_law(c, one, [&](auto law) {
             for (Index e = begin; e < end; e += lanes)
-                press(law, one, SeveralPairs(pairs, near, e, end), all, c, pairs, near, turn.clock.dt);
+                press(law, one, SeveralPairs(pairs, near, e, end), all, c, pairs, near, range.clock.dt);
         });
         return;
     }
     for (Index e = begin; e < end; e += lanes) {
         const SeveralPairs who(pairs, near, e, end);
         const SeveralLaws of(c, who);
-        with_law(c, of, [&](auto law) { press(law, of, who, all, c, pairs, near, turn.clock.dt); });
+        with_law(c, of, [&](auto law) { press(law, of, who, all, c, pairs, near, range.clock.dt); });
     }
 }
 
@@ -160,26 +160,27 @@ void press_close(const Turn &turn, const Moving &all, const ContactConstants &c,
 
 // Finds forces and memory of the pairs of a portion of elements; renews the list of near pairs where elements have
 // moved too far.
-void press_pairs(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+void press_pairs(const Range &range, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                  const NearPairs &near, const Travel &travel) {
-    if (measures_anew(turn, near, travel)) list_near(turn, all, c, pairs, near, travel, [](Index) { return 0.0; });
-    press_close(turn, all, c, pairs, near, find_close(turn, all, pairs, near));
+    if (measures_anew(range, near, travel)) list_near(range, all, c, pairs, near, travel, [](Index) { return 0.0; });
+    press_close(range, all, c, pairs, near, find_close(range, all, pairs, near));
 }
 BONDEM_PASS(press_pairs, of_elements, "ends motion pose; writes measured")
 
 // Finds forces and memory of the pairs of a portion of cells with cracks, which touch by faces too.
-void press_pairs_and_faces(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
-                           const NearPairs &near, const Travel &travel, const FacePairs &faces) {
-    if (measures_anew(turn, near, travel))
-        list_near(turn, all, c, pairs, near, travel, [&](Index k) { return outer_reach(pairs, faces, k); });
-    press_close(turn, all, c, pairs, near, find_close(turn, all, c, pairs, near, faces));
+void press_pairs_and_faces(const Range &range, const Moving &all, const ContactConstants &c,
+                           const ContactPairs &pairs, const NearPairs &near, const Travel &travel,
+                           const FacePairs &faces) {
+    if (measures_anew(range, near, travel))
+        list_near(range, all, c, pairs, near, travel, [&](Index k) { return outer_reach(pairs, faces, k); });
+    press_close(range, all, c, pairs, near, find_close(range, all, c, pairs, near, faces));
 }
 BONDEM_PASS(press_pairs_and_faces, of_elements, "ends faced motion pose; writes measured")
 
 // Adds forces of pairs to the elements of a range, in the order of the pairs.
-void add_pair_loads(const Turn &turn, const ContactConstants &c, const ContactPairs &pairs,
+void add_pair_loads(const Range &range, const ContactConstants &c, const ContactPairs &pairs,
                     const NearPairs &near, const ContactSums &to) {
-    const auto mine = [&](Short p) { return turn.first <= p && p < turn.last; };
+    const auto mine = [&](Short p) { return range.first <= p && p < range.last; };
     const auto add = [&](Short p, Four force, Four torque, Four signs, double losses) __attribute__((always_inline)) {
         const double r = c.radius(p);
         const Four arms = {r, r, r, losses};
@@ -187,7 +188,7 @@ void add_pair_loads(const Turn &turn, const ContactConstants &c, const ContactPa
         sum[0] = sum[0] + signs * force;
         sum[1] = sum[1] + arms * torque;
     };
-    for (Index q = turn.first / elements_of_portion; q < near.counts.size(); q++) {
+    for (Index q = range.first / elements_of_portion; q < near.counts.size(); q++) {
         const Index begin = pairs.start(elements_of_portion * q), end = begin + near.counts(q, 1);
         for (Index e = begin; e < end; e++) {
             const Short k = near.close(e), a = pairs.first(k), b = pairs.second(k);
@@ -202,10 +203,10 @@ BONDEM_PASS(add_pair_loads, of_ranges, "adds sums")
 
 #endif
 
-void add_contact_loads(const Turn &turn, const Moving &all, const StepCut &cut, const ContactSums &contacts) {
-    for (Index e = turn.first; e < turn.last; e++) {
-        const Short p = turn.element[e];
-        Row<double> &load = row_at(contacts.sums.data, p), &sum = row_at(cut.sums.data, turn.row[e]);
+void add_contact_loads(const Range &range, const Moving &all, const StepCut &cut, const ContactSums &contacts) {
+    for (Index e = range.first; e < range.last; e++) {
+        const Short p = range.element[e];
+        Row<double> &load = row_at(contacts.sums.data, p), &sum = row_at(cut.sums.data, range.row[e]);
         bool loaded = false;
         for (double number : load.column) loaded |= number != 0.0;
         if (!loaded) continue;  // as most elements of a body
@@ -220,10 +221,10 @@ void add_contact_loads(const Turn &turn, const Moving &all, const StepCut &cut, 
 }
 BONDEM_PASS(add_contact_loads, elements_of_blocks, "changes ContactSums.sums StepCut.sums loss")
 
-void sum_pair_energies(const Turn &turn, const Moving &all, const ContactConstants &law, const ContactPairs &pairs,
+void sum_pair_energies(const Range &range, const Moving &all, const ContactConstants &law, const ContactPairs &pairs,
                        const Ledger &ledger) {
     add_up(ledger, history_column::contact, [&](ExactSum &sum) {
-        for (Index k = pairs.start(turn.first); k < pairs.start(turn.last); k++)
+        for (Index k = pairs.start(range.first); k < pairs.start(range.last); k++)
             if (pairs.touch(k) == touching) sum.add(pair_energy(all.pose.data, law, pairs, k));
     });
 }

@@ -5,16 +5,16 @@
 
 namespace bondem {
 // Adds forces of faces to the elements of a range.
-void add_face_loads(const Turn &turn, const ContactPairs &pairs, const FacePairs &faces, const ContactSums &to) {
-    over_listed_pairs(turn, pairs, faces.close, [&](Index q) { return faces.count(q); },
+void add_face_loads(const Range &range, const ContactPairs &pairs, const FacePairs &faces, const ContactSums &to) {
+    over_listed_pairs(range, pairs, faces.close, [&](Index q) { return faces.count(q); },
                       [&](Short k, Short p, bool later) { add_faces_to(faces, k, later, &to.sums(p, 0)); });
 }
 BONDEM_PASS(add_face_loads, of_ranges, "adds sums")
 
-void sum_face_energies(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+void sum_face_energies(const Range &range, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                        const FacePairs &faces, const Ledger &ledger) {
     add_up(ledger, history_column::contact, [&](ExactSum &sum) {
-        for (Index k = pairs.start(turn.first); k < pairs.start(turn.last); k++)
+        for (Index k = pairs.start(range.first); k < pairs.start(range.last); k++)
             if (pairs.touch(k) == facing) sum.add(face_energy(all, c, pairs, faces, k));
     });
 }

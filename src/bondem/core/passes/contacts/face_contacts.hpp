@@ -273,7 +273,7 @@ inline double begin_by_faces(const Moving &all, const ContactPairs &pairs, const
 }
 
 // Adds the elastic energy of the pairs of a portion that touch by faces [J].
-void sum_face_energies(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+void sum_face_energies(const Range &range, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                        const FacePairs &faces, const Ledger &ledger);
 
 }  // namespace bondem

@@ -58,7 +58,7 @@ template <class On> void over_pairs_of(const ContactPairs &pairs, const FacePair
 }  // namespace
 
 // Begins contact where beams have broken in this step, on the sums that are kept for their ends.
-void begin_contacts(const Turn &, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+void begin_contacts(const Range &, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                     const NearPairs &near, const EventLog &log, const Postponed &postponed) {
     if (!any_event(log)) return;
     ExactSum stored = {};
@@ -71,19 +71,19 @@ void begin_contacts(const Turn &, const Moving &all, const ContactConstants &c, 
 }
 BONDEM_PASS(begin_contacts, of_events, "ends motion; still pose; adds kept")
 
-void release_pressure(const Turn &, const EventLog &log, const SofteningBounds &bounds) {
+void release_pressure(const Range &, const EventLog &log, const SofteningBounds &bounds) {
     for_each_event(log, [&](Index bond, Index) { bounds.press(bond) = 0.0; });
 }
 BONDEM_PASS(release_pressure, of_events, "")
 
-void begin_softened_contacts(const Turn &, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+void begin_softened_contacts(const Range &, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                              const NearPairs &near, const EventLog &log, const ContactSums &to) {
     for_each_event(log, [&](Index bond, Index) { hand_over(all, c, pairs, near, bond, to.sums.data); });
 }
 BONDEM_PASS(begin_softened_contacts, of_events, "ends motion pose; adds sums")
 
 // Makes pairs of the cells whose faces have parted in this step.
-void touch_parted_faces(const Turn &, const Moving &all, const ContactPairs &pairs, const NearPairs &near,
+void touch_parted_faces(const Range &, const Moving &all, const ContactPairs &pairs, const NearPairs &near,
                         const CohesiveCracks &cracks, const CrackLists &lists, const PartedReach &reach) {
     for (Index e = 0; e < lists.size(list_count::parted); e++) {
         const Index k = lists.parted(e);
@@ -94,7 +94,7 @@ void touch_parted_faces(const Turn &, const Moving &all, const ContactPairs &pai
 BONDEM_PASS(touch_parted_faces, of_events, "ends pose")
 
 // Begins the contact of faces that part in this step.
-void begin_face_contacts(const Turn &, const Moving &all, const ContactPairs &pairs, const NearPairs &near,
+void begin_face_contacts(const Range &, const Moving &all, const ContactPairs &pairs, const NearPairs &near,
                          const FacePairs &faces, const CrackLists &lists, const EventLog &log) {
     const Index count = lists.size(list_count::parted);
     if (count == 0) return;

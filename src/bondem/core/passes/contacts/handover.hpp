@@ -38,10 +38,10 @@ inline double open_pair(const Moving &all, const ContactPairs &pairs, Index face
 }
 
 // Ends the pressure on softening beams that have broken at the beginning of this step.
-void release_pressure(const Turn &turn, const EventLog &log, const SofteningBounds &bounds);
+void release_pressure(const Range &range, const EventLog &log, const SofteningBounds &bounds);
 // Begins contact where softening beams have broken at the beginning of this step. The contact replaces their
 // pressure, with its energy.
-void begin_softened_contacts(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+void begin_softened_contacts(const Range &range, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                              const NearPairs &near, const EventLog &log, const ContactSums &to);
 
 }  // namespace bondem

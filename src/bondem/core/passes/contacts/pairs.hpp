@@ -80,10 +80,10 @@ inline PairLoads<double> present_loads(const Moving &all, const ContactConstants
 // Calls on(pair, element, true for the later one of the pair) for the elements of a range in the listed pairs of each
 // portion, in the order of the pairs; `count(q)` is the number of pairs of portion q.
 template <class Count, class On>
-BONDEM_INLINE void over_listed_pairs(const Turn &turn, const ContactPairs &pairs, const Array<Short, 1> &list, Count count,
+BONDEM_INLINE void over_listed_pairs(const Range &range, const ContactPairs &pairs, const Array<Short, 1> &list, Count count,
                                      On on) {
-    const auto mine = [&](Short p) { return turn.first <= p && p < turn.last; };
-    for (Index q = turn.first / elements_of_portion; q * elements_of_portion < pairs.start.size() - 1; q++) {
+    const auto mine = [&](Short p) { return range.first <= p && p < range.last; };
+    for (Index q = range.first / elements_of_portion; q * elements_of_portion < pairs.start.size() - 1; q++) {
         const Index begin = pairs.start(elements_of_portion * q), end = begin + count(q);
         for (Index e = begin; e < end; e++) {
             const Short k = list(e), a = pairs.first(k), b = pairs.second(k);

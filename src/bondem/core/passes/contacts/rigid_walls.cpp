@@ -25,8 +25,8 @@ double wanted(const WallMotions &motions, Index schedule, double t) {
     return value_at(Timeline{motions.times, motions.values, motions.start}, schedule, t);
 }
 
-void follow_drive(const Turn &turn, const WallMotions &motions, const Walls &walls, Index e) {
-    const double t = turn.clock.time, dt = turn.clock.dt;
+void follow_drive(const Range &range, const WallMotions &motions, const Walls &walls, Index e) {
+    const double t = range.clock.time, dt = range.clock.dt;
     const Index s = motions.drive_schedule(e), component = motions.drive_component(e);
     const double rate =
         motions.drive_rate(e) ? wanted(motions, s, t + 0.5 * dt) : (wanted(motions, s, t + dt) - wanted(motions, s, t)) / dt;
@@ -39,11 +39,11 @@ void follow_drive(const Turn &turn, const WallMotions &motions, const Walls &wal
         row.spin = rate * motions.drive_axis.row<const Vector>(e);
 }
 
-void follow_servo(const Turn &turn, const WallMotions &motions, const Walls &walls, Index e) {
+void follow_servo(const Range &range, const WallMotions &motions, const Walls &walls, Index e) {
     const Index w = motions.servo_wall(e);
     const WallPlace wall(walls, w);
     WallRow &row = walls.body.row<WallRow>(w);
-    const double dt = turn.clock.dt, force = wanted(motions, motions.servo_schedule(e), turn.clock.time + dt);
+    const double dt = range.clock.dt, force = wanted(motions, motions.servo_schedule(e), range.clock.time + dt);
     const double missing = force - row.normal_force, moving = wall.towards_elements();
     const double resisting = motions.servo_damping(e) * absolute(missing);
     const double acting = missing - (moving > 0.0 ? resisting : moving < 0.0 ? -resisting : 0.0);
@@ -167,31 +167,31 @@ void show_free_spin(const Walls &walls, Index w) {
     row.spin = rotate(frame, each(inertia.inverse_moment, rotate(inverse(frame), row.momentum)));
 }
 
-void move_walls(const Turn &turn, const WallMotions &motions, const Walls &walls) {
-    const double dt = turn.clock.dt;
-    for (Index e = 0; e < motions.drive_wall.size(); e++) follow_drive(turn, motions, walls, e);
-    for (Index e = 0; e < motions.servo_wall.size(); e++) follow_servo(turn, motions, walls, e);
+void move_walls(const Range &range, const WallMotions &motions, const Walls &walls) {
+    const double dt = range.clock.dt;
+    for (Index e = 0; e < motions.drive_wall.size(); e++) follow_drive(range, motions, walls, e);
+    for (Index e = 0; e < motions.servo_wall.size(); e++) follow_servo(range, motions, walls, e);
     for (Index e = 0; e < motions.free_wall.size(); e++) kick_free(motions, walls, e, 0.5 * dt);
     for (Index w = 0; w < walls.body.size(); w++) move_wall(walls, w, dt);
 }
 BONDEM_PASS(move_walls, of_rows, "")
 
-void press_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
+void press_walls(const Range &range, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                  const Walls &walls, const ContactSums &to) {
-    for (Index e = contacts.start(turn.first); e < contacts.start(turn.last); e++)
-        press_wall(all, c, contacts, walls, to, e, turn.clock.dt);
+    for (Index e = contacts.start(range.first); e < contacts.start(range.last); e++)
+        press_wall(all, c, contacts, walls, to, e, range.clock.dt);
 }
 BONDEM_PASS(press_walls, of_elements, "own motion pose; changes sums")
 
 // Keeps the deepest overlap of the elements of a portion with a wall, over the radius, if distances are measured in
 // this step.
-void measure_wall_overlaps(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
+void measure_wall_overlaps(const Range &range, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                            const Walls &walls, const NearPairs &near, const Travel &travel) {
-    if (!measures_anew(turn, near, travel)) return;
-    double deepest = travel.portion(turn.block, 2);
-    for (Index e = contacts.start(turn.first); e < contacts.start(turn.last); e++)
+    if (!measures_anew(range, near, travel)) return;
+    double deepest = travel.portion(range.block, 2);
+    for (Index e = contacts.start(range.first); e < contacts.start(range.last); e++)
         deepest = most(deepest, (contacts.gap(e) - surface_of(all, c, contacts, walls, e).gap) / c.radius(contacts.element(e)));
-    travel.portion(turn.block, 2) = deepest;
+    travel.portion(range.block, 2) = deepest;
 }
 BONDEM_PASS(measure_wall_overlaps, of_elements, "")
 
@@ -215,8 +215,8 @@ void load_wall_by_sums(const WallContacts &contacts, const Walls &walls, Index w
 }
 
 // Sums the forces of elements on walls, adds their work, and closes the step of free walls.
-void load_walls(const Turn &turn, const WallContacts &contacts, const WallMotions &motions, const Walls &walls) {
-    const double half = 0.5 * turn.clock.dt;
+void load_walls(const Range &range, const WallContacts &contacts, const WallMotions &motions, const Walls &walls) {
+    const double half = 0.5 * range.clock.dt;
     for (Index e = 0; e < contacts.wall.size(); e++) add_to_wall(contacts, e);
     for (Index w = 0; w < walls.body.size(); w++) load_wall_by_sums(contacts, walls, w, half);
     for (Index e = 0; e < motions.free_wall.size(); e++) {
@@ -226,10 +226,10 @@ void load_walls(const Turn &turn, const WallContacts &contacts, const WallMotion
 }
 BONDEM_PASS(load_walls, of_rows, "")
 
-void sum_wall_energies(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
+void sum_wall_energies(const Range &range, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                        const Walls &walls, const Ledger &ledger) {
     add_up(ledger, history_column::contact, [&](ExactSum &sum) {
-        for (Index e = contacts.start(turn.first); e < contacts.start(turn.last); e++) {
+        for (Index e = contacts.start(range.first); e < contacts.start(range.last); e++) {
             if (contacts.touch(e) != touching) continue;
             const double overlap = positive(contacts.gap(e) - surface_of(all, c, contacts, walls, e).gap);
             const Vector s = contacts.memory.row<const Vector>(e);
@@ -243,13 +243,13 @@ void sum_wall_energies(const Turn &turn, const Moving &all, const ContactConstan
 }
 BONDEM_PASS(sum_wall_energies, of_elements, "")
 
-void count_wall_work(const Turn &, const Walls &walls, const Ledger &ledger) {
+void count_wall_work(const Range &, const Walls &walls, const Ledger &ledger) {
     for (Index w = 0; w < walls.body.size(); w++)
         sum_of(ledger, history_column::work).add(absolute(walls.body.row<const WallRow>(w).work));
 }
 BONDEM_PASS(count_wall_work, of_rows, "")
 
-void write_walls(const Turn &turn, const Walls &walls, const Gauges &gauges, const Ledger &ledger,
+void write_walls(const Range &range, const Walls &walls, const Gauges &gauges, const Ledger &ledger,
                  const HistoryRows &history) {
     for (Index w = 0; w < walls.body.size(); w++)
         sum_of(ledger, history_column::work).add(walls.body.row<const WallRow>(w).work);
@@ -257,7 +257,7 @@ void write_walls(const Turn &turn, const Walls &walls, const Gauges &gauges, con
         const Index quantity = gauges.quantity(g);
         if (quantity < wall_quantity::displacement) continue;
         write_wall(walls.body.row<const WallRow>(gauges.element(gauges.start(g))), quantity,
-                   &history.record(turn.clock.record, history_column::count + 3 * g));
+                   &history.record(range.clock.record, history_column::count + 3 * g));
     }
 }
 BONDEM_PASS(write_walls, of_rows, "")

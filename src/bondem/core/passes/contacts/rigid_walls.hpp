@@ -5,7 +5,7 @@
 namespace bondem {
 
 // Moves walls to the end of the step that begins at the time of the clock.
-void move_walls(const Turn &turn, const WallMotions &motions, const Walls &walls);
+void move_walls(const Range &range, const WallMotions &motions, const Walls &walls);
 // Applies half a kick to free wall e, and returns its angular velocity afterwards.
 void kick_free(const WallMotions &motions, const Walls &walls, Index e, double dt);
 void show_free_spin(const Walls &walls, Index w);
@@ -14,15 +14,15 @@ void add_to_wall(const WallContacts &contacts, Index e);
 // Takes the forces of wall w from their sums, which are then zero, and adds its work over half a step.
 void load_wall_by_sums(const WallContacts &contacts, const Walls &walls, Index w, double half);
 // Adds the sizes of the works of walls to the energy balance, for its guard.
-void count_wall_work(const Turn &turn, const Walls &walls, const Ledger &ledger);
+void count_wall_work(const Range &range, const Walls &walls, const Ledger &ledger);
 // Adds the works of walls to the energy balance, and writes gauges of walls.
-void write_walls(const Turn &turn, const Walls &walls, const Gauges &gauges, const Ledger &ledger,
+void write_walls(const Range &range, const Walls &walls, const Gauges &gauges, const Ledger &ledger,
                  const HistoryRows &history);
 // Adds forces of walls to the elements of a portion, and keeps their memory.
-void press_walls(const Turn &turn, const Moving &all, const ContactConstants &c,
+void press_walls(const Range &range, const Moving &all, const ContactConstants &c,
                  const WallContacts &contacts, const Walls &walls, const ContactSums &to);
 // Adds the elastic energy of contacts of a portion with walls [J].
-void sum_wall_energies(const Turn &turn, const Moving &all, const ContactConstants &c,
+void sum_wall_energies(const Range &range, const Moving &all, const ContactConstants &c,
                        const WallContacts &contacts, const Walls &walls, const Ledger &ledger);
 
 }  // namespace bondem

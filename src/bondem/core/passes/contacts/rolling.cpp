@@ -6,26 +6,26 @@
 namespace bondem {
 
 // Finds moments and memory of the pairs of a portion of elements that touch and may roll.
-void roll_pairs(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near,
+void roll_pairs(const Range &range, const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near,
                 const RolledPairs &of) {
-    const Index begin = pairs.start(turn.first), end = begin + near.counts(turn.block, 1);
+    const Index begin = pairs.start(range.first), end = begin + near.counts(range.block, 1);
     for (Index e = begin; e < end; e++)
-        roll_pair(all, c, pairs, of, near.close(e), near.output.row<const Vector>(e), turn.clock.dt);
+        roll_pair(all, c, pairs, of, near.close(e), near.output.row<const Vector>(e), range.clock.dt);
 }
 BONDEM_PASS(roll_pairs, of_elements, "ends motion pose")
 
 // Adds moments of resistance to rolling to the elements of a range.
-void add_rolling_loads(const Turn &turn, const ContactPairs &pairs, const NearPairs &near, const RolledPairs &of,
+void add_rolling_loads(const Range &range, const ContactPairs &pairs, const NearPairs &near, const RolledPairs &of,
                        const ContactSums &to) {
-    over_listed_pairs(turn, pairs, near.close, [&](Index q) { return near.counts(q, 1); },
+    over_listed_pairs(range, pairs, near.close, [&](Index q) { return near.counts(q, 1); },
                       [&](Short k, Short p, bool later) { add_rolling(of, k, later, &to.sums(p, 0)); });
 }
 BONDEM_PASS(add_rolling_loads, of_ranges, "adds sums")
 
-void roll_at_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
+void roll_at_walls(const Range &range, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                    const Walls &walls, const RolledWalls &of, const ContactSums &to) {
-    const double dt = turn.clock.dt;
-    for (Index e = contacts.start(turn.first); e < contacts.start(turn.last); e++) {
+    const double dt = range.clock.dt;
+    for (Index e = contacts.start(range.first); e < contacts.start(range.last); e++) {
         Vector &rolled = of.rolled.row<Vector>(e);
         const bool touches = contacts.touch(e) == touching;
         if (!touches && dot(rolled, rolled) == 0.0) continue;
@@ -49,10 +49,10 @@ void roll_at_walls(const Turn &turn, const Moving &all, const ContactConstants &
 }
 BONDEM_PASS(roll_at_walls, of_elements, "own motion; changes sums")
 
-void sum_rolling_energies(const Turn &turn, const ContactConstants &c, const ContactPairs &pairs, const RolledPairs &of,
+void sum_rolling_energies(const Range &range, const ContactConstants &c, const ContactPairs &pairs, const RolledPairs &of,
                           const Ledger &ledger) {
     add_up(ledger, history_column::contact, [&](ExactSum &sum) {
-        for (Index k = pairs.start(turn.first); k < pairs.start(turn.last); k++) {
+        for (Index k = pairs.start(range.first); k < pairs.start(range.last); k++) {
             const Vector rolled = of.rolled.row<const Vector>(k);
             if (pairs.touch(k) == touching) sum.add(0.5 * rolling_stiffness(c, pairs, k) * dot(rolled, rolled));
         }
@@ -60,10 +60,10 @@ void sum_rolling_energies(const Turn &turn, const ContactConstants &c, const Con
 }
 BONDEM_PASS(sum_rolling_energies, of_elements, "")
 
-void sum_rolling_at_walls(const Turn &turn, const ContactConstants &c, const WallContacts &contacts, const RolledWalls &of,
+void sum_rolling_at_walls(const Range &range, const ContactConstants &c, const WallContacts &contacts, const RolledWalls &of,
                           const Ledger &ledger) {
     add_up(ledger, history_column::contact, [&](ExactSum &sum) {
-        for (Index e = contacts.start(turn.first); e < contacts.start(turn.last); e++) {
+        for (Index e = contacts.start(range.first); e < contacts.start(range.last); e++) {
             const Vector rolled = of.rolled.row<const Vector>(e);
             const Short p = contacts.element(e);
             if (contacts.touch(e) == touching)

@@ -87,13 +87,13 @@ inline void add_rolling(const RolledPairs &of, Index k, bool later, double *row)
 }
 
 // Finds moments of resistance to rolling of a portion of elements at walls.
-void roll_at_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
+void roll_at_walls(const Range &range, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                    const Walls &walls, const RolledWalls &of, const ContactSums &to);
 // Adds the energy that springs of rolling store in the pairs of a portion [J].
-void sum_rolling_energies(const Turn &turn, const ContactConstants &c, const ContactPairs &pairs, const RolledPairs &of,
+void sum_rolling_energies(const Range &range, const ContactConstants &c, const ContactPairs &pairs, const RolledPairs &of,
                           const Ledger &ledger);
 // Adds the energy that springs of rolling store at walls, of a portion of elements [J].
-void sum_rolling_at_walls(const Turn &turn, const ContactConstants &c, const WallContacts &contacts, const RolledWalls &of,
+void sum_rolling_at_walls(const Range &range, const ContactConstants &c, const WallContacts &contacts, const RolledWalls &of,
                           const Ledger &ledger);
 
 }  // namespace bondem

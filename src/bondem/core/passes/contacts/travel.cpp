@@ -21,21 +21,21 @@ double wall_travel(const Walls &walls, double reach) {
 }  // namespace
 
 // Finds the distances of the elements of a portion from their places at the last measurement.
-void measure_travel(const Turn &turn, const Moving &all, const Travel &travel) {
+void measure_travel(const Range &range, const Moving &all, const Travel &travel) {
     double farthest = 0.0;
     bool finite = true;
-    for (Index p = turn.first; p < turn.last; p++) {
+    for (Index p = range.first; p < range.last; p++) {
         const Vector moved = centre(all.pose.data, Short(p)) - travel.measured.row<const Vector>(p);
         const double square = dot(moved, moved);
         finite &= square < infinity;
         farthest = most(farthest, square);
     }
-    travel.portion(turn.block, 0) = finite ? farthest : infinity;
+    travel.portion(range.block, 0) = finite ? farthest : infinity;
 }
 BONDEM_PASS(measure_travel, of_elements, "")
 
 // Finds whether the list may miss a contact by now, also where a centre is not a number.
-void check_travel(const Turn &, const Travel &travel, const Walls &walls, const Ledger &ledger) {
+void check_travel(const Range &, const Travel &travel, const Walls &walls, const Ledger &ledger) {
     double farthest = 0.0;
     for (Index q = 0; q < travel.portion.size(); q++) farthest = most(farthest, travel.portion(q, 0));
     travel.far(0) = root(farthest);
@@ -46,8 +46,8 @@ void check_travel(const Turn &, const Travel &travel, const Walls &walls, const 
 BONDEM_PASS(check_travel, single, "")
 
 // Stores distances that were measured in a step.
-void keep_measures(const Turn &turn, const NearPairs &near, const Travel &travel) {
-    if (!measures_anew(turn, near, travel)) return;
+void keep_measures(const Range &range, const NearPairs &near, const Travel &travel) {
+    if (!measures_anew(range, near, travel)) return;
     double farthest = 0.0;
     for (Index q = 0; q < travel.portion.size(); q++) farthest = most(farthest, travel.portion(q, 1));
     travel.far(0) = 0.0;

@@ -6,8 +6,8 @@ namespace bondem {
 
 // True if distances are measured in this step: an element has moved too far since the last time, or its place is not
 // finite.
-inline bool measures_anew(const Turn &turn, const NearPairs &near, const Travel &travel) {
-    return turn.clock.dt == 0.0 || !(travel.far(0) <= near.width);
+inline bool measures_anew(const Range &range, const NearPairs &near, const Travel &travel) {
+    return range.clock.dt == 0.0 || !(travel.far(0) <= near.width);
 }
 
 }  // namespace bondem

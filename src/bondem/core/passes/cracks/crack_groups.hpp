@@ -254,9 +254,9 @@ struct CrackGroup {
 
 // ---- lists
 
-// Calls on(first, last, portion) for portions of a list of so many places, on the threads of a turn.
-template <class On> inline void over_places(const Turn &turn, Index count, On on) {
-    for_each_task(turn.threads, portions(count, crack::of_portion), [&](Index task) {
+// Calls on(first, last, portion) for portions of a list of so many places, on the threads of a range.
+template <class On> inline void over_places(const Range &range, Index count, On on) {
+    for_each_task(range.threads, portions(count, crack::of_portion), [&](Index task) {
         const Index first = task * crack::of_portion;
         on(first, least(first + crack::of_portion, count), task);
     });

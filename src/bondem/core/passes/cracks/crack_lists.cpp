@@ -45,7 +45,7 @@ void fill_treated(const CrackLists &lists) {
 }
 
 // Renews lists of cracks that are out of date.
-void list_cracks(const Turn &, const ElasticFacets &facets, const CohesiveCracks &cracks, const CrackLists &lists) {
+void list_cracks(const Range &, const ElasticFacets &facets, const CohesiveCracks &cracks, const CrackLists &lists) {
     lists.size(list_count::parted) = 0;
     if (cracks.size(crack_number::out_of_date) == 0) return;
     cracks.size(crack_number::out_of_date) = 0;
@@ -90,7 +90,7 @@ void list_cracks(const Turn &, const ElasticFacets &facets, const CohesiveCracks
 BONDEM_PASS(list_cracks, of_cracks, "")
 
 // Prepares the cracks of a state at the start of a run: constants, weights of cells, lists, and forces of cracks.
-void link_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForces &kept,
+void link_cracks(const Range &range, const ElasticFacets &facets, const FacetForces &kept,
                  const FacetStrengths &strengths,
                  const CohesiveCracks &cracks, const CrackLists &lists) {
     for (Index d = 0; d < 3; d++) cracks.pitch(d) = facets.pitch(d);
@@ -101,21 +101,21 @@ void link_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForce
     }
     clear_half(lists, 0);
     cracks.size(crack_number::out_of_date) = 1;
-    list_cracks(turn, facets, cracks, lists);
+    list_cracks(range, facets, cracks, lists);
     // of the step before nothing is known
     for (Index p = 0; p < lists.slip.size(); p++) lists.slip(p, crack::slipping) = crack::slips;
 }
 BONDEM_PASS(link_cracks, of_cracks, "adds half slip")
 
 // Copies levers of facets that strains of cells have changed.
-void follow_levers(const Turn &, const CellStrains &strains, const ElasticFacets &facets, const CohesiveCracks &cracks) {
+void follow_levers(const Range &, const CellStrains &strains, const ElasticFacets &facets, const CohesiveCracks &cracks) {
     if (!strains.due(strain_due::levers)) return;
     for (Index c = 0; c < cracks.size(crack_number::cracks); c++) write_levers(facets, cracks, cracks.order(c));
 }
 BONDEM_PASS(follow_levers, of_cracks, "")
 
 // Computes the weights of the cells of all cracks at the start of a run.
-void weigh_cracked_cells(const Turn &, const ElasticFacets &facets, const CellDilatation &cells,
+void weigh_cracked_cells(const Range &, const ElasticFacets &facets, const CellDilatation &cells,
                          const CellSlack &slack, const CohesiveCracks &cracks) {
     for (Index c = 0; c < cracks.size(crack_number::cracks); c++) {
         weigh_cracked(cells, slack, cracks, facets.i(cracks.order(c)));
@@ -125,7 +125,7 @@ void weigh_cracked_cells(const Turn &, const ElasticFacets &facets, const CellDi
 BONDEM_PASS(weigh_cracked_cells, of_cracks, "adds CellDilatation.weight")
 
 // Sums b⊗f of the cracks of each cell from their forces of the last step, and finds which of them leads.
-void carry_cracks(const Turn &, const StressesOfCells &stresses, const CohesiveCracks &cracks,
+void carry_cracks(const Range &, const StressesOfCells &stresses, const CohesiveCracks &cracks,
                   const CrackLists &lists) {
     for (Index q = 0; q < lists.size(list_count::cells); q++) {
         carry_cracks_of(stresses, cracks, lists, lists.cell(q));

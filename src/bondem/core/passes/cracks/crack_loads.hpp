@@ -7,12 +7,12 @@
 namespace bondem {
 
 // Adds the forces of cracks that are treated one by one to the sums of their cells.
-void add_crack_loads(const Turn &turn, const Moving &all, const CrackLists &lists, const StepCut &cut);
+void add_crack_loads(const Range &range, const Moving &all, const CrackLists &lists, const StepCut &cut);
 // Sums the energy of dilatation of a portion of cells by their stresses [J].
-void sum_stressed_dilatation(const Turn &turn, const Moving &all, const CellDilatation &cells,
+void sum_stressed_dilatation(const Range &range, const Moving &all, const CellDilatation &cells,
                              const Ledger &ledger);
 // Sums the energy that the cells of a portion have dissipated by yielding [J].
-void sum_heat(const Turn &turn, const StressesOfCells &stresses, const YieldingCells &cells,
+void sum_heat(const Range &range, const StressesOfCells &stresses, const YieldingCells &cells,
               const Ledger &ledger);
 
 }  // namespace bondem

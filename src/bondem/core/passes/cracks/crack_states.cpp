@@ -78,11 +78,11 @@ void wake(const SingleCrack &one, const ElasticFacets &facets, const CohesiveCra
 }  // namespace
 
 // Finds the resting cracks that are about to soften or close.
-void watch_resting_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets,
+void watch_resting_cracks(const Range &range, const Moving &all, const ElasticFacets &facets,
                           const FacetStrengths &strengths, const CohesiveCracks &cracks, const CrackLists &lists) {
-    if (!(turn.clock.dt > 0.0)) return;
+    if (!(range.clock.dt > 0.0)) return;
     const Index count = lists.size(list_count::resting);
-    over_places(turn, count, [&](Index first, Index last, Index portion) {
+    over_places(range, count, [&](Index first, Index last, Index portion) {
         lists.woken(portion) = 0;
         for (Index e = first; e < last; e++) lists.waking(e) = crack::unchanged;
         for (Index e = first; e < last; e += lanes)
@@ -93,9 +93,9 @@ void watch_resting_cracks(const Turn &turn, const Moving &all, const ElasticFace
 BONDEM_PASS(watch_resting_cracks, of_cracks, "ends pose pose.stress")
 
 // Treats resting cracks one by one again that are about to soften or close.
-void wake_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
+void wake_cracks(const Range &range, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
                  const CellSlack &slack, const CohesiveCracks &cracks, const CrackLists &lists) {
-    if (!(turn.clock.dt > 0.0)) return;
+    if (!(range.clock.dt > 0.0)) return;
     const Index count = lists.size(list_count::resting), before = lists.size(list_count::treated);
     for (Index q = 0; q < portions(count, crack::of_portion); q++) {
         if (lists.woken(q) == 0) continue;
@@ -117,11 +117,12 @@ void wake_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facet
 BONDEM_PASS(wake_cracks, of_cracks, "ends pose; adds CellDilatation.weight base half stale")
 
 // Lowers the integrities of cracks, and finds those that go to rest.
-void soften_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetStrengths &strengths,
-                   const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
-    if (!(turn.clock.dt > 0.0)) return;
+void soften_cracks(const Range &range, const Moving &all, const ElasticFacets &facets,
+                   const FacetStrengths &strengths, const StressesOfCells &stresses, const CohesiveCracks &cracks,
+                   const CrackLists &lists) {
+    if (!(range.clock.dt > 0.0)) return;
     const Index count = lists.size(list_count::treated);
-    over_places(turn, count, [&](Index first, Index last, Index portion) {
+    over_places(range, count, [&](Index first, Index last, Index portion) {
         for (Index e = first; e < last; e += lanes)
             soften_each(CrackGroup{lists.treated, lists.treated_i, lists.treated_j, e, count}, all, facets, strengths,
                         stresses, cracks, lists, portion);
@@ -130,9 +131,9 @@ void soften_cracks(const Turn &turn, const Moving &all, const ElasticFacets &fac
 BONDEM_PASS(soften_cracks, of_cracks, "ends pose pose.stress tensor; adds half")
 
 // Sums the forces of the cracks of each cell, and finds how far their faces slip by them.
-void sum_cracks(const Turn &turn, const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
-    const bool changes = turn.clock.dt > 0.0;
-    over_places(turn, lists.size(list_count::cells), [&](Index first, Index last, Index) {
+void sum_cracks(const Range &range, const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
+    const bool changes = range.clock.dt > 0.0;
+    over_places(range, lists.size(list_count::cells), [&](Index first, Index last, Index) {
         HalvesAhead ahead(lists, first, last);
         for (Index q = first; q < last; q++) {
             const Short p = lists.cell(q);
@@ -147,10 +148,10 @@ void sum_cracks(const Turn &turn, const StressesOfCells &stresses, const Cohesiv
 BONDEM_PASS(sum_cracks, of_cracks, "own half; adds carried slip sum")
 
 // Lets the faces of cracks slip with their two cells.
-void slide_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
+void slide_cracks(const Range &range, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
                   const CrackLists &lists) {
-    if (!(turn.clock.dt > 0.0)) return;
-    over_places(turn, lists.size(list_count::treated), [&](Index first, Index last, Index) {
+    if (!(range.clock.dt > 0.0)) return;
+    over_places(range, lists.size(list_count::treated), [&](Index first, Index last, Index) {
         const double *const slipping = lists.slip.data + crack::slipping;
         for (Index e = first; e < last; e++)
             if (slipping[4 * lists.treated_i.data[e]] + slipping[4 * lists.treated_j.data[e]] != crack::sticks)
@@ -160,9 +161,9 @@ void slide_cracks(const Turn &turn, const Moving &all, const ElasticFacets &face
 BONDEM_PASS(slide_cracks, of_cracks, "ends pose slip")
 
 // Puts cracks to rest, or parts their faces, as `soften_cracks` has found.
-void leave_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
+void leave_cracks(const Range &range, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
                   const CellSlack &slack, const CohesiveCracks &cracks, const CrackLists &lists) {
-    if (!(turn.clock.dt > 0.0)) return;
+    if (!(range.clock.dt > 0.0)) return;
     const Index count = lists.size(list_count::treated);
     for (Index q = 0; q < portions(count, crack::of_portion); q++) {
         if (lists.flagged(q) == 0) continue;

@@ -19,7 +19,7 @@ void sum_powers(const Moving &all, const CellStrains &strains, const ElasticFace
 }  // namespace
 
 // Adds ∂U/∂factor of the stress-free strains at cracks that are treated one by one, where it is needed.
-void sum_crack_powers(const Turn &, const Moving &all, const CellStrains &strains, const ElasticFacets &facets,
+void sum_crack_powers(const Range &, const Moving &all, const CellStrains &strains, const ElasticFacets &facets,
                       const CohesiveCracks &cracks) {
     if (strains.due(strain_due::power)) sum_powers(all, strains, facets, cracks);
 }
@@ -27,9 +27,9 @@ BONDEM_PASS(sum_crack_powers, of_cracks, "ends pose")
 
 // Adds ∂U/∂factor of the stress-free strains by the forces that cracks have, where the time of the clock was not
 // reached by a step.
-void begin_crack_powers(const Turn &turn, const Moving &all, const CellStrains &strains, const ElasticFacets &facets,
-                        const CohesiveCracks &cracks) {
-    if (turn.clock.first) sum_powers(all, strains, facets, cracks);
+void begin_crack_powers(const Range &range, const Moving &all, const CellStrains &strains,
+                        const ElasticFacets &facets, const CohesiveCracks &cracks) {
+    if (range.clock.first) sum_powers(all, strains, facets, cracks);
 }
 BONDEM_PASS(begin_crack_powers, of_cracks, "ends pose")
 

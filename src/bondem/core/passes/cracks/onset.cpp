@@ -25,10 +25,10 @@ BONDEM_INLINE Lanes of_cells(const StressesOfCells &stresses, const Short *i, co
 }  // namespace
 
 // Marks facets of the material that begin to crack.
-void mark_cracking_facets(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
+void mark_cracking_facets(const Range &range, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
                           const FacetStrengths &strengths, const StressesOfCells &stresses,
                           const CrackOnset &onset) {
-    if (!(turn.clock.dt > 0.0)) return;
+    if (!(range.clock.dt > 0.0)) return;
     const FacetColumns columns(facets);
     const Index m = columns.m;
     const Short *const at_i = facets.i.data, *const at_j = facets.j.data;
@@ -38,7 +38,7 @@ void mark_cracking_facets(const Turn &turn, const Moving &all, const ElasticFace
         found += onset.marked(k) == 0;
         onset.marked(k) = how;
     };
-    for_each_group(turn.first, turn.last, [&](Group group) {
+    for_each_group(range.first, range.last, [&](Group group) {
         const Index k = group.first;
         int whole = 0, judged_here = 0;
         for (int n = 0; n < lanes; n++) whole += onset.listed.data[k + n] == 0;
@@ -70,14 +70,14 @@ void mark_cracking_facets(const Turn &turn, const Moving &all, const ElasticFace
                 mark(k + n, 1);
         }
     });
-    onset.found(turn.block) = found;
+    onset.found(range.block) = found;
 }
 BONDEM_PASS(mark_cracking_facets, of_bonds, "ends judged pose tensor")
 
 // Marks facets of planes, such as joints, that begin to crack.
-void mark_cracking_planes(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
+void mark_cracking_planes(const Range &range, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
                           const FacetStrengths &strengths, const CrackOnset &onset) {
-    if (!(turn.clock.dt > 0.0)) return;
+    if (!(range.clock.dt > 0.0)) return;
     Index found = 0;
     for (Index e = 0; e < strengths.planes.size(); e++) {
         const Index k = strengths.planes(e);
@@ -92,14 +92,14 @@ void mark_cracking_planes(const Turn &turn, const Moving &all, const ElasticFace
 BONDEM_PASS(mark_cracking_planes, of_rows, "ends pose")
 
 // Begins the cracks of facets that are marked.
-void begin_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForces &kept,
+void begin_cracks(const Range &range, const ElasticFacets &facets, const FacetForces &kept,
                   const FacetStrengths &strengths,
                   const CrackOnset &onset, const CohesiveCracks &cracks) {
-    if (!(turn.clock.dt > 0.0)) return;
+    if (!(range.clock.dt > 0.0)) return;
     const Index portions = onset.found.size() - 1;
     const auto begin = [&](Index k) {
         cracks.order(cracks.size(crack_number::cracks)++) = k;
-        begin_crack(facets, kept, strengths, onset, cracks, k, turn.clock.step);
+        begin_crack(facets, kept, strengths, onset, cracks, k, range.clock.step);
     };
     const bool on_planes = onset.found(portions) > 0;
     for (Index q = 0; q < portions; q++) {

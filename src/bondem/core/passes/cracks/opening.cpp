@@ -22,8 +22,8 @@ inline void ask_for_halves(const CrackLists &lists, Short p) {
 
 }  // namespace
 
-void begin_bases(const Turn &turn, const Moving &all, const CellDilatation &cells, const CrackLists &lists) {
-    for (Index p = turn.first; p < turn.last; p++) {
+void begin_bases(const Range &range, const Moving &all, const CellDilatation &cells, const CrackLists &lists) {
+    for (Index p = range.first; p < range.last; p++) {
         const double weight = cells.weight(p);
         lists.base(p) = weight != 0.0 ? all.pose(p, stress_column) / weight : 0.0;
     }
@@ -33,11 +33,11 @@ BONDEM_PASS(begin_bases, of_elements, "own pose.stress weight; writes base")
 #if defined(BONDEM_LANES)
 
 // Finds faces and halves of the cracks that are treated one by one, and axes of cracks before any loss of integrity.
-void measure_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellSlack &slack,
+void measure_cracks(const Range &range, const Moving &all, const ElasticFacets &facets, const CellSlack &slack,
                     const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
-    const bool changes = turn.clock.dt > 0.0;
+    const bool changes = range.clock.dt > 0.0;
     const Index count = lists.size(list_count::treated);
-    over_places(turn, count, [&](Index first, Index last, Index portion) {
+    over_places(range, count, [&](Index first, Index last, Index portion) {
         lists.flagged(portion) = 0;
         for (Index e = first; e < last; e++) lists.flag(e) = crack::unchanged;
         for_each_group_of(lists, first, last, count, [&](const CrackGroup &group) {
@@ -48,8 +48,9 @@ void measure_cracks(const Turn &turn, const Moving &all, const ElasticFacets &fa
 BONDEM_PASS(measure_cracks, of_cracks, "around pose tensor; adds half")
 
 // Finds the stresses of all cells with cracks that are treated one by one.
-void relax_cracked_cells(const Turn &turn, const Moving &all, const CellDilatation &cells, const CrackLists &lists) {
-    over_places(turn, lists.size(list_count::cells), [&](Index first, Index last, Index) {
+void relax_cracked_cells(const Range &range, const Moving &all, const CellDilatation &cells,
+                         const CrackLists &lists) {
+    over_places(range, lists.size(list_count::cells), [&](Index first, Index last, Index) {
         for (Index q = first; q < last; q += lanes) {
             const Short *const cell = lists.cell.data + q;
             for (int n = 0; n < lanes; n++) ask_for_halves(lists, cell[2 * lanes + n]);
@@ -60,9 +61,9 @@ void relax_cracked_cells(const Turn &turn, const Moving &all, const CellDilatati
 BONDEM_PASS(relax_cracked_cells, of_cracks, "own base half weight; adds pose.stress")
 
 // Finds the stresses of cells with cracks that are out of date, and which crack leads those of each.
-void relax_stale_cells(const Turn &turn, const Moving &all, const CellDilatation &cells, const CohesiveCracks &cracks,
-                       const CrackLists &lists) {
-    over_places(turn, lists.size(list_count::cells), [&](Index first, Index last, Index) {
+void relax_stale_cells(const Range &range, const Moving &all, const CellDilatation &cells,
+                       const CohesiveCracks &cracks, const CrackLists &lists) {
+    over_places(range, lists.size(list_count::cells), [&](Index first, Index last, Index) {
         Short stale[crack::of_portion + lanes];
         Index count = 0;
         for (Index q = first; q < last; q++) {

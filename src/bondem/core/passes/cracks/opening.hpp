@@ -6,6 +6,6 @@
 namespace bondem {
 
 // Stores V θ of cells without their cracks.
-void begin_bases(const Turn &turn, const Moving &all, const CellDilatation &cells, const CrackLists &lists);
+void begin_bases(const Range &range, const Moving &all, const CellDilatation &cells, const CrackLists &lists);
 
 }  // namespace bondem

@@ -12,10 +12,10 @@ namespace {
 
 // Finds the cells whose facets are evaluated: those whose stress may reach the criterion.
 template <class Criterion>
-void judge_cells_by(const Turn &turn, const StressesOfCells &stresses, const StressFunction &by, const CandidateFacets &onset,
+void judge_cells_by(const Range &range, const StressesOfCells &stresses, const StressFunction &by, const CandidateFacets &onset,
                     const CrackOnset &cracks) {
-    if (turn.clock.dt > 0.0)
-        for (Index p = turn.first; p < turn.last; p++) judge_cell_by<Criterion>(stresses, by, onset, cracks, p);
+    if (range.clock.dt > 0.0)
+        for (Index p = range.first; p < range.last; p++) judge_cell_by<Criterion>(stresses, by, onset, cracks, p);
 }
 
 }  // namespace
@@ -24,19 +24,20 @@ BONDEM_PASS_AS(judge_cells_by_mean_stress, of_elements, "own cracked tensor; wri
 BONDEM_PASS_AS(judge_cells_by_cone, of_elements, "own cracked tensor; writes judged", judge_cells_by<Cone>)
 
 // Finds the cells whose facets are evaluated: those whose stress is large enough for the criterion of a user.
-void judge_cells_by_size(const Turn &turn, const StressesOfCells &stresses, const CandidateFacets &onset,
+void judge_cells_by_size(const Range &range, const StressesOfCells &stresses, const CandidateFacets &onset,
                          const CrackOnset &cracks) {
-    if (turn.clock.dt > 0.0)
-        for (Index p = turn.first; p < turn.last; p++) judge_cell_of_user(stresses, onset, cracks, p);
+    if (range.clock.dt > 0.0)
+        for (Index p = range.first; p < range.last; p++) judge_cell_of_user(stresses, onset, cracks, p);
 }
 BONDEM_PASS(judge_cells_by_size, of_elements, "own cracked tensor; writes judged")
 
 // Writes the stresses of facets in tension, as candidates of a portion; marks facets of cells without cohesion.
-void find_stress_candidates(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
-                            const StressesOfCells &stresses, const CrackOnset &cracks, const CandidateFacets &onset) {
-    Index next = turn.first, marked = 0;
-    if (turn.clock.dt > 0.0)
-        for (Index k = turn.first; k < turn.last; k++) {
+void find_stress_candidates(const Range &range, const Moving &all, const ElasticFacets &facets,
+                            const FacetForces &kept, const StressesOfCells &stresses, const CrackOnset &cracks,
+                            const CandidateFacets &onset) {
+    Index next = range.first, marked = 0;
+    if (range.clock.dt > 0.0)
+        for (Index k = range.first; k < range.last; k++) {
             const Byte judged = most(cracks.judged(facets.i(k)), cracks.judged(facets.j(k)));
             if (judged == 0 || cracks.listed(k) != 0) continue;
             if (judged == 2) {
@@ -47,13 +48,13 @@ void find_stress_candidates(const Turn &turn, const Moving &all, const ElasticFa
             with_candidate(all, facets, kept, stresses, onset, k,
                            [&](const Stress<double> &s) { next = write_candidate(onset, next, k, s); });
         }
-    onset.number(turn.block) = next - turn.first;
-    cracks.found(turn.block) = marked;
+    onset.number(range.block) = next - range.first;
+    cracks.found(range.block) = marked;
 }
 BONDEM_PASS(find_stress_candidates, of_bonds, "ends judged pose tensor")
 
 // Marks candidates that fail, and leaves these with the mean stress of their cells, of which the index gives their strength.
-void mark_failing_facets(const Turn &, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
+void mark_failing_facets(const Range &, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
                          const StressesOfCells &stresses, const CrackOnset &cracks, const CandidateFacets &onset) {
     Index next = 0;
     for (Index c = 0; c < onset.total(0); c++) {
@@ -69,7 +70,7 @@ void mark_failing_facets(const Turn &, const Moving &all, const ElasticFacets &f
 BONDEM_PASS(mark_failing_facets, of_events, "ends pose tensor")
 
 // Keeps the strengths of facets that begin to crack.
-void find_strengths_along(const Turn &, const CandidateFacets &onset) {
+void find_strengths_along(const Range &, const CandidateFacets &onset) {
     for (Index c = 0; c < onset.total(0); c++) keep_strength_along(onset, c);
 }
 BONDEM_PASS(find_strengths_along, of_rows, "")

@@ -17,8 +17,8 @@ Symmetric3<double> turned_moment(Quaternion<double> q, const double *c) {
     return {x.x, y.y, z.z, 0.5 * (y.x + x.y), 0.5 * (z.x + x.z), 0.5 * (z.y + y.z)};
 }
 
-void find_stresses(const Turn &turn, const Moving &all, const FacetForces &kept, const StressesOfCells &stresses) {
-    for (Index p = turn.first; p < turn.last; p++) {
+void find_stresses(const Range &range, const Moving &all, const FacetForces &kept, const StressesOfCells &stresses) {
+    for (Index p = range.first; p < range.last; p++) {
         const double *m = &kept.moment(p, 0), *c = &stresses.carried(p, 0);
         const double one = 1.0 / stresses.volume(p);
         const Symmetric3<double> more =
@@ -40,36 +40,36 @@ void add_of_surface(const Moving &all, const WallConstraints &walls, const Facet
 
 }  // namespace
 
-void find_cell_stresses(const Turn &turn, const Moving &all, const FacetForces &kept,
+void find_cell_stresses(const Range &range, const Moving &all, const FacetForces &kept,
                         const StressesOfCells &stresses) {
-    if (turn.clock.dt > 0.0) find_stresses(turn, all, kept, stresses);
+    if (range.clock.dt > 0.0) find_stresses(range, all, kept, stresses);
 }
 BONDEM_PASS(find_cell_stresses, of_elements, "own carried moment pose; writes tensor")
 
-void find_still_stresses(const Turn &turn, const Moving &all, const FacetForces &kept,
+void find_still_stresses(const Range &range, const Moving &all, const FacetForces &kept,
                          const StressesOfCells &stresses) {
-    if (!(turn.clock.dt > 0.0)) find_stresses(turn, all, kept, stresses);
+    if (!(range.clock.dt > 0.0)) find_stresses(range, all, kept, stresses);
 }
 BONDEM_PASS(find_still_stresses, of_elements, "own carried moment pose; writes tensor")
 
 // Adds forces of walls and of loads on free facets to the stresses of surface cells.
-void add_surface_stresses(const Turn &turn, const Moving &all, const WallConstraints &walls,
+void add_surface_stresses(const Range &range, const Moving &all, const WallConstraints &walls,
                           const FacetTractions &tractions, const StressesOfCells &stresses) {
-    if (turn.clock.dt > 0.0) add_of_surface(all, walls, tractions, stresses);
+    if (range.clock.dt > 0.0) add_of_surface(all, walls, tractions, stresses);
 }
 BONDEM_PASS(add_surface_stresses, of_rows, "own arm load pose; changes tensor")
 
 // Adds forces of walls and of loads on free facets to stresses of surface cells that were found without a step.
-void add_still_surface_stresses(const Turn &turn, const Moving &all, const WallConstraints &walls,
+void add_still_surface_stresses(const Range &range, const Moving &all, const WallConstraints &walls,
                                 const FacetTractions &tractions, const StressesOfCells &stresses) {
-    if (!(turn.clock.dt > 0.0)) add_of_surface(all, walls, tractions, stresses);
+    if (!(range.clock.dt > 0.0)) add_of_surface(all, walls, tractions, stresses);
 }
 BONDEM_PASS(add_still_surface_stresses, of_rows, "own arm load pose; changes tensor")
 
-void judge_cells(const Turn &turn, const FacetStrengths &strengths, const StressesOfCells &stresses,
+void judge_cells(const Range &range, const FacetStrengths &strengths, const StressesOfCells &stresses,
                  const CrackOnset &onset) {
-    if (!(turn.clock.dt > 0.0)) return;
-    for (Index p = turn.first; p < turn.last; p++) {
+    if (!(range.clock.dt > 0.0)) return;
+    for (Index p = range.first; p < range.last; p++) {
         const double *const s = &stresses.tensor(p, 0);
         const bool hot = s[tensor_column::size] + root(positive(s[tensor_column::bending])) > strengths.hot;
         onset.judged(p) = onset.cracked(p) != 0 || hot;

@@ -38,11 +38,11 @@ void flow_together(const Moving &all, const StressesOfCells &stresses, const Yie
 }  // namespace
 
 // Lets the cells of a portion yield whose stress reaches their yield surface.
-void yield_cells(const Turn &turn, const Moving &all, const FacetStrengths &, const StressesOfCells &stresses,
+void yield_cells(const Range &range, const Moving &all, const FacetStrengths &, const StressesOfCells &stresses,
                  const YieldingCells &cells, const CrackOnset &onset) {
-    if (!(turn.clock.dt > 0.0)) return;
+    if (!(range.clock.dt > 0.0)) return;
     Batch batch;
-    for (Index p = turn.first; p < turn.last; p++)
+    for (Index p = range.first; p < range.last; p++)
         where_yields(stresses, cells, onset, p, [&](const YieldStrength<double> &by) {
             batch.cell[batch.count] = p;
             batch.held[batch.count] = by.held;
@@ -54,26 +54,26 @@ void yield_cells(const Turn &turn, const Moving &all, const FacetStrengths &, co
 BONDEM_PASS(yield_cells, of_elements, "own pose tensor; ends slipped; adds held plastic; writes judged")
 
 // Stretches levers of facets with the plastic deformation of their cells, where it has grown.
-void stretch_cells(const Turn &turn, const ElasticFacets &facets, const FacetsOfCells &of_cells,
+void stretch_cells(const Range &range, const ElasticFacets &facets, const FacetsOfCells &of_cells,
                    const YieldingCells &cells) {
-    if (!(turn.clock.dt > 0.0)) return;
-    for (Index p = turn.first; p < turn.last; p++)
+    if (!(range.clock.dt > 0.0)) return;
+    for (Index p = range.first; p < range.last; p++)
         if (grows(cells, p)) stretch_cell(facets, of_cells, cells, p);
 }
 BONDEM_PASS(stretch_cells, of_elements, "ends plastic; changes slipped")
 
 // Stretches levers of all facets with the plastic deformation of their cells, as a run begins.
-void stretch_all_cells(const Turn &turn, const ElasticFacets &facets, const FacetsOfCells &of_cells,
+void stretch_all_cells(const Range &range, const ElasticFacets &facets, const FacetsOfCells &of_cells,
                        const YieldingCells &cells) {
-    for (Index p = turn.first; p < turn.last; p++)
+    for (Index p = range.first; p < range.last; p++)
         if (has_yielded(cells, p)) stretch_cell(facets, of_cells, cells, p);
 }
 BONDEM_PASS(stretch_all_cells, of_elements, "ends plastic; changes slipped")
 
 // Stretches levers of walls and cracks with the plastic deformation of their cells, where it has grown.
-void stretch_walls_and_cracks(const Turn &turn, const ElasticFacets &facets, const WallConstraints &walls,
+void stretch_walls_and_cracks(const Range &range, const ElasticFacets &facets, const WallConstraints &walls,
                               const YieldingCells &cells, const CohesiveCracks &cracks) {
-    if (!(turn.clock.dt > 0.0)) return;
+    if (!(range.clock.dt > 0.0)) return;
     for (Index g = 0; g < walls.cell.size(); g++) stretch_yielding_wall(walls, cells, g);
     // in the order of facets: neighbours have the same cells
     for (Index k = 0, m = cracks.integrity.size(); k < m; k++)
@@ -82,7 +82,7 @@ void stretch_walls_and_cracks(const Turn &turn, const ElasticFacets &facets, con
 BONDEM_PASS(stretch_walls_and_cracks, of_cracks, "own base_wall; ends plastic; adds arm")
 
 // Stretches levers with the plastic deformation of their cells, where stress-free strains have set them anew.
-void stretch_anew(const Turn &, const CellStrains &strains, const ElasticFacets &facets,
+void stretch_anew(const Range &, const CellStrains &strains, const ElasticFacets &facets,
                   const FacetsOfCells &of_cells,
                   const WallConstraints &walls, const YieldingCells &cells) {
     if (!strains.due(strain_due::levers)) return;
@@ -97,11 +97,11 @@ void stretch_anew(const Turn &, const CellStrains &strains, const ElasticFacets 
 BONDEM_PASS(stretch_anew, of_rows, "ends plastic; changes arm slipped; writes base_wall")
 
 // Adds the work of loads on free facets that move as their cells yield to the rows of these cells.
-void add_yielding_work(const Turn &turn, const FacetTractions &tractions, const StressesOfCells &stresses,
+void add_yielding_work(const Range &range, const FacetTractions &tractions, const StressesOfCells &stresses,
                        const YieldingCells &cells, const Rows &rows) {
-    if (!(turn.clock.dt > 0.0)) return;
-    for (Index e = turn.held; e < turn.last; e++)
-        add_yielding_work_of(tractions, stresses, cells, rows, turn.element[e]);
+    if (!(range.clock.dt > 0.0)) return;
+    for (Index e = range.held; e < range.last; e++)
+        add_yielding_work_of(tractions, stresses, cells, rows, range.element[e]);
 }
 BONDEM_PASS(add_yielding_work, elements_of_blocks, "own plastic tensor")
 

@@ -8,10 +8,10 @@ namespace {
 
 // Evaluates marked beams of a block by a criterion, and postpones the elements of failed ones.
 template <class Criterion>
-void judge_beams(const Turn &turn, const Moving &all, const Beams &beams, const Strengths &strengths,
+void judge_beams(const Range &range, const Moving &all, const Beams &beams, const Strengths &strengths,
                  const Candidates &candidates, const Postponed &postponed) {
     judge(
-        turn, candidates, [&](Index k) { return beams.integrity(k) > 0.0; },
+        range, candidates, [&](Index k) { return beams.integrity(k) > 0.0; },
         [&](Index k) { return verdict_of<Criterion>(all.pose.data, beams, strengths, k); },
         [&](Index k) { hold_ends(postponed, beams, k); });
 }
@@ -81,16 +81,16 @@ BONDEM_BEAM_CRITERIA(BONDEM_CRITERION, )
 #endif
 
 // Subtracts dashpots of failed beams from the kept sums of their ends, before the beams are removed.
-void withdraw_dashpots(const Turn &, const Moving &all, const Beams &beams, const Dashpots &dashpots,
+void withdraw_dashpots(const Range &, const Moving &all, const Beams &beams, const Dashpots &dashpots,
                        const Candidates &candidates, const Postponed &postponed) {
     for_each_failing(candidates, [&](Index k, Index) { withdraw_dashpot(all, beams, dashpots, postponed, k); });
 }
 BONDEM_PASS(withdraw_dashpots, of_events, "ends motion; still pose; adds kept sums")
 
 // Removes the beams that fail.
-void break_beams(const Turn &turn, const Moving &all, const Beams &beams, const BeamIntegrity &state,
+void break_beams(const Range &range, const Moving &all, const Beams &beams, const BeamIntegrity &state,
                  const Candidates &candidates, const Postponed &postponed, const EventLog &log) {
-    remove(turn, candidates, log, [&](Index k) { return break_beam(all.pose.data, beams, state, postponed, k); });
+    remove(range, candidates, log, [&](Index k) { return break_beam(all.pose.data, beams, state, postponed, k); });
 }
 BONDEM_PASS(break_beams, of_events, "still pose; adds kept")
 

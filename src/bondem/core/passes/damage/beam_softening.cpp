@@ -16,19 +16,19 @@
 namespace bondem {
 
 // Lowers the integrity of beams of a portion that soften, before the forces.
-void soften_beams(const Turn &turn, const Moving &all, const Beams &beams, const SofteningBounds &bounds,
+void soften_beams(const Range &range, const Moving &all, const Beams &beams, const SofteningBounds &bounds,
                   const SofteningBeams &soft) {
-    const Index q = turn.block, last = turn.first + soft.number(q);
-    if (last == turn.first) return;
+    const Index q = range.block, last = range.first + soft.number(q);
+    if (last == range.first) return;
     ExactSum lost = {};
-    for (Index e = turn.first; e < last; e++)
-        lost.add(soften_beam(turn.clock, all, beams, bounds, soft, soft.listed(e)));
+    for (Index e = range.first; e < last; e++)
+        lost.add(soften_beam(range.clock, all, beams, bounds, soft, soft.listed(e)));
     part_broken(bounds, soft, q);
     exact_sum(soft.lost, 0).add_shared(lost);
 }
 BONDEM_PASS(soften_beams, of_bonds, "ends motion pose")
 
-void log_softened_beams(const Turn &turn, const Moving &all, const Beams &beams, const SofteningBeams &soft,
+void log_softened_beams(const Range &range, const Moving &all, const Beams &beams, const SofteningBeams &soft,
                         const EventLog &log) {
     log.written(log_count::before) = log.written(log_count::events);
     if (soft.begun(0) == 0) return;
@@ -39,16 +39,16 @@ void log_softened_beams(const Turn &turn, const Moving &all, const Beams &beams,
             const Index k = Index(row[soft_column::bond]);
             const Vector d = ends_of(all.pose.data, beams, k).branch;
             const double share = beams.lever(k) / beams.length(k);
-            log_event(turn.clock, log, k, Index(row[soft_column::mode]),
+            log_event(range.clock, log, k, Index(row[soft_column::mode]),
                       {row[soft_column::spent], length(d) - beams.length(k), plus(centre(all.pose.data, beams.i(k)), share, d),
-                       double(turn.clock.step) - row[soft_column::began]});
+                       double(range.clock.step) - row[soft_column::began]});
         }
         soft.parted(q) = 0;
     }
 }
 BONDEM_PASS(log_softened_beams, of_events, "ends pose")
 
-void begin_softening(const Turn &turn, const Candidates &candidates, const SofteningBounds &bounds, const SofteningBeams &soft,
+void begin_softening(const Range &range, const Candidates &candidates, const SofteningBounds &bounds, const SofteningBeams &soft,
                      const EventLog &log) {
     if (!any_fails(candidates)) return;
     ExactSum lost = {};
@@ -56,7 +56,7 @@ void begin_softening(const Turn &turn, const Candidates &candidates, const Softe
         const Index c = soft.begun(0)++, q = k / bonds_of_portion;
         const double *const onset = &bounds.onset(k, 0), spent = onset[onset_column::spent];
         const double all[7] = {double(k), onset[onset_column::first], onset[onset_column::last], onset[onset_column::rate],
-                               spent, double(mode), double(turn.clock.step)};
+                               spent, double(mode), double(range.clock.step)};
         for (Index column = 0; column < 7; column++) soft.row(c, column) = all[column];
         soft.listed(q * bonds_of_portion + soft.number(q)++) = c;
         bounds.limit(k) = float(infinity);
@@ -67,10 +67,10 @@ void begin_softening(const Turn &turn, const Candidates &candidates, const Softe
 }
 BONDEM_PASS(begin_softening, of_events, "")
 
-void sum_pressed_energies(const Turn &turn, const Moving &all, const Beams &beams, const SofteningBounds &bounds,
+void sum_pressed_energies(const Range &range, const Moving &all, const Beams &beams, const SofteningBounds &bounds,
                           const Ledger &ledger) {
     add_up(ledger, history_column::normal, [&](ExactSum &sum) {
-        for (Index k = turn.first; k < turn.last; k++) {
+        for (Index k = range.first; k < range.last; k++) {
             if (bounds.press(k) == 0.0) continue;
             const double pressed = positive(beams.length(k) - length(ends_of(all.pose.data, beams, k).branch));
             sum.add(0.5 * bounds.press(k) * pressed * pressed);
@@ -79,11 +79,11 @@ void sum_pressed_energies(const Turn &turn, const Moving &all, const Beams &beam
 }
 BONDEM_PASS(sum_pressed_energies, of_bonds, "ends pose")
 
-void write_crushing_of_beams(const Turn &turn, const SofteningBounds &bounds, const SofteningBeams &soft, const EventLog &log,
+void write_crushing_of_beams(const Range &range, const SofteningBounds &bounds, const SofteningBeams &soft, const EventLog &log,
                              const HistoryRows &history) {
     ExactSum sum = {};
     for (Index c = 0; c < soft.begun(0); c++) sum.add(crushed_by_beam(bounds, soft, c));
-    history.record(turn.clock.record, history_column::crushing) = sum.value() - log.crushed(0);
+    history.record(range.clock.record, history_column::crushing) = sum.value() - log.crushed(0);
 }
 BONDEM_PASS(write_crushing_of_beams, of_rows, "")
 

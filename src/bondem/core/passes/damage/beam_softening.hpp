@@ -5,16 +5,16 @@
 namespace bondem {
 
 // Adds up the dissipation of all portions, and logs broken beams.
-void log_softened_beams(const Turn &turn, const Moving &all, const Beams &beams, const SofteningBeams &soft,
+void log_softened_beams(const Range &range, const Moving &all, const Beams &beams, const SofteningBeams &soft,
                         const EventLog &log);
 // Writes the rows of beams that have begun to soften in this step, and adds up their dissipation.
-void begin_softening(const Turn &turn, const Candidates &candidates, const SofteningBounds &bounds, const SofteningBeams &soft,
+void begin_softening(const Range &range, const Candidates &candidates, const SofteningBounds &bounds, const SofteningBeams &soft,
                      const EventLog &log);
 // Writes the energy that beams have released beyond their fracture energy.
-void write_crushing_of_beams(const Turn &turn, const SofteningBounds &bounds, const SofteningBeams &soft, const EventLog &log,
+void write_crushing_of_beams(const Range &range, const SofteningBounds &bounds, const SofteningBeams &soft, const EventLog &log,
                              const HistoryRows &history);
 // Adds the energy of the pressure on softened beams of a portion to their normal energy.
-void sum_pressed_energies(const Turn &turn, const Moving &all, const Beams &beams, const SofteningBounds &bounds,
+void sum_pressed_energies(const Range &range, const Moving &all, const Beams &beams, const SofteningBounds &bounds,
                           const Ledger &ledger);
 
 }  // namespace bondem

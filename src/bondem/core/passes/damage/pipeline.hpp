@@ -63,9 +63,9 @@ BONDEM_INLINE Lanes limits_of(const float *limit) {
 class Marks {
   public:
     template <class Bounds>
-    Marks(const Bounds &bounds, const Candidates &candidates, const Turn &turn)
+    Marks(const Bounds &bounds, const Candidates &candidates, const Range &range)
         : limit(bounds.limit.data), of_force(bounds.of_force), of_moment(bounds.of_moment),
-          first(candidates.marked.data + candidates.begin(turn.block)), next(first) {}
+          first(candidates.marked.data + candidates.begin(range.block)), next(first) {}
 
     // Calls on(n) for each bond k + n, n from `known` on, whose size reaches its bound.
     template <class On>
@@ -115,11 +115,11 @@ template <class Strong> inline Coefficients<double> coefficients_of(const Strong
 //     index(k)       its index and mode
 //     postpone(k) postpones the elements that the failure of the bond changes
 template <class MayFail, class IndexOf, class Postpone>
-inline void judge(const Turn &turn, const Candidates &candidates, MayFail may_fail, IndexOf index, Postpone postpone) {
-    const Index first = candidates.begin(turn.block);
+inline void judge(const Range &range, const Candidates &candidates, MayFail may_fail, IndexOf index, Postpone postpone) {
+    const Index first = candidates.begin(range.block);
     Index kept = 0;
-    if (!turn.clock.first)
-        for (Index e = first; e < first + candidates.count(turn.block); e++) {
+    if (!range.clock.first)
+        for (Index e = first; e < first + candidates.count(range.block); e++) {
             const Index k = candidates.marked(e);
             if (!may_fail(k)) continue;
             const Verdict<double> verdict = index(k);
@@ -129,7 +129,7 @@ inline void judge(const Turn &turn, const Candidates &candidates, MayFail may_fa
             kept++;
             postpone(k);
         }
-    candidates.count(turn.block) = kept;
+    candidates.count(range.block) = kept;
     if (kept > 0) put_shared(candidates.any(0), Index(1));
 }
 
@@ -162,13 +162,13 @@ inline void log_event(const Clock &clock, const EventLog &log, Index k, Index mo
 
 // Removes the bonds that fail in this step: apply(k) → Removal.
 template <class Apply>
-inline void remove(const Turn &turn, const Candidates &candidates, const EventLog &log, Apply apply) {
+inline void remove(const Range &range, const Candidates &candidates, const EventLog &log, Apply apply) {
     log.written(log_count::before) = log.written(log_count::events);
     if (!any_fails(candidates)) return;
     ExactSum released = {};
     for_each_failing(candidates, [&](Index k, Index mode) {
         const Removal removal = apply(k);
-        log_event(turn.clock, log, k, mode, removal);
+        log_event(range.clock, log, k, mode, removal);
         released.add(removal.energy);
     });
     log.released(0) += released.value();

@@ -24,42 +24,42 @@ void put(const Postponed &postponed, Index place, Short element, Short row) {
 }  // namespace
 
 // Divides the elements of a block, or shared ones, into those that continue and those that are postponed.
-void postpone_elements(const Turn &turn, const StepCut &cut, const Candidates &candidates, const Postponed &postponed) {
+void postpone_elements(const Range &range, const StepCut &cut, const Candidates &candidates, const Postponed &postponed) {
     if (!any_fails(candidates)) return;
     Index free = 0, own = 0;  // held elements that own no row, and that own one
-    for (Index e = turn.first; e < turn.last; e++)
-        if (is_held(postponed, turn.element[e])) (e < turn.held ? free : own)++;
+    for (Index e = range.first; e < range.last; e++)
+        if (is_held(postponed, range.element[e])) (e < range.held ? free : own)++;
     if (free + own == 0) return;
     // shared elements have their places behind those of the blocks
-    const Index first = turn.first + (turn.block < cut.held.size() ? 0 : cut.ready.size());
-    const Index middle = first + (turn.last - turn.first) - free - own;
-    const Filling going = {first, middle - (turn.last - turn.held - own), middle};
+    const Index first = range.first + (range.block < cut.held.size() ? 0 : cut.ready.size());
+    const Index middle = first + (range.last - range.first) - free - own;
+    const Filling going = {first, middle - (range.last - range.held - own), middle};
     const Filling late = {middle, middle + free, middle + free + own};
     Index next[4] = {going.first, late.first, going.held, late.held};
-    for (Index e = turn.first; e < turn.last; e++) {
-        const Index list = (e < turn.held ? 0 : 2) + (is_held(postponed, turn.element[e]) ? 1 : 0);
-        put(postponed, next[list]++, turn.element[e], turn.row[e]);
+    for (Index e = range.first; e < range.last; e++) {
+        const Index list = (e < range.held ? 0 : 2) + (is_held(postponed, range.element[e]) ? 1 : 0);
+        put(postponed, next[list]++, range.element[e], range.row[e]);
     }
-    *turn.division = {going.list(postponed), late.list(postponed)};
+    *range.division = {going.list(postponed), late.list(postponed)};
 }
 BONDEM_PASS(postpone_elements, divides_elements, "")
 
 // Keeps the sums of postponed elements.
-void keep_sums(const Turn &turn, const StepCut &cut, const Postponed &postponed) {
-    for (Index e = turn.first; e < turn.last; e++)
-        row_at(postponed.kept.data, turn.element[e]) = row_at(cut.sums.data, turn.row[e]);
+void keep_sums(const Range &range, const StepCut &cut, const Postponed &postponed) {
+    for (Index e = range.first; e < range.last; e++)
+        row_at(postponed.kept.data, range.element[e]) = row_at(cut.sums.data, range.row[e]);
 }
 BONDEM_PASS(keep_sums, postponed_of_blocks, "own held sums; changes kept")
 
 // Keeps the sums of the dashpots of postponed elements.
-void keep_dashpots(const Turn &turn, const Dashpots &dashpots, const Postponed &postponed) {
-    for (Index e = turn.first; e < turn.last; e++)
-        row_at(dashpots.sums.data, Short(postponed.first_row + turn.element[e])) = row_at(dashpots.sums.data, turn.row[e]);
+void keep_dashpots(const Range &range, const Dashpots &dashpots, const Postponed &postponed) {
+    for (Index e = range.first; e < range.last; e++)
+        row_at(dashpots.sums.data, Short(postponed.first_row + range.element[e])) = row_at(dashpots.sums.data, range.row[e]);
 }
 BONDEM_PASS(keep_dashpots, postponed_of_blocks, "own held; changes sums")
 
 // Lists all postponed elements, those with rows of the boundary last, and ends the failures of the step.
-void list_postponed(const Turn &turn, const Rows &rows, const Candidates &candidates, const Postponed &postponed) {
+void list_postponed(const Range &range, const Rows &rows, const Candidates &candidates, const Postponed &postponed) {
     if (!any_fails(candidates)) return;
     Index count = 0, free = 0;
     for (Index own = 0; own < 2; own++) {
@@ -70,14 +70,14 @@ void list_postponed(const Turn &turn, const Rows &rows, const Candidates &candid
             }
         if (own == 0) free = count;
     }
-    turn.division->postponed = {0, count, free, postponed.element.data, postponed.row.data};
+    range.division->postponed = {0, count, free, postponed.element.data, postponed.row.data};
     end_failures(candidates);
 }
 BONDEM_PASS(list_postponed, divides_elements, "writes held")
 
 // Writes the energy released into a record.
-void write_released(const Turn &turn, const EventLog &log, const HistoryRows &history) {
-    history.record(turn.clock.record, history_column::released) = log.released(0);
+void write_released(const Range &range, const EventLog &log, const HistoryRows &history) {
+    history.record(range.clock.record, history_column::released) = log.released(0);
 }
 BONDEM_PASS(write_released, single, "")
 

@@ -37,7 +37,7 @@ Index move_together(const StressCandidates &candidates) {
 
 // Finds the index of each candidate by a criterion on its stress.
 template <class Criterion>
-void index_candidates(const Turn &, const StressCandidates &candidates, const StressFunction &by) {
+void index_candidates(const Range &, const StressCandidates &candidates, const StressFunction &by) {
     evaluate<Criterion>(candidates, by, move_together(candidates));
 }
 // Finds the index of each given stress; the counts of portions are not read.

@@ -11,21 +11,21 @@ namespace bondem {
 
 // Integrates the stored forces and moments of the beams of a block over the step, and adds them to the sums of their
 // elements.
-void add_stored_loads(const Turn &turn, const Moving &all, const Beams &beams, const StoredLoads &stored,
+void add_stored_loads(const Range &range, const Moving &all, const Beams &beams, const StoredLoads &stored,
                       const StepCut &cut) {
     constexpr Index ahead = 32;  // bonds ahead of the loop whose first elements are asked for
     const Short *const i = beams.i.data, *const j = beams.j.data;
     const double *const pose = all.pose.data, *const motion = all.motion.data, *const period = beams.period.data;
     const StoredColumns<Lanes> history(stored);
-    for_each_group(turn.first, turn.last, [&](Group group) __attribute__((always_inline)) {
+    for_each_group(range.first, range.last, [&](Group group) __attribute__((always_inline)) {
         const Index k = group.first;
-        prefetch(pose, i + least(k + ahead, turn.last - lanes));
-        prefetch(motion, i + least(k + ahead, turn.last - lanes));
+        prefetch(pose, i + least(k + ahead, range.last - lanes));
+        prefetch(motion, i + least(k + ahead, range.last - lanes));
         const Vector3<Lanes> apart = branch(gather(pose, i + k), gather(pose, j + k), period);
         const Motion<Lanes> a(gather(motion, i + k)), b(gather(motion, j + k));
         const StoredShape<Lanes> shape = stored_shape<Lanes>(beams, k);
         const StoredLoad<Lanes> now = integrated(history(k), apart, {b.v - a.v, a.w, b.w}, shape,
-                                                 stored_stiffness<Lanes>(beams, stored, k), turn.clock.dt);
+                                                 stored_stiffness<Lanes>(beams, stored, k), range.clock.dt);
         history.keep(group, now);
         const Lanes s = load(beams.integrity.data + k);
         const BeamLoads<Lanes> one = stored_loads(now, apart, shape), loads = {s * one.force, s * one.on_i, s * one.on_j};
@@ -36,11 +36,11 @@ BONDEM_PASS(add_stored_loads, bonds_of_blocks, "ends motion pose; adds sums")
 
 #endif
 
-void sum_stored_energies(const Turn &turn, const Moving &all, const Beams &beams, const StoredLoads &stored,
+void sum_stored_energies(const Range &range, const Moving &all, const Beams &beams, const StoredLoads &stored,
                          const Ledger &ledger) {
     const StoredColumns<double> history(stored);
     ModeSums sum = {};
-    for (Index k = turn.first; k < turn.last; k++) {
+    for (Index k = range.first; k < range.last; k++) {
         const Vector apart = ends_of(all.pose.data, beams, k).branch;
         const BeamEnergy<double> energy =
             stored_energy(history(k), apart / length(apart), stored_stiffness<double>(beams, stored, k));

@@ -5,7 +5,7 @@
 namespace bondem {
 
 // Sums normal, shear, bending and twisting energy of a portion [J].
-void sum_stored_energies(const Turn &turn, const Moving &all, const Beams &beams, const StoredLoads &stored,
+void sum_stored_energies(const Range &range, const Moving &all, const Beams &beams, const StoredLoads &stored,
                          const Ledger &ledger);
 
 }  // namespace bondem

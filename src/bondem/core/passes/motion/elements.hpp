@@ -6,12 +6,12 @@
 
 namespace bondem {
 
-// Element number e of the list of a turn.
+// Element number e of the list of a range.
 struct One {
     using Number = double;
     Short element, row;
 
-    One(const Turn &turn, Index e) : element(turn.element[e]), row(turn.row[e]) {}
+    One(const Range &range, Index e) : element(range.element[e]), row(range.row[e]) {}
     explicit One(Index element) : element(Short(element)), row(0) {}
 };
 BONDEM_INLINE Row<double> &row_at(double *table, Short place) {
@@ -44,11 +44,11 @@ struct Several {
     using Number = Lanes;
     Short element[lanes], row[lanes];
 
-    BONDEM_INLINE Several(const Turn &turn, Index e, Index last) {
+    BONDEM_INLINE Several(const Range &range, Index e, Index last) {
         for (int n = 0; n < lanes; n++) {
             const Index place = least(e + n, last - 1);
-            element[n] = turn.element[place];
-            row[n] = turn.row[place];
+            element[n] = range.element[place];
+            row[n] = range.row[place];
         }
     }
 };

@@ -17,80 +17,80 @@ template <class Who> BONDEM_INLINE Wrench<typename Who::Number> taken(double *su
 }
 
 template <class Resisted>
-BONDEM_INLINE void move_free(const Turn &turn, const Moving &all, const StepCut &cut, const Resisted &resistance) {
-    const Index last = turn.held;
-    for (Index e = turn.first; e < last; e += lanes) {
-        const Several later(turn, least(e + ahead, last - 1), last);
+BONDEM_INLINE void move_free(const Range &range, const Moving &all, const StepCut &cut, const Resisted &resistance) {
+    const Index last = range.held;
+    for (Index e = range.first; e < last; e += lanes) {
+        const Several later(range, least(e + ahead, last - 1), last);
         prefetch(all.pose.data, later.element);
         prefetch(all.motion.data, later.element);
-        const Several several(turn, e, last);
-        move(several, turn.clock, all, taken(cut.sums.data, several), NoRow{}, resistance, -1);
+        const Several several(range, e, last);
+        move(several, range.clock, all, taken(cut.sums.data, several), NoRow{}, resistance, -1);
     }
 }
 
 template <class Resisted>
-inline void move_held(const Turn &turn, const Moving &all, const StepCut &cut, const Rows &rows, const Resisted &resistance) {
-    for (Index e = turn.held; e < turn.last; e++) {
-        const One one(turn, e);
+inline void move_held(const Range &range, const Moving &all, const StepCut &cut, const Rows &rows, const Resisted &resistance) {
+    for (Index e = range.held; e < range.last; e++) {
+        const One one(range, e);
         const Index r = rows.of(one.element);
-        move(one, turn.clock, all, taken(cut.sums.data, one), BoundaryRow(rows, r), resistance, r);
+        move(one, range.clock, all, taken(cut.sums.data, one), BoundaryRow(rows, r), resistance, r);
     }
 }
 
 }  // namespace
 
 // Closes the step, and opens the next, for elements that own no row of the boundary.
-void move_elements(const Turn &turn, const Moving &all, const StepCut &cut) { move_free(turn, all, cut, NoRow{}); }
+void move_elements(const Range &range, const Moving &all, const StepCut &cut) { move_free(range, all, cut, NoRow{}); }
 BONDEM_PASS(move_elements, elements_of_blocks, "changes acceleration motion pose sums")
 
 // Closes the step, and opens the next, for damped elements that own no row of the boundary.
-void move_resisted(const Turn &turn, const Moving &all, const StepCut &cut, const Resistance &resistance) {
-    move_free(turn, all, cut, resistance);
+void move_resisted(const Range &range, const Moving &all, const StepCut &cut, const Resistance &resistance) {
+    move_free(range, all, cut, resistance);
 }
 BONDEM_PASS(move_resisted, elements_of_blocks, "changes acceleration dashed loss motion pose sums")
 
 // Closes the step, and opens the next, for elements that own rows of the boundary.
-void move_rows(const Turn &turn, const Moving &all, const StepCut &cut, const Rows &rows) {
-    move_held(turn, all, cut, rows, NoRow{});
+void move_rows(const Range &range, const Moving &all, const StepCut &cut, const Rows &rows) {
+    move_held(range, all, cut, rows, NoRow{});
 }
 BONDEM_PASS(move_rows, elements_of_blocks, "own force full half; changes acceleration motion pose sums; writes reaction")
 
 // Closes the step, and opens the next, for damped elements that own rows of the boundary.
-void move_resisted_rows(const Turn &turn, const Moving &all, const StepCut &cut, const Rows &rows,
+void move_resisted_rows(const Range &range, const Moving &all, const StepCut &cut, const Rows &rows,
                         const Resistance &resistance) {
-    move_held(turn, all, cut, rows, resistance);
+    move_held(range, all, cut, rows, resistance);
 }
 BONDEM_PASS(move_resisted_rows, elements_of_blocks, "own force full half; changes acceleration dashed loss motion pose sums; writes reaction")
 
 // Opens a step after a pause for all elements, none of which owns a row of the boundary.
-void open_elements(const Turn &turn, const Moving &all) {
-    for (Index p = turn.first; p < turn.last; p++) open_one(p, turn.clock, all, NoRow{});
+void open_elements(const Range &range, const Moving &all) {
+    for (Index p = range.first; p < range.last; p++) open_one(p, range.clock, all, NoRow{});
 }
 BONDEM_PASS(open_elements, of_elements, "own acceleration; changes motion pose")
 
 // Opens a step after a pause for all elements, some of which own rows of the boundary.
-void open_elements_and_rows(const Turn &turn, const Moving &all, const Rows &rows) {
-    for (Index p = turn.first; p < turn.last; p++) {
+void open_elements_and_rows(const Range &range, const Moving &all, const Rows &rows) {
+    for (Index p = range.first; p < range.last; p++) {
         const Index r = rows.of(p);
         if (r < 0)
-            open_one(p, turn.clock, all, NoRow{});
+            open_one(p, range.clock, all, NoRow{});
         else
-            open_one(p, turn.clock, all, BoundaryRow(rows, r));
+            open_one(p, range.clock, all, BoundaryRow(rows, r));
     }
 }
 BONDEM_PASS(open_elements_and_rows, of_elements, "own acceleration half; changes motion pose")
 
 // Opens a step for elements of a list that own no row of the boundary.
-void reopen_elements(const Turn &turn, const Moving &all) {
-    for (Index e = turn.first; e < turn.held; e++) open_one(turn.element[e], turn.clock, all, NoRow{});
+void reopen_elements(const Range &range, const Moving &all) {
+    for (Index e = range.first; e < range.held; e++) open_one(range.element[e], range.clock, all, NoRow{});
 }
 BONDEM_PASS(reopen_elements, elements_of_blocks, "own acceleration; changes motion pose")
 
 // Opens a step for elements of a list that own rows of the boundary.
-void reopen_rows(const Turn &turn, const Moving &all, const Rows &rows) {
-    for (Index e = turn.held; e < turn.last; e++) {
-        const Short p = turn.element[e];
-        open_one(p, turn.clock, all, BoundaryRow(rows, rows.of(p)));
+void reopen_rows(const Range &range, const Moving &all, const Rows &rows) {
+    for (Index e = range.held; e < range.last; e++) {
+        const Short p = range.element[e];
+        open_one(p, range.clock, all, BoundaryRow(rows, rows.of(p)));
     }
 }
 BONDEM_PASS(reopen_rows, elements_of_blocks, "own acceleration half; changes motion pose")

@@ -25,7 +25,7 @@ void turn(Index first, Index last, const double *pose, const LaggedStresses &str
 }  // namespace
 
 // Turns the stresses of a step ago with their elements.
-void turn_stresses(const Turn &portion, const Moving &all, const LaggedStresses &stresses) {
+void turn_stresses(const Range &portion, const Moving &all, const LaggedStresses &stresses) {
     turn(portion.first, portion.last, all.pose.data, stresses);
 }
 BONDEM_PASS(turn_stresses, of_elements, "own pose stress; writes space")
@@ -38,28 +38,28 @@ Index turn_all_stresses(Index, const Poses &all, const LaggedStresses &stresses)
 BONDEM_CALL(turn_all_stresses, "")
 
 // Adds moments of bonds of other domains to the stresses of shared elements, and sets their rows to zero.
-void collect_moments(const Turn &turn, const StepCut &cut, const LaggedStresses &stresses) {
+void collect_moments(const Range &range, const StepCut &cut, const LaggedStresses &stresses) {
     const Index n = stresses.inverse.size();
-    for (Index e = turn.first; e < turn.last; e++)
+    for (Index e = range.first; e < range.last; e++)
         for (Index q = n + cut.part(e); q < n + cut.part(e + 1); q++)
             for (Index c = 0; c < 6; c++) {
-                stresses.moment(turn.element[e], c) += stresses.moment(q, c);
+                stresses.moment(range.element[e], c) += stresses.moment(q, c);
                 stresses.moment(q, c) = 0.0;
             }
 }
 BONDEM_PASS(collect_moments, parts_of_shared, "changes moment")
 
 // Finds the stresses of a portion of elements, and bounds of their principal stresses; sets the moments to zero.
-void find_stresses(const Turn &turn, const Moving &all, const LaggedStresses &stresses) {
-    for (Index e = turn.first; e < turn.last; e += lanes)
-        find_stress(Elements(e, turn.last).place, all.pose.data, stresses);
+void find_stresses(const Range &range, const Moving &all, const LaggedStresses &stresses) {
+    for (Index e = range.first; e < range.last; e += lanes)
+        find_stress(Elements(e, range.last).place, all.pose.data, stresses);
 }
 BONDEM_PASS(find_stresses, of_elements, "own pose; changes moment; writes space stress")
 
 // Finds the stresses of the elements of a block, and bounds of their principal stresses; sets the moments to zero.
-void find_stresses_of_block(const Turn &turn, const Moving &all, const LaggedStresses &stresses) {
-    for (Index e = turn.first; e < turn.last; e += lanes)
-        find_stress(Several(turn, e, turn.last).element, all.pose.data, stresses);
+void find_stresses_of_block(const Range &range, const Moving &all, const LaggedStresses &stresses) {
+    for (Index e = range.first; e < range.last; e += lanes)
+        find_stress(Several(range, e, range.last).element, all.pose.data, stresses);
 }
 BONDEM_PASS(find_stresses_of_block, elements_of_blocks, "own pose; changes moment; writes space stress")
 

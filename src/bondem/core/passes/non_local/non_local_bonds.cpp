@@ -37,22 +37,22 @@ struct Staged {
     Vector3<Lanes> force;  // the extra force [N] after the second stage, the total force [N] after the third
 };
 
-// Finds the forces of the bonds of a turn; calls give(group, pose, loads) with their loads.
+// Finds the forces of the bonds of a range; calls give(group, pose, loads) with their loads.
 template <bool steps, class Give>
-BONDEM_INLINE void find_forces(const Turn &turn, const double *pose, const Beams &beams, const NonLocalBonds &bonds,
+BONDEM_INLINE void find_forces(const Range &range, const double *pose, const Beams &beams, const NonLocalBonds &bonds,
                                const LaggedStresses &stresses, Give give) {
     const Short *const i = beams.i.data, *const j = beams.j.data;
     const double *const space = stresses.space.data;
     const PairLaw law = pair_law(bonds);
     Staged staged[bonds_of_stage / lanes];
-    for (Index first = turn.first; first < turn.last; first += bonds_of_stage) {
+    for (Index first = range.first; first < range.last; first += bonds_of_stage) {
         const auto stage = [&](auto on) __attribute__((always_inline)) {
             Staged *at = staged;
-            for_each_group(first, least(first + bonds_of_stage, turn.last),
+            for_each_group(first, least(first + bonds_of_stage, range.last),
                            [&](Group group) __attribute__((always_inline)) { on(group, group.first, *at++); });
         };
         stage([&](Group, Index k, Staged &at) __attribute__((always_inline)) {
-            prefetch(pose, i + least(k + ahead, turn.last - lanes));
+            prefetch(pose, i + least(k + ahead, range.last - lanes));
             const Ends<Lanes> ends = ends_of(gather(pose, i + k, j + k), beams.period.data);
             at.of_i = matrix_of(ends.i);
             at.now = pair_pose(ends.branch, at.of_i, ends.j, pair_shape<Lanes>(bonds, k));
@@ -77,12 +77,12 @@ BONDEM_INLINE void find_forces(const Turn &turn, const double *pose, const Beams
     }
 }
 template <class Give>
-BONDEM_INLINE void find_forces(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
+BONDEM_INLINE void find_forces(const Range &range, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                                const LaggedStresses &stresses, Give give) {
-    if (turn.clock.dt > 0.0)
-        find_forces<true>(turn, all.pose.data, beams, bonds, stresses, give);
+    if (range.clock.dt > 0.0)
+        find_forces<true>(range, all.pose.data, beams, bonds, stresses, give);
     else
-        find_forces<false>(turn, all.pose.data, beams, bonds, stresses, give);
+        find_forces<false>(range, all.pose.data, beams, bonds, stresses, give);
 }
 
 // Adds loads of bonds to the moments of their elements, and to the sums.
@@ -107,22 +107,22 @@ BONDEM_INLINE void add_loads(const StepCut &cut, Group group, const NonLocalLoad
 
 // Finds forces and torques of the bonds of a block, integrates their stored values over the step, and adds their
 // moments to the stresses of their elements.
-void find_non_local_forces(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
+void find_non_local_forces(const Range &range, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                            const LaggedStresses &stresses) {
     const auto keep = [&](Group group, const PairPose<Lanes> &now, const NonLocalLoads<Lanes> &loads)
                           __attribute__((always_inline)) {
         keep_output(bonds, group, loads);
         add_moments(stresses, beams, group, now, loads.force);
     };
-    find_forces(turn, all, beams, bonds, stresses, keep);
+    find_forces(range, all, beams, bonds, stresses, keep);
 }
 BONDEM_PASS(find_non_local_forces, bonds_of_blocks, "ends pose space; adds moment")
 
 // Adds forces and torques of the bonds to the sums of the elements, in the order of the bonds.
-void add_non_local_loads(const Turn &turn, const NonLocalBonds &bonds, const StepCut &cut) {
+void add_non_local_loads(const Range &range, const NonLocalBonds &bonds, const StepCut &cut) {
     const double *const data = bonds.output.data;
     const Index m = bonds.output.shape[1];
-    for_each_group(turn.first, turn.last, [&](Group group) __attribute__((always_inline)) {
+    for_each_group(range.first, range.last, [&](Group group) __attribute__((always_inline)) {
         const auto vector = [&](Output first) __attribute__((always_inline)) {
             return vector_at<Lanes>(data, m, first, group.first);
         };
@@ -132,23 +132,23 @@ void add_non_local_loads(const Turn &turn, const NonLocalBonds &bonds, const Ste
 BONDEM_PASS(add_non_local_loads, bonds_of_blocks, "adds sums")
 
 // Finds and adds forces and torques of bonds that cannot fail, without keeping them.
-void add_lasting_loads(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
+void add_lasting_loads(const Range &range, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                        const LaggedStresses &stresses, const StepCut &cut) {
     const auto add = [&](Group group, const PairPose<Lanes> &now, const NonLocalLoads<Lanes> &loads)
                          __attribute__((always_inline)) {
         add_moments(stresses, beams, group, now, loads.force);
         add_loads(cut, group, loads);
     };
-    find_forces(turn, all, beams, bonds, stresses, add);
+    find_forces(range, all, beams, bonds, stresses, add);
 }
 BONDEM_PASS(add_lasting_loads, bonds_of_blocks, "ends pose space; adds moment sums")
 
 #endif
 
-void sum_non_local_energies(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
+void sum_non_local_energies(const Range &range, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                             const Ledger &ledger) {
     ExactSum normal = {}, shear = {}, taken = {};
-    for (Index k = turn.first; k < turn.last; k++) {
+    for (Index k = range.first; k < range.last; k++) {
         const double s = beams.integrity(k);
         if (s > 0.0) {
             const SpringEnergy<double> energy =

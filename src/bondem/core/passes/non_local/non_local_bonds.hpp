@@ -5,7 +5,7 @@
 namespace bondem {
 
 // Sums normal and shear energy of the springs of a portion, and the work of extra forces [J].
-void sum_non_local_energies(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
+void sum_non_local_energies(const Range &range, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                             const Ledger &ledger);
 
 }  // namespace bondem

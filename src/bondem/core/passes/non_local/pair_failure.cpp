@@ -14,11 +14,11 @@ namespace bondem {
 #if defined(BONDEM_LANES)
 
 // Marks the bonds of a block that reach their criterion by bounds of the principal stresses of both elements.
-void mark_pairs(const Turn &turn, const Beams &beams, const LaggedStresses &stresses, const Strengths &strengths,
+void mark_pairs(const Range &range, const Beams &beams, const LaggedStresses &stresses, const Strengths &strengths,
                 const Candidates &candidates) {
-    const Index first = candidates.begin(turn.block), last = strengths.coefficient.size();
+    const Index first = candidates.begin(range.block), last = strengths.coefficient.size();
     Index next = first;
-    for_each_group(turn.first, turn.last, [&](Group group) __attribute__((always_inline)) {
+    for_each_group(range.first, range.last, [&](Group group) __attribute__((always_inline)) {
         const Index k = group.first;
         const double *const space = stresses.space.data;
         const Row<Lanes> i = gather(space, beams.i.data + k), j = gather(space, beams.j.data + k);
@@ -32,26 +32,26 @@ void mark_pairs(const Turn &turn, const Beams &beams, const LaggedStresses &stre
             for (int n = group.known; n < lanes; n++)
                 if (s[n] > 0.0 && index[n] >= 1.0) candidates.marked(next++) = k + n;
     });
-    candidates.count(turn.block) = next - first;
+    candidates.count(range.block) = next - first;
 }
 BONDEM_PASS(mark_pairs, bonds_of_blocks, "ends space")
 
 #endif
 
 // Evaluates marked bonds of a block, and postpones the elements of failed ones.
-void judge_pairs(const Turn &turn, const Beams &beams, const LaggedStresses &stresses, const Strengths &strengths,
+void judge_pairs(const Range &range, const Beams &beams, const LaggedStresses &stresses, const Strengths &strengths,
                  const Candidates &candidates, const Postponed &postponed) {
     judge(
-        turn, candidates, [&](Index k) { return beams.integrity(k) > 0.0; },
+        range, candidates, [&](Index k) { return beams.integrity(k) > 0.0; },
         [&](Index k) { return verdict_of_pair(beams, stresses, strengths, k); },
         [&](Index k) { hold_ends(postponed, beams, k); });
 }
 BONDEM_PASS(judge_pairs, bonds_of_blocks, "ends space; adds held")
 
 // Removes the bonds that fail: their force from the kept sums, and the energy of their springs.
-void break_pairs(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
+void break_pairs(const Range &range, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                  const Candidates &candidates, const Postponed &postponed, const EventLog &log) {
-    remove(turn, candidates, log, [&](Index k) -> Removal {
+    remove(range, candidates, log, [&](Index k) -> Removal {
         take_off_pair(&postponed.kept(beams.i(k), 0), true, bonds, k);
         take_off_pair(&postponed.kept(beams.j(k), 0), false, bonds, k);
         return removal_of_pair(all, beams, bonds, k);
@@ -61,7 +61,7 @@ BONDEM_PASS(break_pairs, of_events, "still pose; adds kept")
 
 // Subtracts the force of failed bonds from the stresses of their elements, and sets their integrity to 0; after
 // `break_pairs`.
-void relieve_pairs(const Turn &, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
+void relieve_pairs(const Range &, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                    const LaggedStresses &stresses, const BeamIntegrity &state, const Candidates &candidates) {
     for_each_failing(candidates, [&](Index k, Index) {
         relieve(all, stresses, beams.i(k), true, bonds, k);

@@ -20,7 +20,7 @@ void add_to_stress(const double *pose, const LaggedStresses &stresses, Short p, 
 
 }  // namespace
 
-void add_begun_contacts(const Turn &, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+void add_begun_contacts(const Range &, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                         const LaggedStresses &stresses, const EventLog &log) {
     const double *const pose = all.pose.data;
     for_each_event(log, [&](Index bond, Index) {
@@ -36,10 +36,10 @@ void add_begun_contacts(const Turn &, const Moving &all, const ContactConstants 
 BONDEM_PASS(add_begun_contacts, of_events, "ends motion; still pose; adds stress")
 
 // Adds contacts of pairs to the stresses of the elements of a range, in the order of the pairs.
-void add_pair_moments(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+void add_pair_moments(const Range &range, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                       const NearPairs &near, const LaggedStresses &stresses) {
-    const auto mine = [&](Index p) { return turn.first <= p && p < turn.last; };
-    for (Index q = turn.first / elements_of_portion; q < near.counts.size(); q++) {
+    const auto mine = [&](Index p) { return range.first <= p && p < range.last; };
+    for (Index q = range.first / elements_of_portion; q < near.counts.size(); q++) {
         const Index begin = pairs.start(elements_of_portion * q), end = begin + near.counts(q, 1);
         for (Index e = begin; e < end; e++) {
             const Short k = near.close(e), a = pairs.first(k), b = pairs.second(k);
@@ -53,9 +53,9 @@ void add_pair_moments(const Turn &turn, const Moving &all, const ContactConstant
 }
 BONDEM_PASS(add_pair_moments, of_ranges, "ends pose; adds moment")
 
-void add_wall_moments(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
+void add_wall_moments(const Range &range, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                       const Walls &walls, const LaggedStresses &stresses) {
-    for (Index e = contacts.start(turn.first); e < contacts.start(turn.last); e++)
+    for (Index e = contacts.start(range.first); e < contacts.start(range.last); e++)
         if (contacts.touch(e) == touching) {
             const Short p = contacts.element(e);
             const double radius = c.radius(p);

@@ -25,9 +25,9 @@ Kinetic kinetic_energy(double *motion, Index p) {
 
 }  // namespace
 
-void sum_element_energies(const Turn &turn, const Moving &all, const Ledger &ledger) {
+void sum_element_energies(const Range &range, const Moving &all, const Ledger &ledger) {
     ExactSum moved = {}, turned = {}, damped = {}, rubbed = {};
-    for (Index p = turn.first; p < turn.last; p++) {
+    for (Index p = range.first; p < range.last; p++) {
         const Kinetic energy = kinetic_energy(all.motion.data, p);
         moved.add(energy.translation);
         turned.add(energy.rotation);
@@ -41,7 +41,7 @@ void sum_element_energies(const Turn &turn, const Moving &all, const Ledger &led
 }
 BONDEM_PASS(sum_element_energies, of_elements, "")
 
-void judge_energy(const Turn &, const Rows &rows, const Ledger &ledger) {
+void judge_energy(const Range &, const Rows &rows, const Ledger &ledger) {
     for (Index r = 0; r < rows.work.size(); r++) sum_of(ledger, work).add(absolute(rows.work(r)));
     double sum[history_column::count];
     for (Index c = 0; c < history_column::count; c++) sum[c] = sum_of(ledger, c).take();
@@ -58,16 +58,16 @@ void judge_energy(const Turn &, const Rows &rows, const Ledger &ledger) {
 }
 BONDEM_PASS(judge_energy, single, "")
 
-void write_ledger(const Turn &turn, const Rows &rows, const Ledger &ledger, const HistoryRows &history) {
-    double *const record = &history.record(turn.clock.record, 0);
+void write_ledger(const Range &range, const Rows &rows, const Ledger &ledger, const HistoryRows &history) {
+    double *const record = &history.record(range.clock.record, 0);
     for (Index r = 0; r < rows.work.size(); r++) sum_of(ledger, work).add(rows.work(r));
     for (Index c = 0; c < history_column::count; c++) record[c] += sum_of(ledger, c).take();
-    record[time] = turn.clock.time;
+    record[time] = range.clock.time;
 }
 BONDEM_PASS(write_ledger, single, "")
 
 // Writes three components of each gauge of elements.
-void read_gauges(const Turn &turn, const Moving &all, const Rows &rows, const Gauges &gauges, const HistoryRows &history) {
+void read_gauges(const Range &range, const Moving &all, const Rows &rows, const Gauges &gauges, const HistoryRows &history) {
     for (Index g = 0; g < gauges.quantity.size(); g++) {
         const Index quantity = gauges.quantity(g), reduction = gauges.reduction(g);
         const Index first = gauges.start(g), last = gauges.start(g + 1);
@@ -75,7 +75,7 @@ void read_gauges(const Turn &turn, const Moving &all, const Rows &rows, const Ga
         for (Index axis = 0; axis < 3; axis++) {
             gauge::Reading sum;
             for (Index e = first; e < last; e++) sum.add(gauge::read(all, rows, quantity, gauges.element(e), axis));
-            history.record(turn.clock.record, history_column::count + 3 * g + axis) = sum.reduced(reduction, last - first);
+            history.record(range.clock.record, history_column::count + 3 * g + axis) = sum.reduced(reduction, last - first);
         }
     }
 }

@@ -1,4 +1,4 @@
-"""Passes over an index, for devices, of `core/gpu/turns.hpp`.
+"""Passes over an index, for devices, of `core/gpu/ranges.hpp`.
 
 Written by `python -m tests.core.passes`.
 """

@@ -1,4 +1,4 @@
-// Calls of the common functions of CPU passes by a thread of a device, with a turn of one index.
+// Calls of the common functions of CPU passes by a thread of a device, with a range of one index.
 #pragma once
 #include "../steps.hpp"
 #include "../tables/device_tables.hpp"
@@ -8,31 +8,33 @@ namespace bondem {
 static_assert(sizeof(Clock) == 9 * sizeof(Index));
 BONDEM_INLINE Clock &clock_of(const DeviceSpan &span) { return *reinterpret_cast<Clock *>(span.clock.data); }
 
-// A turn of element p.
-BONDEM_INLINE Turn turn_of(const DeviceSpan &span, Index p) {
+// A range of element p.
+BONDEM_INLINE Range range_of(const DeviceSpan &span, Index p) {
     return {clock_of(span), p, p + 1, p + 1, nullptr, nullptr, p, nullptr};
 }
-// A turn of element number e of the list of a step, which on a device is one block.
-BONDEM_INLINE Turn turn_of(const DeviceSpan &span, const StepCut &cut, Index e) {
+// A range of element number e of the list of a step, which on a device is one block.
+BONDEM_INLINE Range range_of(const DeviceSpan &span, const StepCut &cut, Index e) {
     return {clock_of(span), e, e + 1, e + 1, cut.ready.data, cut.ready_row.data, 0, nullptr};
 }
 BONDEM_INLINE const StepCut &cut_among(const StepCut &cut) { return cut; }
 template <class... Tables> BONDEM_INLINE const StepCut &cut_among(const StepCut &cut, const Tables &...) { return cut; }
 template <class Table, class... Tables>
 BONDEM_INLINE const StepCut &cut_among(const Table &, const Tables &...tables) { return cut_among(tables...); }
-// A turn of portion b of elements or bonds.
-BONDEM_INLINE Turn portion_of(const DeviceSpan &span, Index b, Index size, Index count) {
+// A range of portion b of elements or bonds.
+BONDEM_INLINE Range portion_of(const DeviceSpan &span, Index b, Index size, Index count) {
     const Index last = least((b + 1) * size, count);
     return {clock_of(span), b * size, last, last, nullptr, nullptr, b, nullptr};
 }
 
-// A pass of the CPU as a pass over an index: the same, called with the turn of one index.
-template <auto pass> struct OneTurn;
-template <class... Tables, void (*pass)(const Turn &, const Tables &...)> struct OneTurn<pass> {
-    static void once(Index, const DeviceSpan &span, const Tables &...tables) { pass(turn_of(span, 0), tables...); }
-    static void element(Index p, const DeviceSpan &span, const Tables &...tables) { pass(turn_of(span, p), tables...); }
+// A pass of the CPU as a pass over an index: the same, called with the range of one index.
+template <auto pass> struct OneRange;
+template <class... Tables, void (*pass)(const Range &, const Tables &...)> struct OneRange<pass> {
+    static void once(Index, const DeviceSpan &span, const Tables &...tables) { pass(range_of(span, 0), tables...); }
+    static void element(Index p, const DeviceSpan &span, const Tables &...tables) {
+        pass(range_of(span, p), tables...);
+    }
     static void listed(Index e, const DeviceSpan &span, const Tables &...tables) {
-        pass(turn_of(span, cut_among(tables...), e), tables...);
+        pass(range_of(span, cut_among(tables...), e), tables...);
     }
     static void elements(Index b, const DeviceSpan &span, const Tables &...tables) {
         pass(portion_of(span, b, elements_of_portion, span.n), tables...);
@@ -42,11 +44,11 @@ template <class... Tables, void (*pass)(const Turn &, const Tables &...)> struct
     }
 };
 // The index is 0; an element; the place of an element in the list of a step; a portion of elements; of bonds.
-template <auto pass> constexpr auto once = &OneTurn<pass>::once;
-template <auto pass> constexpr auto one_element = &OneTurn<pass>::element;
-template <auto pass> constexpr auto listed_element = &OneTurn<pass>::listed;
-template <auto pass> constexpr auto portion_of_elements = &OneTurn<pass>::elements;
-template <auto pass> constexpr auto portion_of_bonds = &OneTurn<pass>::bonds;
+template <auto pass> constexpr auto once = &OneRange<pass>::once;
+template <auto pass> constexpr auto one_element = &OneRange<pass>::element;
+template <auto pass> constexpr auto listed_element = &OneRange<pass>::listed;
+template <auto pass> constexpr auto portion_of_elements = &OneRange<pass>::elements;
+template <auto pass> constexpr auto portion_of_bonds = &OneRange<pass>::bonds;
 
 // Sets the clock to a number of steps from the present one.
 inline void set_clock(Index, const DeviceSpan &span, const StepScheme &scheme, const Tick &tick) {
