@@ -30,7 +30,7 @@ from tests.device_cases import Case
 
 #: First axes of columns of elements; of `*` those that `_OWNERS` names.
 OF_ELEMENTS = ("n", "sums", "rows", "held", "layered", "halves")
-_ROWS_OF_SUMS = {"StepCut.sums", "Dashpots.sums", "FacetForces.sums", "Resistance.dashed"}
+_ROWS_OF_SUMS = {"StepBlocks.sums", "Dashpots.sums", "FacetForces.sums", "Resistance.dashed"}
 _ELSE = {"CellDilatation.swelling": "n", "LaggedStresses.moment": "n", "Rows.grip": "rows",
          **dict.fromkeys(_ROWS_OF_SUMS, "sums")}  # fmt: skip
 _OF_BONDS = {"m", "bonds", "facets", "pairs", "places", "candidates", "strained"}
@@ -98,10 +98,10 @@ class Step:
         self.state, self.n, self.m = state, len(state.pose), len(model.layout.i)
         terms = DampingTerms.of(self.plan.damping)
         kept = 0 if model.breaking is None else self.n  # rows that keep the sums of postponed elements
-        blocks = Blocks.of(model.layout, max(self.n, 1), 2, model.constraints.row_of >= 0)
-        self.cut = blocks.table(kept)
-        self.kept = len(self.cut.sums) - kept
-        self.shared, self.parts = parts_of(model, terms, state, self.cut, gauge_tables(model, self.plan), dt)
+        division = Blocks.of(model.layout, max(self.n, 1), 2, model.constraints.row_of >= 0)
+        self.blocks = division.table(kept)
+        self.kept = len(self.blocks.sums) - kept
+        self.shared, self.parts = parts_of(model, terms, state, self.blocks, gauge_tables(model, self.plan), dt)
         self.scheme = StepScheme(dt, *self.plan.scheme.coefficients(dt), terms.gamma, state.time - state.step * dt)
         self.i, self.j = model.layout.i.astype(int), model.layout.j.astype(int)
         self.row_element = model.constraints.element.astype(int)
@@ -127,11 +127,11 @@ class Step:
     @cached_property
     def row_of_sums(self) -> np.ndarray:
         """Element of each row of sums, or -1."""
-        cut, found = self.cut, np.full(len(self.cut.sums), -1)
-        found[cut.ready_row.astype(int)] = cut.ready
-        found[cut.shared_row.astype(int)] = cut.shared
-        for place, element in enumerate(cut.shared):
-            found[cut.parts + cut.part[place] : cut.parts + cut.part[place + 1]] = element
+        blocks, found = self.blocks, np.full(len(self.blocks.sums), -1)
+        found[blocks.ready_row.astype(int)] = blocks.ready
+        found[blocks.shared_row.astype(int)] = blocks.shared
+        for place, element in enumerate(blocks.shared):
+            found[blocks.parts + blocks.part[place] : blocks.parts + blocks.part[place + 1]] = element
         found[self.kept :] = np.arange(len(found) - self.kept)
         return found
 
@@ -148,7 +148,7 @@ class Step:
             span = StepSpan(self.state.step, 1 + self.goes_on, 0, still, still, True, self.n, self.m, done)
             ledger = self.shared.ledger._replace(found=np.array([0, 0, 0, 1]))
             self._live += [lists, span, ledger, entries, resume]
-            self._runs[key] = bound_pass(calls.take_steps(lists, self.cut, self.scheme, span, ledger))
+            self._runs[key] = bound_pass(calls.take_steps(lists, self.blocks, self.scheme, span, ledger))
         return self._runs[key]
 
     def entries(self) -> Iterator[tuple[str, list[StepEntry], StepEntry]]:
@@ -174,7 +174,7 @@ class Step:
                 if about.written is None or not values.size:
                     continue
                 name = f"{type(table).__name__}.{about.name}"
-                if name == "StepCut.sums":  # the rows behind those of the step are `Postponed.kept`
+                if name == "StepBlocks.sums":  # the rows behind those of the step are `Postponed.kept`
                     values = values[: self.kept]
                 axes = tuple(symbol for symbol, _ in about.shape)
                 owner = self._owner(name, axes[0], values, one)

@@ -1,7 +1,7 @@
 """Columns of elements that the passes of a step declare, behind their definition (`core/registered.hpp`).
 
 The declaration is text: uses with names of columns, "own swelling; writes pose.stress". A column is a field of one of
-the tables of the pass, with its table where two of them have such a field (`StepCut.sums`). `pose.stress` is the
+the tables of the pass, with its table where two of them have such a field (`StepBlocks.sums`). `pose.stress` is the
 column of a pose that holds the stress of a cell, and `pose` the others.
 """
 

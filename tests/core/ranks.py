@@ -48,9 +48,9 @@ class Rank:
         self.state, self.own, self.model = state, own, model
         self.n, self.m = len(state.pose), len(model.layout.i)
         terms = DampingTerms.of(plan.damping)
-        blocks = Blocks.of(model.layout, max(self.n, 1), 1, model.constraints.row_of >= 0)
-        self.cut = blocks.table(0 if model.breaking is None else self.n)
-        self.shared, self.parts = parts_of(model, terms, state, self.cut, gauge_tables(model, plan), dt)
+        division = Blocks.of(model.layout, max(self.n, 1), 1, model.constraints.row_of >= 0)
+        self.blocks = division.table(0 if model.breaking is None else self.n)
+        self.shared, self.parts = parts_of(model, terms, state, self.blocks, gauge_tables(model, plan), dt)
         self.scheme = StepScheme(dt, *plan.scheme.coefficients(dt), terms.gamma, state.time - state.step * dt)
         self.i, self.j = model.layout.i.astype(int), model.layout.j.astype(int)
         self._live: list[Any] = []
@@ -93,7 +93,8 @@ class Rank:
         done = np.zeros(4, dtype=np.int64)
         span = StepSpan(before, 0 if looks else 2 - pauses, 0, looks, False, not looks, self.n, self.m, done)
         ledger = self.shared.ledger._replace(found=np.array([0, 0, 0, 1]))
-        assert bound_pass(calls.take_steps(made, self.cut, self.scheme, span, ledger))() in ("sound", "out_of_date")
+        ending = bound_pass(calls.take_steps(made, self.blocks, self.scheme, span, ledger))()
+        assert ending in ("sound", "out_of_date")
 
     @property
     def is_out_of_date(self) -> bool:

@@ -23,7 +23,7 @@ from bondem._tables.step_tables import (
     Moving,
     Poses,
     Rows,
-    StepCut,
+    StepBlocks,
     StepPasses,
     StepScheme,
     StepSpan,
@@ -79,13 +79,13 @@ KINDS = {one.__name__: one for one in (wide, cancelling, ties, small)}
 def carried_out(record: Passes, ledger: Ledger, n: int = 0, m: int = 0, threads: int = 1) -> None:
     """Carry out the passes of a record, on tables of n elements and m bonds."""
     composer, none, short = Composer(), np.zeros(1, dtype=np.int64), np.zeros(0, dtype=np.uint32)
-    cut = StepCut(
+    blocks = StepBlocks(
         domain=none, bond=none, move=none, held=none[:0], ready=short, ready_row=short, row_i=short, row_j=short,
         shared=short, shared_row=short, shared_held=0, part=none, parts=1, sums=np.zeros((0, 8)),
     )  # fmt: skip
     lists = StepPasses(*[composer([])] * len(StepPasses._fields))._replace(record=composer(record))
     span = StepSpan(0, 0, 0, True, False, True, n, m, np.zeros(4, dtype=np.int64))
-    run_pass(calls.take_steps(lists, cut, StepScheme(*[0.0] * 6), span, ledger), threads=threads)
+    run_pass(calls.take_steps(lists, blocks, StepScheme(*[0.0] * 6), span, ledger), threads=threads)
 
 
 def summed(terms: np.ndarray, threads: int = 1, ledger: Ledger | None = None) -> float:

@@ -84,7 +84,7 @@ def carry_out_on_device(loop: CoreLoop, passes: Passes) -> tuple[set[str], int]:
     """Carry out the counterparts of passes, and copy back what they find; return their names and calls of the CPU."""
     model = loop.state.model
     shared = loop._tables
-    run = Translation(model.layout, shared.cut, shared.ledger, 0, np.zeros(0, dtype=np.uint8), further=False)
+    run = Translation(model.layout, shared.blocks, shared.ledger, 0, np.zeros(0, dtype=np.uint8), further=False)
     run.span.clock.view(float)[1] = DT
     launches, tables = launches_of(passes, run), DeviceTables(Host())
     tables.work_space(*run.work_spaces)

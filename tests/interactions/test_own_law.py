@@ -58,11 +58,11 @@ class Springs(BeamInteraction, SteppingInteraction):
         return Strengths(table, np.full(len(table), -1.0))
 
     def parts(self, run: Run) -> LawParts:
-        moving, cut, damage, calls = run.moving, run.cut, run.damage, run.arrays["calls"]
+        moving, blocks, damage, calls = run.moving, run.blocks, run.damage, run.arrays["calls"]
         beams, _ = beam_tables(self.table, self.layout, self.period, run.arrays["integrity"], may_share=False)
         assert damage is not None
         bounds = FailureBounds(np.full(len(beams.i), 0.99 * self._bond.strength**2, dtype=np.float32), 1.0, 0.0)
-        marked = steps.add_marked_beam_loads(moving, beams, cut, bounds, damage.candidates)
+        marked = steps.add_marked_beam_loads(moving, beams, blocks, bounds, damage.candidates)
         failing = damage.candidates, damage.postponed
         judge = steps.JUDGE_BEAMS_BY["mohr_coulomb"](moving, beams, self._strengths, *failing)
         remove = steps.break_beams(moving, beams, BeamIntegrity(beams.integrity, np.zeros(0)), *failing, damage.log)

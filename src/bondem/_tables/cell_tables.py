@@ -86,7 +86,7 @@ class FacetForces(NamedTuple):
     bends: Floats  #: 4 k / A², by which bending is a traction [1/(N m³)], (m,)
     force: Floats  #: of each facet on its cell i in the last step [N], (3, m)
     moment: Floats  #: V σ of each cell, xx, yy, zz, xy, xz, yz [J], and the square of its bending [Pa²], (n, 7)
-    sums: Floats  #: sums of them in rows as `StepCut.sums`, (*, 8)
+    sums: Floats  #: sums of them in rows as `StepBlocks.sums`, (*, 8)
 
 
 class FacetsOfCells(NamedTuple):

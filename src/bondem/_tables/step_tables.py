@@ -76,10 +76,10 @@ class Dashpots(NamedTuple):
 
     c: Floats  #: cn, cs [N·s/m], cb, ct [N·m·s], (4, m)
     share: Floats  #: where the contact point divides a beam, from i [-], (m,)
-    sums: Floats  #: on each element, in rows as `StepCut.sums`, (*, 8)
+    sums: Floats  #: on each element, in rows as `StepBlocks.sums`, (*, 8)
 
 
-class StepCut(NamedTuple):
+class StepBlocks(NamedTuple):
     """Division of a step in the form of the core (attributes of `Blocks`), and the sums that it adds to."""
 
     domain: Ints  #: (domains + 1,)

@@ -121,7 +121,7 @@ BONDEM_TABLE(BeamSums, F(row_i, "m"), F(row_j, "m"), F(sums, "sums 8"))
 BONDEM_TABLE(BeamEnergies, F(energy, "4"))
 BONDEM_TABLE(BeamTurns, F(found, "3"))
 BONDEM_TABLE(Dashpots, F(c, "4 m"), F(share, "m"), F(sums, "* 8"))
-BONDEM_TABLE(StepCut, F(domain, "domains+1"), F(bond, "blocks+1"), F(move, "blocks+1"), F(held, "blocks"), F(ready, "ready"), F(ready_row, "ready"), F(row_i, "m"), F(row_j, "m"), F(shared, "shared"), F(shared_row, "shared"), F(shared_held, ""), F(part, "shared+1"), F(parts, ""), F(sums, "sums 8"))
+BONDEM_TABLE(StepBlocks, F(domain, "domains+1"), F(bond, "blocks+1"), F(move, "blocks+1"), F(held, "blocks"), F(ready, "ready"), F(ready_row, "ready"), F(row_i, "m"), F(row_j, "m"), F(shared, "shared"), F(shared_row, "shared"), F(shared_held, ""), F(part, "shared+1"), F(parts, ""), F(sums, "sums 8"))
 BONDEM_TABLE(StepScheme, F(dt, ""), F(finish, ""), F(begin, ""), F(extra, ""), F(gamma, ""), F(origin, ""))
 BONDEM_TABLE(Rows, F(of, "n"), F(fixed, "rows 6"), F(force, "rows 6"), F(half, "rows 6"), F(full, "rows 6"), F(reaction, "rows 6"), F(grip, "* 6"), F(work, "works"))
 BONDEM_TABLE(Timeline, F(times, "times"), F(values, "times"), F(start, "schedules+1"))
@@ -268,7 +268,7 @@ BONDEM_TABLE(WallLoad, F(force, "3"), F(normal, ""), F(torque, "3"))
     described<BeamEnergies>(), \
     described<BeamTurns>(), \
     described<Dashpots>(), \
-    described<StepCut>(), \
+    described<StepBlocks>(), \
     described<StepScheme>(), \
     described<Rows>(), \
     described<Timeline>(), \

@@ -85,7 +85,8 @@ bool begins_anew(const Entry *entry, Index p) {
 
 class StepDriver {
   public:
-    StepDriver(Index threads, const StepCut &cut, const StepSpan &span) : threads(threads), cut(cut), span(span) {}
+    StepDriver(Index threads, const StepBlocks &blocks, const StepSpan &span)
+        : threads(threads), blocks(blocks), span(span) {}
 
     // Calls the passes of a list in their order.
     void through(const List &list, const Clock &clock) const {
@@ -125,12 +126,13 @@ class StepDriver {
     }
 
     void by_blocks(const Entry *first, const Entry *last, const Clock &clock) const {
-        const Index domains = cut.domain.size() - 1, blocks = cut.held.size();
+        const Index domains = blocks.domain.size() - 1, count = blocks.held.size();
         for_each_task(threads, domains, [&](Index d) {
-            for (Index b = cut.domain(d); b < cut.domain(d + 1); b++) {
-                const Index end = cut.bond(b + 1);
-                const Range bonds = {clock, cut.bond(b), end, end, nullptr, nullptr, b, nullptr};
-                const ElementList list = {cut.move(b), cut.move(b + 1), cut.held(b), cut.ready.data, cut.ready_row.data};
+            for (Index b = blocks.domain(d); b < blocks.domain(d + 1); b++) {
+                const Index end = blocks.bond(b + 1);
+                const Range bonds = {clock, blocks.bond(b), end, end, nullptr, nullptr, b, nullptr};
+                const ElementList list = {blocks.move(b), blocks.move(b + 1), blocks.held(b), blocks.ready.data,
+                                          blocks.ready_row.data};
                 ElementPasses elements(clock, list, b);
                 for (const Entry *entry = first; entry < last; entry++)
                     if (entry->kind == bonds_of_blocks)
@@ -139,19 +141,19 @@ class StepDriver {
                         elements.call(*entry);
             }
         });
-        const Index shared = cut.shared.size();
+        const Index shared = blocks.shared.size();
         if (shared == 0) return;
         for_each_task(threads, domains, [&](Index d) {
             const Index begin = shared * d / domains, end = shared * (d + 1) / domains;
-            const Index held = within(cut.shared_held, begin, end);
-            ElementPasses elements(clock, {begin, end, held, cut.shared.data, cut.shared_row.data}, blocks);
+            const Index held = within(blocks.shared_held, begin, end);
+            ElementPasses elements(clock, {begin, end, held, blocks.shared.data, blocks.shared_row.data}, count);
             for (const Entry *entry = first; entry < last; entry++)
                 if (entry->kind != bonds_of_blocks) elements.call(*entry);
         });
     }
 
     const Index threads;
-    const StepCut &cut;
+    const StepBlocks &blocks;
     const StepSpan &span;
 };
 
@@ -165,9 +167,9 @@ Clock clock_at(const StepScheme &scheme, Index step) {
 //
 // The acceleration is that of the present state on entry and on return. Where no record and no guard comes between two
 // steps, the end of one and the start of the next are one pass over the elements.
-Index take_steps(Index threads, const StepPasses &passes, const StepCut &cut, const StepScheme &scheme, const StepSpan &span,
-                 const Ledger &ledger) {
-    const StepDriver driver(threads, cut, span);
+Index take_steps(Index threads, const StepPasses &passes, const StepBlocks &blocks, const StepScheme &scheme,
+                 const StepSpan &span, const Ledger &ledger) {
+    const StepDriver driver(threads, blocks, span);
     const List present(passes.present), opening(passes.opening), travel(passes.travel), forces(passes.forces),
         resume(passes.resume), reopening(passes.reopening), guard(passes.guard), record(passes.record);
     for (Index k = 0; k < span.done.size(); k++) span.done(k) = 0;

@@ -83,7 +83,7 @@ class CrackingBody:
     ) -> None:  # fmt: skip
         n, m, adjacency = len(state.pose), len(state.integrity), layout.adjacency
         self.shared, self.state, self.body = shared, state, body
-        self.kept = facet_forces(state, body.facets, table.area, len(shared.cut.sums))
+        self.kept = facet_forces(state, body.facets, table.area, len(shared.blocks.sums))
         swing = np.sqrt(constants.k * (state.motion[layout.i, 3] + state.motion[layout.j, 3]))
         self.strengths = table.strengths(_LOSS * np.minimum(dt * swing, 1.0), with_zeros)
         listed = np.zeros(len(body.facets.k), dtype=np.uint8)
@@ -200,7 +200,7 @@ class CrackingBody:
                 "begin": self._begin(),
                 "present": [steps.follow_levers(strains, body.facets, cracks) for strains in body.strains],
                 "prepare": crack,
-                "add": [steps.add_crack_loads(moving, lists, self.shared.cut)],
+                "add": [steps.add_crack_loads(moving, lists, self.shared.blocks)],
                 "settle": still,
             },
             record=self._record,

@@ -11,7 +11,7 @@ from bondem._tables.cell_tables import ElasticFacets, FacetsOfCells
 from bondem._tables.columns import CrackStatus, EventColumn, LogCount, SoftColumn
 from bondem._tables.crack_tables import CohesiveCracks, CrackLists, FacetStrengths
 from bondem._tables.damage_tables import Candidates, EventLog, FailureBounds, Postponed, Strengths
-from bondem._tables.step_tables import Dashpots, LaggedStresses, StepCut
+from bondem._tables.step_tables import Dashpots, LaggedStresses, StepBlocks
 from bondem._types import PerBond
 from bondem.damage.crack_columns import FACET, STATUS, TOP
 from bondem.damage.failing_state import FailingState, StepTables
@@ -39,30 +39,30 @@ class DamageTables:
     log: EventLog
 
     @classmethod
-    def of(cls, table: FailureTable, state: FailingState, cut: StepCut, filled: int) -> "DamageTables":
+    def of(cls, table: FailureTable, state: FailingState, blocks: StepBlocks, filled: int) -> "DamageTables":
         """Return the tables of a run from a state.
 
         Args:
             table: criteria of the bonds.
             state: state with the bonds that have failed before.
-            cut: cut of a step, with one more row of sums per element.
+            blocks: division of a step, with one more row of sums per element.
             filled: bonds with those that fill a group of lanes.
         """
         n, m = len(state.pose), len(state.integrity)
         limit = np.full(filled, np.inf, dtype=np.float32)
         limit[:m] = table.limit
         limit[state.softened[:, SoftColumn.BOND].astype(np.int64)] = np.inf
-        first = len(cut.sums) - n
+        first = len(blocks.sums) - n
         return cls(
             table=table,
             bounds=FailureBounds(limit, table.of_force, table.of_moment),
             candidates=Candidates(
-                begin=cut.bond, marked=np.empty(m, dtype=np.int64), mode=np.empty(m, dtype=np.int64),
-                count=np.zeros(len(cut.bond) - 1, dtype=np.int64), any=np.zeros(1, dtype=np.int64),
+                begin=blocks.bond, marked=np.empty(m, dtype=np.int64), mode=np.empty(m, dtype=np.int64),
+                count=np.zeros(len(blocks.bond) - 1, dtype=np.int64), any=np.zeros(1, dtype=np.int64),
             ),
             postponed=Postponed(
                 held=np.zeros(n, dtype=np.uint8), element=np.empty(n, dtype=np.uint32),
-                row=np.empty(n, dtype=np.uint32), first_row=first, kept=cut.sums[first:],
+                row=np.empty(n, dtype=np.uint32), first_row=first, kept=blocks.sums[first:],
             ),
             log=new_event_log(state),
         )  # fmt: skip
@@ -81,12 +81,12 @@ class DamageTables:
             remove: passes that remove them.
             dashpots: dashpots of the bonds, or None.
         """
-        keep: Passes = [steps.keep_sums(shared.cut, self.postponed)]
+        keep: Passes = [steps.keep_sums(shared.blocks, self.postponed)]
         if dashpots is not None:
             keep.append(steps.keep_dashpots(dashpots, self.postponed))
         return Part(
             {
-                "judge": [*judge, steps.postpone_elements(shared.cut, self.candidates, self.postponed)],
+                "judge": [*judge, steps.postpone_elements(shared.blocks, self.candidates, self.postponed)],
                 "keep": keep,
                 "apply": remove,
                 "resume": [steps.list_postponed(shared.rows, self.candidates, self.postponed)],
@@ -169,6 +169,8 @@ def new_event_log(state: FailingState) -> EventLog:
     return EventLog(room, np.zeros(2, dtype=np.int64), state.released, state.crushed)
 
 
-def damage_of(table: FailureTable | None, state: FailingState, cut: StepCut, filled: int) -> DamageTables | None:
+def damage_of(
+    table: FailureTable | None, state: FailingState, blocks: StepBlocks, filled: int
+) -> DamageTables | None:
     """Return the tables of the damage pipeline of a run, or None if its bonds do not fail."""
-    return None if table is None else DamageTables.of(table, state, cut, filled)
+    return None if table is None else DamageTables.of(table, state, blocks, filled)

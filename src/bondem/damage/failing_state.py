@@ -2,7 +2,7 @@
 
 from typing import Protocol
 
-from bondem._tables.step_tables import Ledger, Moving, Rows, StepCut
+from bondem._tables.step_tables import Ledger, Moving, Rows, StepBlocks
 from bondem._types import Floats, PerBond
 
 
@@ -30,6 +30,6 @@ class StepTables(Protocol):
     @property
     def rows(self) -> Rows: ...
     @property
-    def cut(self) -> StepCut: ...
+    def blocks(self) -> StepBlocks: ...
     @property
     def ledger(self) -> Ledger: ...

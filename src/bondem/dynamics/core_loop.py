@@ -49,8 +49,8 @@ class CoreLoop:
         kept = 0 if model.breaking is None else self._n
         # the corrected mass needs the sums of all elements at once, but rows of sums are reused by later blocks
         size = BLOCK if model.correction is None else max(self._n, 1)
-        cut = Blocks.of(model.layout, size, domains, model.constraints.row_of >= 0).table(kept)
-        self._tables, self._parts = parts_of(model, terms, state, cut, gauge_tables(model, plan), dt)
+        blocks = Blocks.of(model.layout, size, domains, model.constraints.row_of >= 0).table(kept)
+        self._tables, self._parts = parts_of(model, terms, state, blocks, gauge_tables(model, plan), dt)
         self._still = noticeable(model, dt)
         # tables of all parts whose lists are not renewed
         self._lasting = Composer()
@@ -79,7 +79,7 @@ class CoreLoop:
         done = np.zeros(4, dtype=np.int64)
         span = StepSpan(self.state.step, 0, 0, True, False, False, self._n, self._m, done)
         t = self._tables
-        run_pass(calls.take_steps(lists, t.cut, self._scheme, span, t.ledger), threads=self._threads)
+        run_pass(calls.take_steps(lists, t.blocks, self._scheme, span, t.ledger), threads=self._threads)
 
     def _list(self, *stages: str) -> np.ndarray:
         return self._compose(composed(self._parts, *stages))
@@ -100,7 +100,7 @@ class CoreLoop:
         span = StepSpan(state.step, steps, self._every, looks, stale, moved, self._n, self._m, done)
         compose, history = Composer(self._compose), HistoryRows(records)  # live as long as this call
         lists = self._lists._replace(record=compose(one for part in self._parts for one in part.record(history)))
-        ending = run_pass(calls.take_steps(lists, t.cut, self._scheme, span, t.ledger), threads=self._threads)
+        ending = run_pass(calls.take_steps(lists, t.blocks, self._scheme, span, t.ledger), threads=self._threads)
         if done[0]:
             state.step += int(done[0])
             state.time = self._origin + state.step * self._scheme.dt

@@ -19,7 +19,7 @@ from bondem._cache_lines import lines
 from bondem._core import run_pass
 from bondem._passes import calls
 from bondem._tables.damage_tables import Candidates, EventLog, FailureIndices, Postponed, Strengths
-from bondem._tables.step_tables import Beams, BeamSums, Dashpots, LaggedStresses, Ledger, Moving, Poses, StepCut
+from bondem._tables.step_tables import Beams, BeamSums, Dashpots, LaggedStresses, Ledger, Moving, Poses, StepBlocks
 from bondem._tables.stiffness_tables import BondTangents
 from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement, PerElement3, PerElement6
 from bondem.boundary.conditions import BoundaryCondition
@@ -91,7 +91,7 @@ class Run:
 
     Attributes:
         moving: motion of the elements.
-        cut: cut of a step into domains and blocks.
+        blocks: division of a step into domains and blocks.
         ledger: sums of a record or a guard.
         arrays: arrays of the state that the law owns.
         dashpots: dashpots beside the bonds, or None.
@@ -102,7 +102,7 @@ class Run:
     """
 
     moving: Moving
-    cut: StepCut
+    blocks: StepBlocks
     ledger: Ledger
     arrays: Arrays
     dashpots: Dashpots | None

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._cache_lines import lines
-from bondem._tables.step_tables import StepCut
+from bondem._tables.step_tables import StepBlocks
 from bondem._types import Ints, Mask
 from bondem.interactions.beams.bond_table import GROUP, with_twins
 from bondem.specimen.ordering import Layout
@@ -106,9 +106,9 @@ class Blocks:
             part=np.concatenate([[0], np.cumsum(parts)]).astype(np.int64), parts=rows,
         )  # fmt: skip
 
-    def table(self, more: int = 0) -> StepCut:
+    def table(self, more: int = 0) -> StepBlocks:
         """Return the division in the form of the core, with sums at zero and `more` rows behind them."""
-        return StepCut(
+        return StepBlocks(
             domain=self.domain, bond=self.bond, move=self.move, held=self.held, ready=self.ready,
             ready_row=self.ready_row, row_i=self.row_i, row_j=self.row_j, shared=self.shared,
             shared_row=self.shared_row, shared_held=self.shared_held, part=self.part, parts=self.parts,

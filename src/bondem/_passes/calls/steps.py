@@ -4,11 +4,11 @@ Written by `python -m tests.core.passes`.
 """
 
 from bondem._passes import Call
-from bondem._tables.step_tables import Ledger, StepCut, StepPasses, StepScheme, StepSpan
+from bondem._tables.step_tables import Ledger, StepBlocks, StepPasses, StepScheme, StepSpan
 
 
 def take_steps(
-    step_passes: StepPasses, step_cut: StepCut, step_scheme: StepScheme, step_span: StepSpan, ledger: Ledger
+    step_passes: StepPasses, step_blocks: StepBlocks, step_scheme: StepScheme, step_span: StepSpan, ledger: Ledger
 ) -> Call:
     """Carries out the steps of a span."""
-    return Call("take_steps", (step_passes, step_cut, step_scheme, step_span, ledger))
+    return Call("take_steps", (step_passes, step_blocks, step_scheme, step_span, ledger))

@@ -15,7 +15,7 @@ from bondem._tables.step_tables import (
     Moving,
     Resistance,
     Rows,
-    StepCut,
+    StepBlocks,
 )
 
 
@@ -85,30 +85,31 @@ def judge_beam_by_peripheral_stress(
     ))
 
 
-def keep_dashed_sum(step_cut: StepCut, dashpots: Dashpots, postponed: Postponed) -> Kernel:
+def keep_dashed_sum(step_blocks: StepBlocks, dashpots: Dashpots, postponed: Postponed) -> Kernel:
     """Keeps the sums of the dashpots of postponed elements.
 
     Over one index.
     """
-    return Kernel("keep_dashed_sum", (step_cut, dashpots, postponed))
+    return Kernel("keep_dashed_sum", (step_blocks, dashpots, postponed))
 
 
 def keep_gathered_sum(
-    step_cut: StepCut, bonds_of_elements: BondsOfElements, loads_of_bonds: LoadsOfBonds, postponed: Postponed
+    step_blocks: StepBlocks, bonds_of_elements: BondsOfElements, loads_of_bonds: LoadsOfBonds, postponed:
+    Postponed
 ) -> Kernel:
     """Launched for `keep_sums`: keeps the sums of postponed elements.
 
     Over one index.
     """
-    return Kernel("keep_gathered_sum", (step_cut, bonds_of_elements, loads_of_bonds, postponed))
+    return Kernel("keep_gathered_sum", (step_blocks, bonds_of_elements, loads_of_bonds, postponed))
 
 
-def keep_sum(step_cut: StepCut, postponed: Postponed) -> Kernel:
+def keep_sum(step_blocks: StepBlocks, postponed: Postponed) -> Kernel:
     """Launched for `keep_sums`: keeps the sums of postponed elements.
 
     Over one index.
     """
-    return Kernel("keep_sum", (step_cut, postponed))
+    return Kernel("keep_sum", (step_blocks, postponed))
 
 
 def load_failing_dashpot(
@@ -171,31 +172,31 @@ def reopen_work_of_body(
     return Kernel("reopen_work_of_body", (device_span, moving, body_forces, postponed))
 
 
-def resume_free(device_span: DeviceSpan, moving: Moving, step_cut: StepCut, postponed: Postponed) -> Kernel:
+def resume_free(device_span: DeviceSpan, moving: Moving, step_blocks: StepBlocks, postponed: Postponed) -> Kernel:
     """Pass of one index, defined in `core/gpu/breakage.hpp`."""
-    return Kernel("resume_free", (device_span, moving, step_cut, postponed))
+    return Kernel("resume_free", (device_span, moving, step_blocks, postponed))
 
 
 def resume_resisted(
-    device_span: DeviceSpan, moving: Moving, step_cut: StepCut, resistance: Resistance, postponed: Postponed
+    device_span: DeviceSpan, moving: Moving, step_blocks: StepBlocks, resistance: Resistance, postponed: Postponed
 ) -> Kernel:
     """Pass of one index, defined in `core/gpu/breakage.hpp`."""
-    return Kernel("resume_resisted", (device_span, moving, step_cut, resistance, postponed))
+    return Kernel("resume_resisted", (device_span, moving, step_blocks, resistance, postponed))
 
 
 def resume_resisted_row(
-    device_span: DeviceSpan, moving: Moving, step_cut: StepCut, rows: Rows, resistance: Resistance, postponed:
-    Postponed
+    device_span: DeviceSpan, moving: Moving, step_blocks: StepBlocks, rows: Rows, resistance: Resistance,
+    postponed: Postponed
 ) -> Kernel:
     """Pass of one index, defined in `core/gpu/breakage.hpp`."""
-    return Kernel("resume_resisted_row", (device_span, moving, step_cut, rows, resistance, postponed))
+    return Kernel("resume_resisted_row", (device_span, moving, step_blocks, rows, resistance, postponed))
 
 
 def resume_row(
-    device_span: DeviceSpan, moving: Moving, step_cut: StepCut, rows: Rows, postponed: Postponed
+    device_span: DeviceSpan, moving: Moving, step_blocks: StepBlocks, rows: Rows, postponed: Postponed
 ) -> Kernel:
     """Pass of one index, defined in `core/gpu/breakage.hpp`."""
-    return Kernel("resume_row", (device_span, moving, step_cut, rows, postponed))
+    return Kernel("resume_row", (device_span, moving, step_blocks, rows, postponed))
 
 
 def take_beams_off_element(

@@ -13,7 +13,7 @@ from bondem._tables.cell_tables import (
     WallConstraints,
 )
 from bondem._tables.device_tables import BondsOfElements, DeviceSpan, LoadsOfBonds, RowOrder
-from bondem._tables.step_tables import Ledger, Moving, Rows, StepCut, Timeline
+from bondem._tables.step_tables import Ledger, Moving, Rows, StepBlocks, Timeline
 
 
 def add_energy_of_hold(moving: Moving, wall_constraints: WallConstraints, ledger: Ledger) -> Kernel:
@@ -24,20 +24,20 @@ def add_energy_of_hold(moving: Moving, wall_constraints: WallConstraints, ledger
     return Kernel("add_energy_of_hold", (moving, wall_constraints, ledger))
 
 
-def add_inertia_force_of(corrected_mass: CorrectedMass, step_cut: StepCut) -> Kernel:
+def add_inertia_force_of(corrected_mass: CorrectedMass, step_blocks: StepBlocks) -> Kernel:
     """Adds the forces of the correction to the sums of the elements.
 
     Over one index.
     """
-    return Kernel("add_inertia_force_of", (corrected_mass, step_cut))
+    return Kernel("add_inertia_force_of", (corrected_mass, step_blocks))
 
 
-def add_layer_torque(dilatation_gradients: DilatationGradients, step_cut: StepCut) -> Kernel:
+def add_layer_torque(dilatation_gradients: DilatationGradients, step_blocks: StepBlocks) -> Kernel:
     """Adds the torques of bent layers to the sums of the cells.
 
     Over one index.
     """
-    return Kernel("add_layer_torque", (dilatation_gradients, step_cut))
+    return Kernel("add_layer_torque", (dilatation_gradients, step_blocks))
 
 
 def add_stress_difference(
@@ -51,15 +51,15 @@ def add_stress_difference(
 
 
 def add_traction_work_of_row(
-    moving: Moving, step_cut: StepCut, facet_tractions: FacetTractions, rows: Rows
+    moving: Moving, step_blocks: StepBlocks, facet_tractions: FacetTractions, rows: Rows
 ) -> Kernel:
     """Number h of the elements that own rows, as cells with tractions do."""
-    return Kernel("add_traction_work_of_row", (moving, step_cut, facet_tractions, rows))
+    return Kernel("add_traction_work_of_row", (moving, step_blocks, facet_tractions, rows))
 
 
-def add_wall_load(rows: Rows, step_cut: StepCut) -> Kernel:
+def add_wall_load(rows: Rows, step_blocks: StepBlocks) -> Kernel:
     """Tractions of element number h of those that own rows of the boundary."""
-    return Kernel("add_wall_load", (rows, step_cut))
+    return Kernel("add_wall_load", (rows, step_blocks))
 
 
 def apply_walls_of_row(moving: Moving, wall_constraints: WallConstraints, row_order: RowOrder, rows: Rows) -> Kernel:
@@ -113,12 +113,14 @@ def dilate_walls_of_row(
     return Kernel("dilate_walls_of_row", (moving, wall_constraints, row_order, cell_dilatation))
 
 
-def find_acceleration_of(moving: Moving, rows: Rows, step_cut: StepCut, corrected_mass: CorrectedMass) -> Kernel:
+def find_acceleration_of(
+    moving: Moving, rows: Rows, step_blocks: StepBlocks, corrected_mass: CorrectedMass
+) -> Kernel:
     """Computes the accelerations of the elements by their loads alone.
 
     Over one index.
     """
-    return Kernel("find_acceleration_of", (moving, rows, step_cut, corrected_mass))
+    return Kernel("find_acceleration_of", (moving, rows, step_blocks, corrected_mass))
 
 
 def find_dilatation_inertia_of(

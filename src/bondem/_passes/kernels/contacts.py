@@ -16,15 +16,17 @@ from bondem._tables.contact_tables import (
     Walls,
 )
 from bondem._tables.device_tables import DeviceSpan, EarlierPairs, RowOrder
-from bondem._tables.step_tables import Gauges, HistoryRows, Ledger, Moving, StepCut
+from bondem._tables.step_tables import Gauges, HistoryRows, Ledger, Moving, StepBlocks
 
 
-def add_contact_load(device_span: DeviceSpan, moving: Moving, step_cut: StepCut, contact_sums: ContactSums) -> Kernel:
+def add_contact_load(
+    device_span: DeviceSpan, moving: Moving, step_blocks: StepBlocks, contact_sums: ContactSums
+) -> Kernel:
     """Adds forces and losses of contacts to those of the elements, and sets the former to zero.
 
     Over one index.
     """
-    return Kernel("add_contact_load", (device_span, moving, step_cut, contact_sums))
+    return Kernel("add_contact_load", (device_span, moving, step_blocks, contact_sums))
 
 
 def add_faces_of_element(contact_pairs: ContactPairs, face_pairs: FacePairs, contact_sums: ContactSums) -> Kernel:

@@ -8,15 +8,17 @@ from bondem._tables.cell_tables import CellDilatation, CellStrains, ElasticFacet
 from bondem._tables.crack_tables import CellSlack, CohesiveCracks, CrackLists, FacetStrengths, StressesOfCells
 from bondem._tables.damage_tables import EventLog
 from bondem._tables.device_tables import BondsOfElements, DeviceSpan, FallenCracks
-from bondem._tables.step_tables import Moving, StepCut
+from bondem._tables.step_tables import Moving, StepBlocks
 
 
-def add_crack_load(device_span: DeviceSpan, moving: Moving, crack_lists: CrackLists, step_cut: StepCut) -> Kernel:
+def add_crack_load(
+    device_span: DeviceSpan, moving: Moving, crack_lists: CrackLists, step_blocks: StepBlocks
+) -> Kernel:
     """Adds the forces of cracks that are treated one by one to the sums of their cells.
 
     Over one index.
     """
-    return Kernel("add_crack_load", (device_span, moving, crack_lists, step_cut))
+    return Kernel("add_crack_load", (device_span, moving, crack_lists, step_blocks))
 
 
 def begin_all_levers(elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks) -> Kernel:

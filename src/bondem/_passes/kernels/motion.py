@@ -5,43 +5,47 @@ Written by `python -m tests.core.passes`.
 
 from bondem._passes import Kernel
 from bondem._tables.device_tables import BondsOfElements, DeviceSpan, LoadsOfBonds
-from bondem._tables.step_tables import BodyForces, Dashpots, Moving, Resistance, Rows, StepCut
+from bondem._tables.step_tables import BodyForces, Dashpots, Moving, Resistance, Rows, StepBlocks
 
 
-def add_body_force(device_span: DeviceSpan, moving: Moving, step_cut: StepCut, body_forces: BodyForces) -> Kernel:
+def add_body_force(
+    device_span: DeviceSpan, moving: Moving, step_blocks: StepBlocks, body_forces: BodyForces
+) -> Kernel:
     """Adds body forces to the sums, and their work over the half of the step that ends.
 
     Over one index.
     """
-    return Kernel("add_body_force", (device_span, moving, step_cut, body_forces))
+    return Kernel("add_body_force", (device_span, moving, step_blocks, body_forces))
 
 
-def add_work_of_body(device_span: DeviceSpan, moving: Moving, step_cut: StepCut, body_forces: BodyForces) -> Kernel:
+def add_work_of_body(
+    device_span: DeviceSpan, moving: Moving, step_blocks: StepBlocks, body_forces: BodyForces
+) -> Kernel:
     """Adds the work of body forces over the half of the step that begins, after the pass in which elements move or
     open a step.
 
     Over one index.
     """
-    return Kernel("add_work_of_body", (device_span, moving, step_cut, body_forces))
+    return Kernel("add_work_of_body", (device_span, moving, step_blocks, body_forces))
 
 
 def gather_dashpots(
-    step_cut: StepCut, bonds_of_elements: BondsOfElements, loads_of_bonds: LoadsOfBonds, dashpots: Dashpots
+    step_blocks: StepBlocks, bonds_of_elements: BondsOfElements, loads_of_bonds: LoadsOfBonds, dashpots: Dashpots
 ) -> Kernel:
     """Adds loads of dashpots of other domains to the sums of shared elements, and sets their rows to zero.
 
     Over one index.
     """
-    return Kernel("gather_dashpots", (step_cut, bonds_of_elements, loads_of_bonds, dashpots))
+    return Kernel("gather_dashpots", (step_blocks, bonds_of_elements, loads_of_bonds, dashpots))
 
 
-def gather_loads(step_cut: StepCut, bonds_of_elements: BondsOfElements, loads_of_bonds: LoadsOfBonds) -> Kernel:
+def gather_loads(step_blocks: StepBlocks, bonds_of_elements: BondsOfElements, loads_of_bonds: LoadsOfBonds) -> Kernel:
     """Adds up the loads of bonds of an element in memory, where further loads act on elements."""
-    return Kernel("gather_loads", (step_cut, bonds_of_elements, loads_of_bonds))
+    return Kernel("gather_loads", (step_blocks, bonds_of_elements, loads_of_bonds))
 
 
 def move_gathered(
-    device_span: DeviceSpan, moving: Moving, step_cut: StepCut, bonds_of_elements: BondsOfElements,
+    device_span: DeviceSpan, moving: Moving, step_blocks: StepBlocks, bonds_of_elements: BondsOfElements,
     loads_of_bonds: LoadsOfBonds
 ) -> Kernel:
     """Launched for `move_elements`: closes the step, and opens the next, for elements that own no row of the
@@ -49,11 +53,11 @@ def move_gathered(
 
     Over one index.
     """
-    return Kernel("move_gathered", (device_span, moving, step_cut, bonds_of_elements, loads_of_bonds))
+    return Kernel("move_gathered", (device_span, moving, step_blocks, bonds_of_elements, loads_of_bonds))
 
 
 def move_gathered_resisted(
-    device_span: DeviceSpan, moving: Moving, step_cut: StepCut, bonds_of_elements: BondsOfElements,
+    device_span: DeviceSpan, moving: Moving, step_blocks: StepBlocks, bonds_of_elements: BondsOfElements,
     loads_of_bonds: LoadsOfBonds, resistance: Resistance
 ) -> Kernel:
     """Launched for `move_resisted`: closes the step, and opens the next, for damped elements that own no row of
@@ -62,13 +66,13 @@ def move_gathered_resisted(
     Over one index.
     """
     return Kernel("move_gathered_resisted", (
-        device_span, moving, step_cut, bonds_of_elements, loads_of_bonds, resistance
+        device_span, moving, step_blocks, bonds_of_elements, loads_of_bonds, resistance
     ))
 
 
 def move_gathered_resisted_row(
-    device_span: DeviceSpan, moving: Moving, step_cut: StepCut, rows: Rows, bonds_of_elements: BondsOfElements,
-    loads_of_bonds: LoadsOfBonds, resistance: Resistance
+    device_span: DeviceSpan, moving: Moving, step_blocks: StepBlocks, rows: Rows, bonds_of_elements:
+    BondsOfElements, loads_of_bonds: LoadsOfBonds, resistance: Resistance
 ) -> Kernel:
     """Launched for `move_resisted_rows`: closes the step, and opens the next, for damped elements that own rows of
     the boundary.
@@ -76,58 +80,58 @@ def move_gathered_resisted_row(
     Over one index.
     """
     return Kernel("move_gathered_resisted_row", (
-        device_span, moving, step_cut, rows, bonds_of_elements, loads_of_bonds, resistance
+        device_span, moving, step_blocks, rows, bonds_of_elements, loads_of_bonds, resistance
     ))
 
 
 def move_gathered_row(
-    device_span: DeviceSpan, moving: Moving, step_cut: StepCut, rows: Rows, bonds_of_elements: BondsOfElements,
-    loads_of_bonds: LoadsOfBonds
+    device_span: DeviceSpan, moving: Moving, step_blocks: StepBlocks, rows: Rows, bonds_of_elements:
+    BondsOfElements, loads_of_bonds: LoadsOfBonds
 ) -> Kernel:
     """Launched for `move_rows`: closes the step, and opens the next, for elements that own rows of the boundary.
 
     Over one index.
     """
-    return Kernel("move_gathered_row", (device_span, moving, step_cut, rows, bonds_of_elements, loads_of_bonds))
+    return Kernel("move_gathered_row", (device_span, moving, step_blocks, rows, bonds_of_elements, loads_of_bonds))
 
 
-def move_summed(device_span: DeviceSpan, moving: Moving, step_cut: StepCut) -> Kernel:
+def move_summed(device_span: DeviceSpan, moving: Moving, step_blocks: StepBlocks) -> Kernel:
     """Launched for `move_elements`: closes the step, and opens the next, for elements that own no row of the
     boundary.
 
     Over one index.
     """
-    return Kernel("move_summed", (device_span, moving, step_cut))
+    return Kernel("move_summed", (device_span, moving, step_blocks))
 
 
 def move_summed_resisted(
-    device_span: DeviceSpan, moving: Moving, step_cut: StepCut, resistance: Resistance
+    device_span: DeviceSpan, moving: Moving, step_blocks: StepBlocks, resistance: Resistance
 ) -> Kernel:
     """Launched for `move_resisted`: closes the step, and opens the next, for damped elements that own no row of
     the boundary.
 
     Over one index.
     """
-    return Kernel("move_summed_resisted", (device_span, moving, step_cut, resistance))
+    return Kernel("move_summed_resisted", (device_span, moving, step_blocks, resistance))
 
 
 def move_summed_resisted_row(
-    device_span: DeviceSpan, moving: Moving, step_cut: StepCut, rows: Rows, resistance: Resistance
+    device_span: DeviceSpan, moving: Moving, step_blocks: StepBlocks, rows: Rows, resistance: Resistance
 ) -> Kernel:
     """Launched for `move_resisted_rows`: closes the step, and opens the next, for damped elements that own rows of
     the boundary.
 
     Over one index.
     """
-    return Kernel("move_summed_resisted_row", (device_span, moving, step_cut, rows, resistance))
+    return Kernel("move_summed_resisted_row", (device_span, moving, step_blocks, rows, resistance))
 
 
-def move_summed_row(device_span: DeviceSpan, moving: Moving, step_cut: StepCut, rows: Rows) -> Kernel:
+def move_summed_row(device_span: DeviceSpan, moving: Moving, step_blocks: StepBlocks, rows: Rows) -> Kernel:
     """Launched for `move_rows`: closes the step, and opens the next, for elements that own rows of the boundary.
 
     Over one index.
     """
-    return Kernel("move_summed_row", (device_span, moving, step_cut, rows))
+    return Kernel("move_summed_row", (device_span, moving, step_blocks, rows))
 
 
 def open_element(device_span: DeviceSpan, moving: Moving) -> Kernel:

@@ -7,7 +7,7 @@ from bondem._passes import Kernel
 from bondem._tables.cell_tables import CellStrains, ElasticFacets, FacetsOfCells, FacetTractions, WallConstraints
 from bondem._tables.crack_tables import CohesiveCracks, CrackOnset, StressesOfCells, YieldingCells
 from bondem._tables.device_tables import DeviceSpan
-from bondem._tables.step_tables import Ledger, Moving, Rows, StepCut
+from bondem._tables.step_tables import Ledger, Moving, Rows, StepBlocks
 
 
 def add_crack_power(
@@ -21,12 +21,12 @@ def add_crack_power(
 
 
 def add_yielding_work_of_row(
-    device_span: DeviceSpan, step_cut: StepCut, facet_tractions: FacetTractions, stresses_of_cells:
+    device_span: DeviceSpan, step_blocks: StepBlocks, facet_tractions: FacetTractions, stresses_of_cells:
     StressesOfCells, yielding_cells: YieldingCells, rows: Rows
 ) -> Kernel:
     """Number h of the elements that own rows, as cells with loads on free facets do."""
     return Kernel("add_yielding_work_of_row", (
-        device_span, step_cut, facet_tractions, stresses_of_cells, yielding_cells, rows
+        device_span, step_blocks, facet_tractions, stresses_of_cells, yielding_cells, rows
     ))
 
 

@@ -6,20 +6,20 @@ Written by `python -m tests.core.passes`.
 from bondem._passes import StepEntry
 from bondem._tables.beam_softening_tables import SofteningBounds
 from bondem._tables.damage_tables import Candidates, FailureBounds
-from bondem._tables.step_tables import AlikeBeams, Beams, Dashpots, Moving, StepCut
+from bondem._tables.step_tables import AlikeBeams, Beams, Dashpots, Moving, StepBlocks
 
 
-def add_alike_beam_loads(moving: Moving, beams: Beams, alike_beams: AlikeBeams, step_cut: StepCut) -> StepEntry:
+def add_alike_beam_loads(moving: Moving, beams: Beams, alike_beams: AlikeBeams, step_blocks: StepBlocks) -> StepEntry:
     """Adds forces and torques of beams that differ in length only.
 
     Over bonds of a block. Reads `pose` at both ends; adds `sums` to elements.
     """
-    return StepEntry("add_alike_beam_loads", (moving, beams, alike_beams, step_cut))
+    return StepEntry("add_alike_beam_loads", (moving, beams, alike_beams, step_blocks))
 
 
 def add_alike_beam_loads_softening_by_mohr_coulomb(
-    moving: Moving, beams: Beams, alike_beams: AlikeBeams, step_cut: StepCut, softening_bounds: SofteningBounds,
-    candidates: Candidates
+    moving: Moving, beams: Beams, alike_beams: AlikeBeams, step_blocks: StepBlocks, softening_bounds:
+    SofteningBounds, candidates: Candidates
 ) -> StepEntry:
     """Adds forces and torques of beams that may soften and differ in length only, with the pressure on softened
     ones.
@@ -27,13 +27,13 @@ def add_alike_beam_loads_softening_by_mohr_coulomb(
     Over bonds of a block. Reads `motion`, `pose` at both ends; adds `sums` to elements.
     """
     return StepEntry("add_alike_beam_loads_softening_by_mohr_coulomb", (
-        moving, beams, alike_beams, step_cut, softening_bounds, candidates
+        moving, beams, alike_beams, step_blocks, softening_bounds, candidates
     ))
 
 
 def add_alike_beam_loads_softening_by_peripheral_stress(
-    moving: Moving, beams: Beams, alike_beams: AlikeBeams, step_cut: StepCut, softening_bounds: SofteningBounds,
-    candidates: Candidates
+    moving: Moving, beams: Beams, alike_beams: AlikeBeams, step_blocks: StepBlocks, softening_bounds:
+    SofteningBounds, candidates: Candidates
 ) -> StepEntry:
     """Adds forces and torques of beams that may soften and differ in length only, with the pressure on softened
     ones.
@@ -41,52 +41,54 @@ def add_alike_beam_loads_softening_by_peripheral_stress(
     Over bonds of a block. Reads `motion`, `pose` at both ends; adds `sums` to elements.
     """
     return StepEntry("add_alike_beam_loads_softening_by_peripheral_stress", (
-        moving, beams, alike_beams, step_cut, softening_bounds, candidates
+        moving, beams, alike_beams, step_blocks, softening_bounds, candidates
     ))
 
 
-def add_beam_loads(moving: Moving, beams: Beams, step_cut: StepCut) -> StepEntry:
+def add_beam_loads(moving: Moving, beams: Beams, step_blocks: StepBlocks) -> StepEntry:
     """Adds forces and torques of the beams of a block to the sums of their elements.
 
     Over bonds of a block. Reads `pose` at both ends; adds `sums` to elements.
     """
-    return StepEntry("add_beam_loads", (moving, beams, step_cut))
+    return StepEntry("add_beam_loads", (moving, beams, step_blocks))
 
 
 def add_beam_loads_softening_by_mohr_coulomb(
-    moving: Moving, beams: Beams, step_cut: StepCut, softening_bounds: SofteningBounds, candidates: Candidates
+    moving: Moving, beams: Beams, step_blocks: StepBlocks, softening_bounds: SofteningBounds, candidates:
+    Candidates
 ) -> StepEntry:
     """Adds forces and torques of beams that may soften, with the pressure on softened ones.
 
     Over bonds of a block. Reads `motion`, `pose` at both ends; adds `sums` to elements.
     """
     return StepEntry("add_beam_loads_softening_by_mohr_coulomb", (
-        moving, beams, step_cut, softening_bounds, candidates
+        moving, beams, step_blocks, softening_bounds, candidates
     ))
 
 
 def add_beam_loads_softening_by_peripheral_stress(
-    moving: Moving, beams: Beams, step_cut: StepCut, softening_bounds: SofteningBounds, candidates: Candidates
+    moving: Moving, beams: Beams, step_blocks: StepBlocks, softening_bounds: SofteningBounds, candidates:
+    Candidates
 ) -> StepEntry:
     """Adds forces and torques of beams that may soften, with the pressure on softened ones.
 
     Over bonds of a block. Reads `motion`, `pose` at both ends; adds `sums` to elements.
     """
     return StepEntry("add_beam_loads_softening_by_peripheral_stress", (
-        moving, beams, step_cut, softening_bounds, candidates
+        moving, beams, step_blocks, softening_bounds, candidates
     ))
 
 
-def add_dashpot_loads(moving: Moving, beams: Beams, dashpots: Dashpots, step_cut: StepCut) -> StepEntry:
+def add_dashpot_loads(moving: Moving, beams: Beams, dashpots: Dashpots, step_blocks: StepBlocks) -> StepEntry:
     """Adds forces and torques of the dashpots of beams to sums of their own.
 
     Over bonds of a block. Reads `motion`, `pose` at both ends; adds `Dashpots.sums` to elements.
     """
-    return StepEntry("add_dashpot_loads", (moving, beams, dashpots, step_cut))
+    return StepEntry("add_dashpot_loads", (moving, beams, dashpots, step_blocks))
 
 
 def add_marked_alike_beam_loads(
-    moving: Moving, beams: Beams, alike_beams: AlikeBeams, step_cut: StepCut, failure_bounds: FailureBounds,
+    moving: Moving, beams: Beams, alike_beams: AlikeBeams, step_blocks: StepBlocks, failure_bounds: FailureBounds,
     candidates: Candidates
 ) -> StepEntry:
     """Adds forces and torques of beams that differ in length only, and marks beams near to failure.
@@ -94,18 +96,18 @@ def add_marked_alike_beam_loads(
     Over bonds of a block. Reads `pose` at both ends; adds `sums` to elements.
     """
     return StepEntry("add_marked_alike_beam_loads", (
-        moving, beams, alike_beams, step_cut, failure_bounds, candidates
+        moving, beams, alike_beams, step_blocks, failure_bounds, candidates
     ))
 
 
 def add_marked_beam_loads(
-    moving: Moving, beams: Beams, step_cut: StepCut, failure_bounds: FailureBounds, candidates: Candidates
+    moving: Moving, beams: Beams, step_blocks: StepBlocks, failure_bounds: FailureBounds, candidates: Candidates
 ) -> StepEntry:
     """Adds forces and torques of the beams of a block, and marks beams near to failure.
 
     Over bonds of a block. Reads `pose` at both ends; adds `sums` to elements.
     """
-    return StepEntry("add_marked_beam_loads", (moving, beams, step_cut, failure_bounds, candidates))
+    return StepEntry("add_marked_beam_loads", (moving, beams, step_blocks, failure_bounds, candidates))
 
 
 #: Passes `add_alike_beam_loads_softening_by_…` by the name of their criterion.

@@ -4,16 +4,16 @@ Written by `python -m tests.core.passes`.
 """
 
 from bondem._passes import StepEntry
-from bondem._tables.step_tables import BodyForces, Moving, StepCut, Timeline
+from bondem._tables.step_tables import BodyForces, Moving, StepBlocks, Timeline
 
 
-def add_body_forces(moving: Moving, step_cut: StepCut, body_forces: BodyForces) -> StepEntry:
+def add_body_forces(moving: Moving, step_blocks: StepBlocks, body_forces: BodyForces) -> StepEntry:
     """Adds body forces to the sums, and their work over the half of the step that ends.
 
     Over elements of a block, then shared ones. Reads `motion` of an element; changes `sums`, `work` of an
     element.
     """
-    return StepEntry("add_body_forces", (moving, step_cut, body_forces))
+    return StepEntry("add_body_forces", (moving, step_blocks, body_forces))
 
 
 def add_body_work(moving: Moving, body_forces: BodyForces) -> StepEntry:

@@ -5,15 +5,15 @@ Written by `python -m tests.core.passes`.
 
 from bondem._passes import StepEntry
 from bondem._tables.cell_tables import ElasticFacets, FacetForces, FacetsOfCells
-from bondem._tables.step_tables import Moving, StepCut
+from bondem._tables.step_tables import Moving, StepBlocks
 
 
-def collect_facet_moments(step_cut: StepCut, facet_forces: FacetForces) -> StepEntry:
+def collect_facet_moments(step_blocks: StepBlocks, facet_forces: FacetForces) -> StepEntry:
     """Adds moments of facets of other domains to the sums of shared cells, and sets their rows to zero.
 
     Over elements that domains share. Changes `FacetForces.sums` of an element.
     """
-    return StepEntry("collect_facet_moments", (step_cut, facet_forces))
+    return StepEntry("collect_facet_moments", (step_blocks, facet_forces))
 
 
 def sum_moments(

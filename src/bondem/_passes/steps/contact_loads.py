@@ -5,16 +5,16 @@ Written by `python -m tests.core.passes`.
 
 from bondem._passes import StepEntry
 from bondem._tables.contact_tables import ContactConstants, ContactPairs, ContactSums, FacePairs, NearPairs, Travel
-from bondem._tables.step_tables import Ledger, Moving, StepCut
+from bondem._tables.step_tables import Ledger, Moving, StepBlocks
 
 
-def add_contact_loads(moving: Moving, step_cut: StepCut, contact_sums: ContactSums) -> StepEntry:
+def add_contact_loads(moving: Moving, step_blocks: StepBlocks, contact_sums: ContactSums) -> StepEntry:
     """Adds forces and losses of contacts to those of the elements, and sets the former to zero.
 
-    Over elements of a block, then shared ones. Changes `ContactSums.sums`, `StepCut.sums`, `loss` of an
+    Over elements of a block, then shared ones. Changes `ContactSums.sums`, `StepBlocks.sums`, `loss` of an
     element.
     """
-    return StepEntry("add_contact_loads", (moving, step_cut, contact_sums))
+    return StepEntry("add_contact_loads", (moving, step_blocks, contact_sums))
 
 
 def add_pair_loads(

@@ -5,24 +5,26 @@ Written by `python -m tests.core.passes`.
 
 from bondem._passes import StepEntry
 from bondem._tables.cell_tables import CorrectedMass, ElasticFacets, WallConstraints
-from bondem._tables.step_tables import Ledger, Moving, Rows, StepCut
+from bondem._tables.step_tables import Ledger, Moving, Rows, StepBlocks
 
 
-def add_inertia_forces(corrected_mass: CorrectedMass, step_cut: StepCut) -> StepEntry:
+def add_inertia_forces(corrected_mass: CorrectedMass, step_blocks: StepBlocks) -> StepEntry:
     """Adds the forces of the correction to the sums of the elements.
 
     Over elements of a block, then shared ones. Reads `force` of an element; changes `sums` of an element.
     """
-    return StepEntry("add_inertia_forces", (corrected_mass, step_cut))
+    return StepEntry("add_inertia_forces", (corrected_mass, step_blocks))
 
 
-def find_accelerations(moving: Moving, rows: Rows, step_cut: StepCut, corrected_mass: CorrectedMass) -> StepEntry:
+def find_accelerations(
+    moving: Moving, rows: Rows, step_blocks: StepBlocks, corrected_mass: CorrectedMass
+) -> StepEntry:
     """Computes the accelerations of the elements by their loads alone.
 
     Over elements of a block, then shared ones. Reads `Rows.force`, `motion`, `sums` of an element; writes
     `CorrectedMass.acceleration` of an element.
     """
-    return StepEntry("find_accelerations", (moving, rows, step_cut, corrected_mass))
+    return StepEntry("find_accelerations", (moving, rows, step_blocks, corrected_mass))
 
 
 def find_dilatation_inertia(

@@ -7,15 +7,15 @@ from bondem._passes import StepEntry
 from bondem._tables.cell_tables import CellDilatation, ElasticFacets
 from bondem._tables.crack_tables import CohesiveCracks, CrackLists, FacetStrengths, StressesOfCells, YieldingCells
 from bondem._tables.damage_tables import EventLog
-from bondem._tables.step_tables import HistoryRows, Ledger, Moving, StepCut
+from bondem._tables.step_tables import HistoryRows, Ledger, Moving, StepBlocks
 
 
-def add_crack_loads(moving: Moving, crack_lists: CrackLists, step_cut: StepCut) -> StepEntry:
+def add_crack_loads(moving: Moving, crack_lists: CrackLists, step_blocks: StepBlocks) -> StepEntry:
     """Adds the forces of cracks that are treated one by one to the sums of their cells.
 
     Over elements of a block, then shared ones. Reads `sum` of an element; changes `loss`, `sums` of an element.
     """
-    return StepEntry("add_crack_loads", (moving, crack_lists, step_cut))
+    return StepEntry("add_crack_loads", (moving, crack_lists, step_blocks))
 
 
 def load_cracks(

@@ -6,7 +6,7 @@ Written by `python -m tests.core.passes`.
 from bondem._passes import StepEntry
 from bondem._tables.cell_tables import CellDilatation, ElasticFacets
 from bondem._tables.damage_tables import Candidates, FailureBounds
-from bondem._tables.step_tables import Moving, StepCut
+from bondem._tables.step_tables import Moving, StepBlocks
 
 
 def accumulate_and_mark(
@@ -40,12 +40,12 @@ def accumulate_left_dilatation(
     return StepEntry("accumulate_left_dilatation", (moving, elastic_facets, cell_dilatation))
 
 
-def collect_dilatation(step_cut: StepCut, cell_dilatation: CellDilatation) -> StepEntry:
+def collect_dilatation(step_blocks: StepBlocks, cell_dilatation: CellDilatation) -> StepEntry:
     """Adds contributions of facets of other domains to V θ of shared cells, and sets their rows to zero.
 
     Over elements that domains share. Changes `swelling` of an element.
     """
-    return StepEntry("collect_dilatation", (step_cut, cell_dilatation))
+    return StepEntry("collect_dilatation", (step_blocks, cell_dilatation))
 
 
 def stress_cells(moving: Moving, cell_dilatation: CellDilatation) -> StepEntry:

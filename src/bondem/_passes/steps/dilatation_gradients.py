@@ -5,15 +5,15 @@ Written by `python -m tests.core.passes`.
 
 from bondem._passes import StepEntry
 from bondem._tables.cell_tables import CellDilatation, DilatationGradients, WallConstraints
-from bondem._tables.step_tables import Ledger, Moving, StepCut
+from bondem._tables.step_tables import Ledger, Moving, StepBlocks
 
 
-def add_layer_torques(dilatation_gradients: DilatationGradients, step_cut: StepCut) -> StepEntry:
+def add_layer_torques(dilatation_gradients: DilatationGradients, step_blocks: StepBlocks) -> StepEntry:
     """Adds the torques of bent layers to the sums of the cells.
 
     Over elements of a block, then shared ones. Reads `torque` of an element; changes `sums` of an element.
     """
-    return StepEntry("add_layer_torques", (dilatation_gradients, step_cut))
+    return StepEntry("add_layer_torques", (dilatation_gradients, step_blocks))
 
 
 def add_stress_differences(

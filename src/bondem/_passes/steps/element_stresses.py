@@ -4,15 +4,15 @@ Written by `python -m tests.core.passes`.
 """
 
 from bondem._passes import StepEntry
-from bondem._tables.step_tables import LaggedStresses, Moving, StepCut
+from bondem._tables.step_tables import LaggedStresses, Moving, StepBlocks
 
 
-def collect_moments(step_cut: StepCut, lagged_stresses: LaggedStresses) -> StepEntry:
+def collect_moments(step_blocks: StepBlocks, lagged_stresses: LaggedStresses) -> StepEntry:
     """Adds moments of bonds of other domains to the stresses of shared elements, and sets their rows to zero.
 
     Over elements that domains share. Changes `moment` of an element.
     """
-    return StepEntry("collect_moments", (step_cut, lagged_stresses))
+    return StepEntry("collect_moments", (step_blocks, lagged_stresses))
 
 
 def find_stresses(moving: Moving, lagged_stresses: LaggedStresses) -> StepEntry:

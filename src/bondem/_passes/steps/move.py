@@ -4,42 +4,42 @@ Written by `python -m tests.core.passes`.
 """
 
 from bondem._passes import StepEntry
-from bondem._tables.step_tables import Moving, Resistance, Rows, StepCut
+from bondem._tables.step_tables import Moving, Resistance, Rows, StepBlocks
 
 
-def move_elements(moving: Moving, step_cut: StepCut) -> StepEntry:
+def move_elements(moving: Moving, step_blocks: StepBlocks) -> StepEntry:
     """Closes the step, and opens the next, for elements that own no row of the boundary.
 
     Over elements of a block, then shared ones. Changes `acceleration`, `motion`, `pose`, `sums` of an element.
     """
-    return StepEntry("move_elements", (moving, step_cut))
+    return StepEntry("move_elements", (moving, step_blocks))
 
 
-def move_resisted(moving: Moving, step_cut: StepCut, resistance: Resistance) -> StepEntry:
+def move_resisted(moving: Moving, step_blocks: StepBlocks, resistance: Resistance) -> StepEntry:
     """Closes the step, and opens the next, for damped elements that own no row of the boundary.
 
     Over elements of a block, then shared ones. Changes `acceleration`, `dashed`, `loss`, `motion`, `pose`,
     `sums` of an element.
     """
-    return StepEntry("move_resisted", (moving, step_cut, resistance))
+    return StepEntry("move_resisted", (moving, step_blocks, resistance))
 
 
-def move_resisted_rows(moving: Moving, step_cut: StepCut, rows: Rows, resistance: Resistance) -> StepEntry:
+def move_resisted_rows(moving: Moving, step_blocks: StepBlocks, rows: Rows, resistance: Resistance) -> StepEntry:
     """Closes the step, and opens the next, for damped elements that own rows of the boundary.
 
     Over elements of a block, then shared ones. Reads `force`, `full`, `half` of an element; changes
     `acceleration`, `dashed`, `loss`, `motion`, `pose`, `sums` of an element; writes `reaction` of an element.
     """
-    return StepEntry("move_resisted_rows", (moving, step_cut, rows, resistance))
+    return StepEntry("move_resisted_rows", (moving, step_blocks, rows, resistance))
 
 
-def move_rows(moving: Moving, step_cut: StepCut, rows: Rows) -> StepEntry:
+def move_rows(moving: Moving, step_blocks: StepBlocks, rows: Rows) -> StepEntry:
     """Closes the step, and opens the next, for elements that own rows of the boundary.
 
     Over elements of a block, then shared ones. Reads `force`, `full`, `half` of an element; changes
     `acceleration`, `motion`, `pose`, `sums` of an element; writes `reaction` of an element.
     """
-    return StepEntry("move_rows", (moving, step_cut, rows))
+    return StepEntry("move_rows", (moving, step_blocks, rows))
 
 
 def open_elements(moving: Moving) -> StepEntry:

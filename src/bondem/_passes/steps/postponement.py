@@ -5,7 +5,7 @@ Written by `python -m tests.core.passes`.
 
 from bondem._passes import StepEntry
 from bondem._tables.damage_tables import Candidates, EventLog, Postponed
-from bondem._tables.step_tables import Dashpots, HistoryRows, Rows, StepCut
+from bondem._tables.step_tables import Dashpots, HistoryRows, Rows, StepBlocks
 
 
 def keep_dashpots(dashpots: Dashpots, postponed: Postponed) -> StepEntry:
@@ -16,12 +16,12 @@ def keep_dashpots(dashpots: Dashpots, postponed: Postponed) -> StepEntry:
     return StepEntry("keep_dashpots", (dashpots, postponed))
 
 
-def keep_sums(step_cut: StepCut, postponed: Postponed) -> StepEntry:
+def keep_sums(step_blocks: StepBlocks, postponed: Postponed) -> StepEntry:
     """Keeps the sums of postponed elements.
 
     Over postponed elements of a block. Reads `held`, `sums` of an element; changes `kept` of an element.
     """
-    return StepEntry("keep_sums", (step_cut, postponed))
+    return StepEntry("keep_sums", (step_blocks, postponed))
 
 
 def list_postponed(rows: Rows, candidates: Candidates, postponed: Postponed) -> StepEntry:
@@ -32,12 +32,12 @@ def list_postponed(rows: Rows, candidates: Candidates, postponed: Postponed) -> 
     return StepEntry("list_postponed", (rows, candidates, postponed))
 
 
-def postpone_elements(step_cut: StepCut, candidates: Candidates, postponed: Postponed) -> StepEntry:
+def postpone_elements(step_blocks: StepBlocks, candidates: Candidates, postponed: Postponed) -> StepEntry:
     """Divides the elements of a block, or shared ones, into those that continue and those that are postponed.
 
     Over elements of a block, which it divides.
     """
-    return StepEntry("postpone_elements", (step_cut, candidates, postponed))
+    return StepEntry("postpone_elements", (step_blocks, candidates, postponed))
 
 
 def write_released(event_log: EventLog, history_rows: HistoryRows) -> StepEntry:

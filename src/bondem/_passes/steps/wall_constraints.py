@@ -5,7 +5,7 @@ Written by `python -m tests.core.passes`.
 
 from bondem._passes import StepEntry
 from bondem._tables.cell_tables import CellDilatation, WallConstraints
-from bondem._tables.step_tables import Moving, Rows, StepCut
+from bondem._tables.step_tables import Moving, Rows, StepBlocks
 
 
 def add_wall_dilatation(
@@ -19,12 +19,12 @@ def add_wall_dilatation(
     return StepEntry("add_wall_dilatation", (moving, wall_constraints, cell_dilatation))
 
 
-def add_wall_loads(rows: Rows, step_cut: StepCut) -> StepEntry:
+def add_wall_loads(rows: Rows, step_blocks: StepBlocks) -> StepEntry:
     """Adds the forces of walls to the sums of their cells.
 
     Over elements of a block, then shared ones. Reads `grip` of an element; changes `sums` of an element.
     """
-    return StepEntry("add_wall_loads", (rows, step_cut))
+    return StepEntry("add_wall_loads", (rows, step_blocks))
 
 
 def apply_walls(moving: Moving, wall_constraints: WallConstraints, rows: Rows) -> StepEntry:

@@ -150,19 +150,19 @@ inline void take_dashpots_off_element(Index p, const BondsOfElements &bonds, con
 
 // ---- elements that are postponed, number e of the list
 
-inline void keep_gathered_sum(Index e, const StepCut &cut, const BondsOfElements &bonds, const LoadsOfBonds &from,
-                              const Postponed &postponed) {
-    const Short p = cut.ready(e);
+inline void keep_gathered_sum(Index e, const StepBlocks &blocks, const BondsOfElements &bonds,
+                              const LoadsOfBonds &from, const Postponed &postponed) {
+    const Short p = blocks.ready(e);
     if (is_held(postponed, p)) row_at(postponed.kept.data, p) = gathered({}, p, bonds, from);
 }
-inline void keep_sum(Index e, const StepCut &cut, const Postponed &postponed) {
-    const Short p = cut.ready(e);
-    if (is_held(postponed, p)) row_at(postponed.kept.data, p) = row_at(cut.sums.data, cut.ready_row(e));
+inline void keep_sum(Index e, const StepBlocks &blocks, const Postponed &postponed) {
+    const Short p = blocks.ready(e);
+    if (is_held(postponed, p)) row_at(postponed.kept.data, p) = row_at(blocks.sums.data, blocks.ready_row(e));
 }
-inline void keep_dashed_sum(Index e, const StepCut &cut, const Dashpots &dashpots, const Postponed &postponed) {
-    const Short p = cut.ready(e);
+inline void keep_dashed_sum(Index e, const StepBlocks &blocks, const Dashpots &dashpots, const Postponed &postponed) {
+    const Short p = blocks.ready(e);
     if (is_held(postponed, p))
-        row_at(dashpots.sums.data, Short(postponed.first_row + p)) = row_at(dashpots.sums.data, cut.ready_row(e));
+        row_at(dashpots.sums.data, Short(postponed.first_row + p)) = row_at(dashpots.sums.data, blocks.ready_row(e));
 }
 
 // Finds the acceleration of a postponed element by its kept sum, and opens its next step if the run continues.
@@ -177,23 +177,24 @@ BONDEM_INLINE void resume(const DeviceSpan &span, const Moving &all, const Postp
     move(one, still, all, Wrench<double>(gather(postponed.kept.data, one.element)), row, resistance, r);
     if (clock_of(span).goes_on) open_one(p, clock_of(span), all, row);
 }
-inline void resume_free(Index e, const DeviceSpan &span, const Moving &all, const StepCut &cut, const Postponed &postponed) {
-    const Index p = cut.ready(e);
+inline void resume_free(Index e, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
+                        const Postponed &postponed) {
+    const Index p = blocks.ready(e);
     if (is_held(postponed, p)) resume(span, all, postponed, p, NoRow{}, NoRow{}, -1);
 }
-inline void resume_resisted(Index e, const DeviceSpan &span, const Moving &all, const StepCut &cut,
+inline void resume_resisted(Index e, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
                             const Resistance &resistance, const Postponed &postponed) {
-    const Index p = cut.ready(e);
+    const Index p = blocks.ready(e);
     if (is_held(postponed, p)) resume(span, all, postponed, p, NoRow{}, resistance, -1);
 }
-inline void resume_row(Index h, const DeviceSpan &span, const Moving &all, const StepCut &cut, const Rows &rows,
+inline void resume_row(Index h, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks, const Rows &rows,
                        const Postponed &postponed) {
-    const Index p = cut.ready(cut.held(0) + h), r = rows.of(p);
+    const Index p = blocks.ready(blocks.held(0) + h), r = rows.of(p);
     if (is_held(postponed, p)) resume(span, all, postponed, p, BoundaryRow(rows, r), NoRow{}, r);
 }
-inline void resume_resisted_row(Index h, const DeviceSpan &span, const Moving &all, const StepCut &cut, const Rows &rows,
-                                const Resistance &resistance, const Postponed &postponed) {
-    const Index p = cut.ready(cut.held(0) + h), r = rows.of(p);
+inline void resume_resisted_row(Index h, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
+                                const Rows &rows, const Resistance &resistance, const Postponed &postponed) {
+    const Index p = blocks.ready(blocks.held(0) + h), r = rows.of(p);
     if (is_held(postponed, p)) resume(span, all, postponed, p, BoundaryRow(rows, r), resistance, r);
 }
 inline void reopen_work_of_body(Index p, const DeviceSpan &span, const Moving &all, const BodyForces &body,

@@ -51,17 +51,18 @@ inline void twist_layer(Index p, const Moving &all, const WallConstraints &walls
                        const DilatationGradients &gradients) {
     twist_cell(all.pose, walls, gradients, p);
 }
-inline void add_layer_torque(Index e, const DilatationGradients &gradients, const StepCut &cut) {
-    for (Index axis = 0; axis < 3; axis++) cut.sums(cut.ready_row(e), 4 + axis) += gradients.torque(cut.ready(e), axis);
+inline void add_layer_torque(Index e, const DilatationGradients &gradients, const StepBlocks &blocks) {
+    for (Index axis = 0; axis < 3; axis++)
+        blocks.sums(blocks.ready_row(e), 4 + axis) += gradients.torque(blocks.ready(e), axis);
 }
 constexpr auto sum_portion_of_gradients = portion_of_elements<sum_gradient_energies>;
 
 // ---- the mass of waves of pressure
 
-inline void find_acceleration_of(Index e, const Moving &all, const Rows &rows, const StepCut &cut,
+inline void find_acceleration_of(Index e, const Moving &all, const Rows &rows, const StepBlocks &blocks,
                                  const CorrectedMass &mass) {
-    const Index p = cut.ready(e);
-    const double *const sum = &cut.sums(cut.ready_row(e), 0);
+    const Index p = blocks.ready(e);
+    const double *const sum = &blocks.sums(blocks.ready_row(e), 0);
     if (rows.of(p) < 0) find_acceleration(all, mass, sum, p);
     else find_acceleration(all, rows, mass, sum, p);
 }
@@ -73,8 +74,8 @@ inline void find_inertia_force_of(Index p, const Moving &all, const ElasticFacet
                                   const CorrectedMass &mass) {
     find_inertia_force(all, facets, walls, mass, p);
 }
-inline void add_inertia_force_of(Index e, const CorrectedMass &mass, const StepCut &cut) {
-    add_inertia_force(mass, &cut.sums(cut.ready_row(e), 0), cut.ready(e));
+inline void add_inertia_force_of(Index e, const CorrectedMass &mass, const StepBlocks &blocks) {
+    add_inertia_force(mass, &blocks.sums(blocks.ready_row(e), 0), blocks.ready(e));
 }
 constexpr auto subtract_portion_of_dilatation = portion_of_elements<subtract_dilatation_energies>;
 
@@ -122,12 +123,12 @@ inline void apply_walls_of_row(Index r, const Moving &all, const WallConstraints
     for (Index e = order.start(r); e < order.start(r + 1); e++) add_half_work(walls, rows, order.load(e));
 }
 // Tractions of element number h of those that own rows of the boundary.
-inline void add_wall_load(Index h, const Rows &rows, const StepCut &cut) {
-    const Index e = cut.held(0) + h;
-    const double *load = &rows.grip(rows.of(cut.ready(e)), 0);
+inline void add_wall_load(Index h, const Rows &rows, const StepBlocks &blocks) {
+    const Index e = blocks.held(0) + h;
+    const double *load = &rows.grip(rows.of(blocks.ready(e)), 0);
     for (Index axis = 0; axis < 3; axis++) {
-        cut.sums(cut.ready_row(e), axis) += load[axis];
-        cut.sums(cut.ready_row(e), 4 + axis) += load[3 + axis];
+        blocks.sums(blocks.ready_row(e), axis) += load[axis];
+        blocks.sums(blocks.ready_row(e), 4 + axis) += load[3 + axis];
     }
 }
 
@@ -148,9 +149,9 @@ inline void give_dilatation(Index p, const DeviceSpan &span, const FacetTraction
     cells.given(p) = sum;
 }
 // Number h of the elements that own rows, as cells with tractions do.
-inline void add_traction_work_of_row(Index h, const Moving &all, const StepCut &cut, const FacetTractions &tractions,
-                                     const Rows &rows) {
-    add_traction_work_of(all, tractions, rows, cut.ready(cut.held(0) + h));
+inline void add_traction_work_of_row(Index h, const Moving &all, const StepBlocks &blocks,
+                                     const FacetTractions &tractions, const Rows &rows) {
+    add_traction_work_of(all, tractions, rows, blocks.ready(blocks.held(0) + h));
 }
 
 // ---- sums for the guard and the history

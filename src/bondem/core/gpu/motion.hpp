@@ -26,16 +26,16 @@ BONDEM_INLINE Row<double> gathered(Row<double> sum, Index p, const BondsOfElemen
     return sum;
 }
 // Adds up the loads of bonds of an element in memory, where further loads act on elements.
-inline void gather_loads(Index e, const StepCut &cut, const BondsOfElements &bonds, const LoadsOfBonds &from) {
-    const Short row = cut.ready_row(e);
-    scatter(cut.sums.data, row, gathered(gather(cut.sums.data, row), cut.ready(e), bonds, from));
+inline void gather_loads(Index e, const StepBlocks &blocks, const BondsOfElements &bonds, const LoadsOfBonds &from) {
+    const Short row = blocks.ready_row(e);
+    scatter(blocks.sums.data, row, gathered(gather(blocks.sums.data, row), blocks.ready(e), bonds, from));
 }
-inline void gather_dashpots(Index e, const StepCut &cut, const BondsOfElements &bonds, const LoadsOfBonds &from,
+inline void gather_dashpots(Index e, const StepBlocks &blocks, const BondsOfElements &bonds, const LoadsOfBonds &from,
                             const Dashpots &dashpots) {
-    const Short row = cut.ready_row(e);
-    const Row<double> sum = gathered({}, cut.ready(e), bonds, from);
+    const Short row = blocks.ready_row(e);
+    const Row<double> sum = gathered({}, blocks.ready(e), bonds, from);
     scatter(dashpots.sums.data, row, sum);
-    for (Index c = 0; c < 8; c++) cut.sums(row, c) += sum.column[c];
+    for (Index c = 0; c < 8; c++) blocks.sums(row, c) += sum.column[c];
 }
 
 // The load of an element: the sum over its bonds, or the sum in memory, which is set to zero.
@@ -45,10 +45,10 @@ struct Gathered {
     BONDEM_INLINE Wrench<double> on(const One &one) const { return Wrench<double>(gathered({}, one.element, bonds, from)); }
 };
 struct Summed {
-    const StepCut &cut;
+    const StepBlocks &blocks;
     BONDEM_INLINE Wrench<double> on(const One &one) const {
-        const Wrench<double> load(gather(cut.sums.data, one.row));
-        clear(cut.sums.data, one.row);
+        const Wrench<double> load(gather(blocks.sums.data, one.row));
+        clear(blocks.sums.data, one.row);
         return load;
     }
 };
@@ -62,50 +62,51 @@ BONDEM_INLINE Clock clock_on(const DeviceSpan &span, Index p) {
 
 // Moves element number e of those without a row of the boundary, or number h of those with a row.
 template <class Load, class Resisted>
-BONDEM_INLINE void move_free_one(Index e, const DeviceSpan &span, const Moving &all, const StepCut &cut, const Load &load,
-                                 const Resisted &resistance) {
-    const One one(range_of(span, cut, e), e);
+BONDEM_INLINE void move_free_one(Index e, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
+                                 const Load &load, const Resisted &resistance) {
+    const One one(range_of(span, blocks, e), e);
     move(one, clock_on(span, one.element), all, load.on(one), NoRow{}, resistance, -1);
 }
 template <class Load, class Resisted>
-BONDEM_INLINE void move_held_one(Index h, const DeviceSpan &span, const Moving &all, const StepCut &cut, const Rows &rows,
-                                 const Load &load, const Resisted &resistance) {
-    const Index e = cut.held(0) + h;
-    const One one(range_of(span, cut, e), e);
+BONDEM_INLINE void move_held_one(Index h, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
+                                 const Rows &rows, const Load &load, const Resisted &resistance) {
+    const Index e = blocks.held(0) + h;
+    const One one(range_of(span, blocks, e), e);
     const Index r = rows.of(one.element);
     move(one, clock_on(span, one.element), all, load.on(one), BoundaryRow(rows, r), resistance, r);
 }
 
-inline void move_gathered(Index e, const DeviceSpan &span, const Moving &all, const StepCut &cut,
+inline void move_gathered(Index e, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
                           const BondsOfElements &bonds, const LoadsOfBonds &from) {
-    move_free_one(e, span, all, cut, Gathered{bonds, from}, NoRow{});
+    move_free_one(e, span, all, blocks, Gathered{bonds, from}, NoRow{});
 }
-inline void move_gathered_resisted(Index e, const DeviceSpan &span, const Moving &all, const StepCut &cut,
+inline void move_gathered_resisted(Index e, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
                                    const BondsOfElements &bonds, const LoadsOfBonds &from, const Resistance &resistance) {
-    move_free_one(e, span, all, cut, Gathered{bonds, from}, resistance);
+    move_free_one(e, span, all, blocks, Gathered{bonds, from}, resistance);
 }
-inline void move_summed(Index e, const DeviceSpan &span, const Moving &all, const StepCut &cut) {
-    move_free_one(e, span, all, cut, Summed{cut}, NoRow{});
+inline void move_summed(Index e, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks) {
+    move_free_one(e, span, all, blocks, Summed{blocks}, NoRow{});
 }
-inline void move_summed_resisted(Index e, const DeviceSpan &span, const Moving &all, const StepCut &cut,
+inline void move_summed_resisted(Index e, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
                                  const Resistance &resistance) {
-    move_free_one(e, span, all, cut, Summed{cut}, resistance);
+    move_free_one(e, span, all, blocks, Summed{blocks}, resistance);
 }
-inline void move_gathered_row(Index h, const DeviceSpan &span, const Moving &all, const StepCut &cut, const Rows &rows,
-                              const BondsOfElements &bonds, const LoadsOfBonds &from) {
-    move_held_one(h, span, all, cut, rows, Gathered{bonds, from}, NoRow{});
+inline void move_gathered_row(Index h, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
+                              const Rows &rows, const BondsOfElements &bonds, const LoadsOfBonds &from) {
+    move_held_one(h, span, all, blocks, rows, Gathered{bonds, from}, NoRow{});
 }
-inline void move_gathered_resisted_row(Index h, const DeviceSpan &span, const Moving &all, const StepCut &cut,
+inline void move_gathered_resisted_row(Index h, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
                                        const Rows &rows, const BondsOfElements &bonds, const LoadsOfBonds &from,
                                        const Resistance &resistance) {
-    move_held_one(h, span, all, cut, rows, Gathered{bonds, from}, resistance);
+    move_held_one(h, span, all, blocks, rows, Gathered{bonds, from}, resistance);
 }
-inline void move_summed_row(Index h, const DeviceSpan &span, const Moving &all, const StepCut &cut, const Rows &rows) {
-    move_held_one(h, span, all, cut, rows, Summed{cut}, NoRow{});
+inline void move_summed_row(Index h, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
+                            const Rows &rows) {
+    move_held_one(h, span, all, blocks, rows, Summed{blocks}, NoRow{});
 }
-inline void move_summed_resisted_row(Index h, const DeviceSpan &span, const Moving &all, const StepCut &cut,
+inline void move_summed_resisted_row(Index h, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
                                      const Rows &rows, const Resistance &resistance) {
-    move_held_one(h, span, all, cut, rows, Summed{cut}, resistance);
+    move_held_one(h, span, all, blocks, rows, Summed{blocks}, resistance);
 }
 
 // ---- the opening of a step after a pause, and body forces
@@ -120,9 +121,9 @@ inline void open_element_or_row(Index p, const DeviceSpan &span, const Moving &a
 }
 constexpr auto open_work_of_body = one_element<open_body_work>;
 constexpr auto add_body_force = listed_element<add_body_forces>;
-inline void add_work_of_body(Index e, const DeviceSpan &span, const Moving &all, const StepCut &cut,
+inline void add_work_of_body(Index e, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
                              const BodyForces &body) {
-    if (clock_on(span, cut.ready(e)).goes_on) add_body_work(range_of(span, cut, e), all, body);
+    if (clock_on(span, blocks.ready(e)).goes_on) add_body_work(range_of(span, blocks, e), all, body);
 }
 
 }  // namespace bondem

@@ -13,13 +13,17 @@ BONDEM_INLINE Range range_of(const DeviceSpan &span, Index p) {
     return {clock_of(span), p, p + 1, p + 1, nullptr, nullptr, p, nullptr};
 }
 // A range of element number e of the list of a step, which on a device is one block.
-BONDEM_INLINE Range range_of(const DeviceSpan &span, const StepCut &cut, Index e) {
-    return {clock_of(span), e, e + 1, e + 1, cut.ready.data, cut.ready_row.data, 0, nullptr};
+BONDEM_INLINE Range range_of(const DeviceSpan &span, const StepBlocks &blocks, Index e) {
+    return {clock_of(span), e, e + 1, e + 1, blocks.ready.data, blocks.ready_row.data, 0, nullptr};
 }
-BONDEM_INLINE const StepCut &cut_among(const StepCut &cut) { return cut; }
-template <class... Tables> BONDEM_INLINE const StepCut &cut_among(const StepCut &cut, const Tables &...) { return cut; }
+BONDEM_INLINE const StepBlocks &blocks_among(const StepBlocks &blocks) { return blocks; }
+template <class... Tables> BONDEM_INLINE const StepBlocks &blocks_among(const StepBlocks &blocks, const Tables &...) {
+    return blocks;
+}
 template <class Table, class... Tables>
-BONDEM_INLINE const StepCut &cut_among(const Table &, const Tables &...tables) { return cut_among(tables...); }
+BONDEM_INLINE const StepBlocks &blocks_among(const Table &, const Tables &...tables) {
+    return blocks_among(tables...);
+}
 // A range of portion b of elements or bonds.
 BONDEM_INLINE Range portion_of(const DeviceSpan &span, Index b, Index size, Index count) {
     const Index last = least((b + 1) * size, count);
@@ -34,7 +38,7 @@ template <class... Tables, void (*pass)(const Range &, const Tables &...)> struc
         pass(range_of(span, p), tables...);
     }
     static void listed(Index e, const DeviceSpan &span, const Tables &...tables) {
-        pass(range_of(span, cut_among(tables...), e), tables...);
+        pass(range_of(span, blocks_among(tables...), e), tables...);
     }
     static void elements(Index b, const DeviceSpan &span, const Tables &...tables) {
         pass(portion_of(span, b, elements_of_portion, span.n), tables...);

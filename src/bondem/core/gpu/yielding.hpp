@@ -18,10 +18,11 @@ inline void yield_cell(Index p, const DeviceSpan &span, const Moving &all, const
     });
 }
 // Number h of the elements that own rows, as cells with loads on free facets do.
-inline void add_yielding_work_of_row(Index h, const DeviceSpan &span, const StepCut &cut, const FacetTractions &tractions,
-                                     const StressesOfCells &stresses, const YieldingCells &cells, const Rows &rows) {
+inline void add_yielding_work_of_row(Index h, const DeviceSpan &span, const StepBlocks &blocks,
+                                     const FacetTractions &tractions, const StressesOfCells &stresses,
+                                     const YieldingCells &cells, const Rows &rows) {
     if (!takes_time(span)) return;
-    add_yielding_work_of(tractions, stresses, cells, rows, cut.ready(cut.held(0) + h));
+    add_yielding_work_of(tractions, stresses, cells, rows, blocks.ready(blocks.held(0) + h));
 }
 constexpr auto sum_portion_of_heat = portion_of_elements<sum_heat>;
 

@@ -80,7 +80,7 @@ struct FacetForces {
     Array<double, 2> force;  // of each facet on its cell i in the last step [N], (3, m)
     // V σ of each cell, xx, yy, zz, xy, xz, yz [J], and the square of its bending [Pa²]
     Array<double, 2> moment;  // (n, 7)
-    Array<double, 2> sums;  // sums of them in rows as `StepCut.sums`, (*, 8)
+    Array<double, 2> sums;  // sums of them in rows as `StepBlocks.sums`, (*, 8)
 };
 // Facets of each cell: first those of which it is j, then those of which it is i.
 struct FacetsOfCells {

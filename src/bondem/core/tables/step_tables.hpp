@@ -67,11 +67,11 @@ struct BeamTurns {
 struct Dashpots {
     Array<const double, 2> c;  // cn, cs [N·s/m], cb, ct [N·m·s], (4, m)
     Array<const double, 1> share;  // where the contact point divides a beam, from i [-], (m,)
-    Array<double, 2> sums;  // on each element, in rows as `StepCut.sums`, (*, 8)
+    Array<double, 2> sums;  // on each element, in rows as `StepBlocks.sums`, (*, 8)
 };
 
 // Division of a step in the form of the core (attributes of `Blocks`), and the sums that it adds to.
-struct StepCut {
+struct StepBlocks {
     Array<const Index, 1> domain;  // (domains + 1,)
     Array<const Index, 1> bond;  // (blocks + 1,)
     Array<const Index, 1> move;  // (blocks + 1,)

@@ -17,7 +17,7 @@ from bondem._tables.device_tables import (
     LoadsOfBonds,
     RowOrder,
 )
-from bondem._tables.step_tables import Ledger, StepCut
+from bondem._tables.step_tables import Ledger, StepBlocks
 from bondem.dynamics.on_device.device_tables import new_row_order
 from bondem.specimen.ordering import Layout
 
@@ -29,14 +29,14 @@ class Translation:
 
     Args:
         layout: elements and bonds.
-        cut: cut of a step into one block, whose list has the elements that own rows of the boundary last.
+        blocks: division of a step into one block, whose list has the elements that own rows of the boundary last.
         ledger: sums of a record or a guard.
         rows: number of rows of the boundary.
         postponed: elements that failures postpone, uint8, (n,), or (0,) where nothing fails.
         further: whether loads act on elements beside those of their bonds; their sums are in memory then.
 
     Attributes:
-        cut: cut of the step.
+        blocks: division of the step into blocks.
         ledger: sums of a record or a guard.
         span: clock of the run, elements and bonds.
         bonds: bonds of each element.
@@ -50,11 +50,11 @@ class Translation:
     """
 
     def __init__(
-        self, layout: Layout, cut: StepCut, ledger: Ledger, rows: int, postponed: np.ndarray, *, further: bool
+        self, layout: Layout, blocks: StepBlocks, ledger: Ledger, rows: int, postponed: np.ndarray, *, further: bool
     ) -> None:
         n, m = len(layout.order), len(layout.i)
-        self.cut, self.ledger, self.further = cut, ledger, further
-        self.held = n - int(cut.held[0])
+        self.blocks, self.ledger, self.further = blocks, ledger, further
+        self.held = n - int(blocks.held[0])
         self.span = DeviceSpan(np.zeros(9, dtype=np.int64), postponed, np.zeros(1, dtype=np.int64), n, m)
         self.bonds = BondsOfElements(
             layout.in_start.astype(np.int32), layout.out_start.astype(np.int32), np.ascontiguousarray(layout.out_bond)
@@ -69,7 +69,7 @@ class Translation:
     @property
     def work_spaces(self) -> list[np.ndarray]:
         """Arrays that only the device reads."""
-        return [self.loads.load, self.dashed.load, self.cut.sums, *self.scratch, *(log.event for log in self.logs)]
+        return [self.loads.load, self.dashed.load, self.blocks.sums, *self.scratch, *(log.event for log in self.logs)]
 
     def keep_log(self, log: EventLog) -> None:
         """Take note of a table of events."""
@@ -104,7 +104,7 @@ Made = Mapping[type, Callable[[Translation, Given], Any]]
 
 _OF_RUN: Made = {
     DeviceSpan: lambda run, _: run.span,
-    StepCut: lambda run, _: run.cut,
+    StepBlocks: lambda run, _: run.blocks,
     Ledger: lambda run, _: run.ledger,
     BondsOfElements: lambda run, _: run.bonds,
     LoadsOfBonds: lambda run, _: run.loads,

@@ -4,7 +4,7 @@ import numpy as np
 
 from bondem._cache_lines import exact_sums
 from bondem._passes import StepEntry, steps
-from bondem._tables.step_tables import AlikeBeams, Beams, Dashpots, Moving, StepCut, Strain
+from bondem._tables.step_tables import AlikeBeams, Beams, Dashpots, Moving, StepBlocks, Strain
 from bondem.damage.breakage_part import breakage
 from bondem.damage.damage_part import BondParts, DamageTables, Joints, damage_of
 from bondem.damage.softening_part import SofteningTables, softening
@@ -20,13 +20,13 @@ def beams(
     _: Interaction, model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, __: float
 ) -> BondParts:
     """Return the parts of beams, with dashpots beside them or without: their forces, and their breakage."""
-    moving, cut, ledger = shared.moving, shared.cut, shared.ledger
+    moving, blocks, ledger = shared.moving, shared.blocks, shared.ledger
     strain = _changing_strain(model, state)
     bonds = model.bonds.stretched(state.eigenstrain)
     if strain is not None:  # lengths change during the run
         bonds = bonds.separate()
     table, alike = beam_tables(bonds, model.layout, model.period, state.integrity, may_share=strain is None)
-    damage = damage_of(model.breaking, state, cut, len(table.i))
+    damage = damage_of(model.breaking, state, blocks, len(table.i))
     soft, failure = None, []
     if damage is not None and model.beam_softening is not None:
         soft = SofteningTables.of(model.beam_softening, damage, state, table, alike, handed=model.hands_over)
@@ -34,9 +34,9 @@ def beams(
     elif damage is not None:
         failure = [breakage(damage, state, shared, table, alike, dashpots)]
     present = [] if strain is None else [steps.follow_strains(shared.timeline, strain, moving, table, shared.rows)]
-    loads: Passes = [_loads(moving, table, alike, cut, damage, soft)]
+    loads: Passes = [_loads(moving, table, alike, blocks, damage, soft)]
     if dashpots is not None:
-        loads.append(steps.add_dashpot_loads(moving, table, dashpots, cut))
+        loads.append(steps.add_dashpot_loads(moving, table, dashpots, blocks))
     forces = Part(
         {"present": present, "loads": loads, "guard": [steps.check_beams(moving, table, ledger)]},
         record=lambda _: [steps.sum_beam_energies(moving, table, ledger)],
@@ -70,20 +70,20 @@ def _loads(
     moving: Moving,
     table: Beams,
     alike: AlikeBeams | None,
-    cut: StepCut,
+    blocks: StepBlocks,
     damage: DamageTables | None,
     soft: SofteningTables | None,
 ) -> StepEntry:
     """Return the pass of forces: of beams that share their constants or not, and that break, soften, or do not."""
     if damage is None:
         if alike is None:
-            return steps.add_beam_loads(moving, table, cut)
-        return steps.add_alike_beam_loads(moving, table, alike, cut)
+            return steps.add_beam_loads(moving, table, blocks)
+        return steps.add_alike_beam_loads(moving, table, alike, blocks)
     kind, candidates = damage.table.kind, damage.candidates
     if soft is None:
         if alike is None:
-            return steps.add_marked_beam_loads(moving, table, cut, damage.bounds, candidates)
-        return steps.add_marked_alike_beam_loads(moving, table, alike, cut, damage.bounds, candidates)
+            return steps.add_marked_beam_loads(moving, table, blocks, damage.bounds, candidates)
+        return steps.add_marked_alike_beam_loads(moving, table, alike, blocks, damage.bounds, candidates)
     if alike is None:
-        return steps.ADD_BEAM_LOADS_SOFTENING_BY[kind](moving, table, cut, soft.bounds, candidates)
-    return steps.ADD_ALIKE_BEAM_LOADS_SOFTENING_BY[kind](moving, table, alike, cut, soft.bounds, candidates)
+        return steps.ADD_BEAM_LOADS_SOFTENING_BY[kind](moving, table, blocks, soft.bounds, candidates)
+    return steps.ADD_ALIKE_BEAM_LOADS_SOFTENING_BY[kind](moving, table, alike, blocks, soft.bounds, candidates)

@@ -26,7 +26,7 @@ def body_forces(model: Model, state: State, shared: SharedTables) -> Part | None
     return Part({
         "present": [steps.follow_body_forces(shared.timeline, table)],
         "opening": [steps.open_body_work(shared.moving, table)],
-        "add": [steps.add_body_forces(shared.moving, shared.cut, table)],
+        "add": [steps.add_body_forces(shared.moving, shared.blocks, table)],
         "settle": [steps.add_body_work(shared.moving, table)],
         "reopening": [steps.add_body_work(shared.moving, table)],
     })  # fmt: skip

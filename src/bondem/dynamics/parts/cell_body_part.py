@@ -37,7 +37,7 @@ def body_of_cells(
         return BondParts(cracking.parts(elastic), Joints.of_cracks(apart(model, state), state, cracking.joints))
     left = constants.damaged(state.integrity, layout.i, layout.j)
     body = BodyOfCells.of(model, left, state, shared, dashpots)
-    damage = damage_of(model.breaking, state, shared.cut, len(body.facets.i))
+    damage = damage_of(model.breaking, state, shared.blocks, len(body.facets.i))
     forces = cells(shared, model, state, body, damage=damage)
     parts = [forces, *mass_of_waves(model, shared, body)]
     if damage is not None:

@@ -16,7 +16,7 @@ from bondem._tables.cell_tables import (
     FacetTractions,
     WallConstraints,
 )
-from bondem._tables.step_tables import Beams, Dashpots, StepCut
+from bondem._tables.step_tables import Beams, Dashpots, StepBlocks
 from bondem._types import Ints
 from bondem.damage.damage_part import DamageTables
 from bondem.dynamics.parts.shared_tables import SharedTables
@@ -45,7 +45,7 @@ class BodyOfCells(NamedTuple):
     ) -> "BodyOfCells":
         """Return the tables of a run from a state, whose arrays they share, with dashpots beside facets or none."""
         layout, period = model.layout, model.period
-        to_i = _places(shared.cut, layout.i, len(layout.order))
+        to_i = _places(shared.blocks, layout.i, len(layout.order))
         facets, cells = cell_tables(constants, layout, period, state.integrity, to_i)
         dashed: tuple[tuple[Dashpots, Beams], ...] = ()
         if dashpots is not None:
@@ -86,21 +86,21 @@ def cells(
         stretch: passes that follow where stress-free strains have changed levers.
         powers: passes that find the powers of these strains at cracks, where a run begins.
     """
-    moving, cut, rows, ledger = shared.moving, shared.cut, shared.rows, shared.ledger
+    moving, blocks, rows, ledger = shared.moving, shared.blocks, shared.rows, shared.ledger
     walls, held = body.walls, len(body.walls.cell) > 0
     before: Passes = [steps.add_wall_dilatation(moving, walls, body.cells)] if held else []
     dilate: Passes = [steps.accumulate_dilatation(moving, body.facets, body.cells)]
     mark = dilate
     if damage is not None:
         mark = [steps.accumulate_and_mark(moving, body.facets, body.cells, damage.bounds, damage.candidates)]
-    collect: Passes = [steps.collect_dilatation(cut, body.cells)]
-    loads: Passes = [steps.add_facet_loads(moving, body.facets, cut)]
+    collect: Passes = [steps.collect_dilatation(blocks, body.cells)]
+    loads: Passes = [steps.add_facet_loads(moving, body.facets, blocks)]
     gather: Passes = []
     if kept is not None:
         mark = [steps.accumulate_left_dilatation(moving, body.facets, body.cells)]
-        loads = [steps.add_and_keep_facet_loads(moving, body.facets, kept, cut)]
-        gather = [steps.collect_facet_moments(cut, kept), steps.take_moments(kept)]
-    loads += [steps.add_dashpot_loads(moving, beams, dashpots, cut) for dashpots, beams in body.dashed]
+        loads = [steps.add_and_keep_facet_loads(moving, body.facets, kept, blocks)]
+        gather = [steps.collect_facet_moments(blocks, kept), steps.take_moments(kept)]
+    loads += [steps.add_dashpot_loads(moving, beams, dashpots, blocks) for dashpots, beams in body.dashed]
     present, beside, behind = _changing(shared, body, stretch, powers)
     constrain: Passes = [*beside, steps.apply_walls(moving, walls, rows)] if held else [*beside]
     gradients, torques, sums = _of_gradients(shared, body)
@@ -115,7 +115,7 @@ def cells(
             "prepare": [*beside, *before, *mark, *collect, steps.stress_cells(moving, body.cells)],
             "stress": gradients,
             "constrain": [*constrain, *behind], "loads": loads, "gather": gather,
-            "add": [*([steps.add_wall_loads(rows, cut)] if held else []), *torques],
+            "add": [*([steps.add_wall_loads(rows, blocks)] if held else []), *torques],
             "guard": [steps.check_facets(moving, body.facets, ledger)],
         },
         record=lambda _: [*(energies if kept is None else [facets]), *holds],
@@ -133,7 +133,7 @@ def _of_gradients(shared: SharedTables, body: BodyOfCells) -> tuple[Passes, Pass
     if len(gradients.weight):
         stresses.append(steps.bend_layers(moving, body.walls, gradients))
         stresses.append(steps.twist_layers(moving, body.walls, gradients))
-        torques.append(steps.add_layer_torques(gradients, shared.cut))
+        torques.append(steps.add_layer_torques(gradients, shared.blocks))
     if not stresses:
         return [], [], []
     energies = steps.sum_gradient_energies(moving, body.cells, body.walls, gradients, shared.ledger)
@@ -162,10 +162,10 @@ def _changing(
     return present, beside, behind
 
 
-def _places(cut: StepCut, i: np.ndarray, n: int) -> np.ndarray:
+def _places(blocks: StepBlocks, i: np.ndarray, n: int) -> np.ndarray:
     """Return the place where each facet adds to V θ of its cell i, or one behind all n cells, uint32, (m,)."""
-    row = cut.row_i[: len(i)].astype(np.int64)
-    return np.where(row < cut.parts, i, n + row - cut.parts).astype(np.uint32)
+    row = blocks.row_i[: len(i)].astype(np.int64)
+    return np.where(row < blocks.parts, i, n + row - blocks.parts).astype(np.uint32)
 
 
 def _tractions(model: Model) -> tuple[FacetTractions, ...]:

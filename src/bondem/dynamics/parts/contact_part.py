@@ -148,7 +148,7 @@ class ContactTables:
             ]
             guard.append(steps.count_wall_work(walls, s.ledger))
         contacts.append(steps.keep_measures(self._near, self._travel))
-        loads: Passes = [steps.add_contact_loads(s.moving, s.cut, self._sums)]
+        loads: Passes = [steps.add_contact_loads(s.moving, s.blocks, self._sums)]
         stages = {**self._after_failure(), "travel": travel, "contacts": contacts, "add": loads, "guard": guard}
         return Part(stages, record=self._record, keep=self._keep, renewed=self._renewed)
 

@@ -26,9 +26,9 @@ def mass_of_waves(model: Model, shared: SharedTables, body: BodyOfCells) -> list
         Part(
             {
                 "correct": [
-                    steps.find_accelerations(shared.moving, shared.rows, shared.cut, mass),
+                    steps.find_accelerations(shared.moving, shared.rows, shared.blocks, mass),
                     steps.find_dilatation_inertia(*of_cells), steps.find_inertia_forces(*of_cells),
-                    steps.add_inertia_forces(mass, shared.cut),
+                    steps.add_inertia_forces(mass, shared.blocks),
                 ],
             },
             kinetic=[steps.subtract_dilatation_energies(*of_cells, shared.ledger)],

@@ -3,7 +3,7 @@
 import numpy as np
 
 from bondem._passes import steps
-from bondem._tables.step_tables import Dashpots, Resistance, StepCut
+from bondem._tables.step_tables import Dashpots, Resistance, StepBlocks
 from bondem.dynamics.damping import DampingTerms
 from bondem.dynamics.dashpots import bond_dashpots
 from bondem.dynamics.parts.shared_tables import SharedTables
@@ -14,18 +14,18 @@ from bondem.model.model import Model
 
 def motion(shared: SharedTables, dashpots: Dashpots | None, resistance: Resistance | None) -> Part:
     """Return the part that gathers forces and moves elements."""
-    moving, cut, rows = shared.moving, shared.cut, shared.rows
+    moving, blocks, rows = shared.moving, shared.blocks, shared.rows
     opening: Passes = [steps.open_elements_and_rows(moving, rows) if shared.owned else steps.open_elements(moving)]
-    gather: Passes = [steps.collect_sums(cut)]
+    gather: Passes = [steps.collect_sums(blocks)]
     if dashpots is not None:
-        gather += [steps.collect_dashpots(cut, dashpots), steps.add_dashpots(cut, dashpots)]
+        gather += [steps.collect_dashpots(blocks, dashpots), steps.add_dashpots(blocks, dashpots)]
     move: Passes
     if resistance is None:
-        move = [steps.move_elements(moving, cut)]
-        held = steps.move_rows(moving, cut, rows)
+        move = [steps.move_elements(moving, blocks)]
+        held = steps.move_rows(moving, blocks, rows)
     else:
-        move = [steps.move_resisted(moving, cut, resistance)]
-        held = steps.move_resisted_rows(moving, cut, rows, resistance)
+        move = [steps.move_resisted(moving, blocks, resistance)]
+        held = steps.move_resisted_rows(moving, blocks, rows, resistance)
     reopening: Passes = [steps.reopen_elements(moving)]
     if shared.owned:
         move.append(held)
@@ -33,12 +33,12 @@ def motion(shared: SharedTables, dashpots: Dashpots | None, resistance: Resistan
     return Part({"opening": opening, "gather": gather, "move": move, "resume": move, "reopening": reopening})
 
 
-def dashpots_of(model: Model, terms: DampingTerms, cut: StepCut) -> Dashpots | None:
+def dashpots_of(model: Model, terms: DampingTerms, blocks: StepBlocks) -> Dashpots | None:
     """Return the dashpots of bonds, or None."""
     if terms.eta == 0.0 and terms.beta == 0.0:
         return None
     share = model.bonds.lever / model.bonds.length
-    return Dashpots(with_zeros(bond_dashpots(model, terms)), with_zeros(share), np.zeros((len(cut.sums), 8)))
+    return Dashpots(with_zeros(bond_dashpots(model, terms)), with_zeros(share), np.zeros((len(blocks.sums), 8)))
 
 
 def resistance_of(model: Model, terms: DampingTerms, dashpots: Dashpots | None) -> Resistance | None:

@@ -3,7 +3,7 @@
 from dataclasses import replace
 from functools import singledispatch
 
-from bondem._tables.step_tables import Dashpots, Gauges, StepCut
+from bondem._tables.step_tables import Dashpots, Gauges, StepBlocks
 from bondem._types import PerBond
 from bondem.damage.damage_part import BondParts, Joints, damage_of
 from bondem.dynamics.damping import DampingTerms
@@ -27,11 +27,11 @@ from bondem.model.state import State
 
 
 def parts_of(
-    model: Model, terms: DampingTerms, state: State, cut: StepCut, gauges: Gauges, dt: float
+    model: Model, terms: DampingTerms, state: State, blocks: StepBlocks, gauges: Gauges, dt: float
 ) -> tuple[SharedTables, list[Part]]:
     """Return the tables and the parts of a run from a state, whose arrays they share."""
-    shared = SharedTables.of(model, state, cut)
-    dashpots = dashpots_of(model, terms, cut)
+    shared = SharedTables.of(model, state, blocks)
+    dashpots = dashpots_of(model, terms, blocks)
     bonds = _bonds(model.interaction, model, state, shared, dashpots, dt)
     contacts, moments = [], []
     if model.contact is not None:
@@ -56,15 +56,15 @@ def parts_in_one_block(model: Model, plan: Plan, state: State, dt: float) -> tup
     """Return the tables and the parts of a step that is one block."""
     block = max(len(state.pose), 1)
     kept = 0 if model.breaking is None else len(state.pose)
-    cut = Blocks.of(model.layout, block, 1, model.constraints.row_of >= 0).table(kept)
-    return parts_of(model, DampingTerms.of(plan.damping), state, cut, gauge_tables(model, plan), dt)
+    blocks = Blocks.of(model.layout, block, 1, model.constraints.row_of >= 0).table(kept)
+    return parts_of(model, DampingTerms.of(plan.damping), state, blocks, gauge_tables(model, plan), dt)
 
 
 def _of_law(
     law: SteppingInteraction, model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, _: float
 ) -> BondParts:
     """Return the parts that a law gives itself."""
-    damage = damage_of(model.breaking, state, shared.cut, len(with_twins(model.layout.i)))
+    damage = damage_of(model.breaking, state, shared.blocks, len(with_twins(model.layout.i)))
 
     def failing(judge: Passes, remove: Passes, integrity: PerBond) -> Part:
         assert damage is not None
@@ -72,7 +72,7 @@ def _of_law(
         return replace(part, keep=lambda: damage.keep(integrity, state))
 
     touches = model.contact is not None
-    run = Run(shared.moving, shared.cut, shared.ledger, state.of_law, dashpots, damage, failing, touches)
+    run = Run(shared.moving, shared.blocks, shared.ledger, state.of_law, dashpots, damage, failing, touches)
     found = law.parts(run)
     return BondParts(found.parts, Joints(found.integrity, apart(model, state), damage), found.stresses)
 

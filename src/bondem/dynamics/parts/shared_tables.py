@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from bondem._tables.step_tables import Ledger, Moving, Rows, StepCut, Timeline
+from bondem._tables.step_tables import Ledger, Moving, Rows, StepBlocks, Timeline
 from bondem._types import PerBond
 from bondem.dynamics.step_tables import new_ledger
 from bondem.model.constraints import Schedules
@@ -17,7 +17,7 @@ class SharedTables:
     Attributes:
         moving: motion of the elements.
         rows: rows of the boundary.
-        cut: cut of a step into domains and blocks, and sums of forces.
+        blocks: division of a step into domains and blocks, and sums of forces.
         ledger: sums of a record or a guard.
         schedules: schedules of the boundary.
         timeline: the functions of time of these schedules.
@@ -26,21 +26,21 @@ class SharedTables:
 
     moving: Moving
     rows: Rows
-    cut: StepCut
+    blocks: StepBlocks
     ledger: Ledger
     schedules: Schedules
     timeline: Timeline
     owned: bool
 
     @classmethod
-    def of(cls, model: Model, state: State, cut: StepCut) -> "SharedTables":
+    def of(cls, model: Model, state: State, blocks: StepBlocks) -> "SharedTables":
         """Return the tables of a run."""
         held = model.constraints
         times = held.schedules
         return cls(
             moving=Moving(state.pose, state.motion, state.acceleration, state.loss, state.rest),
             rows=held.rows(state.reaction, state.work),
-            cut=cut,
+            blocks=blocks,
             ledger=new_ledger(),
             schedules=times,
             timeline=Timeline(times.times, times.values, times.start),

@@ -127,11 +127,11 @@ class StoredBeamInteraction(BeamInteraction, SteppingInteraction):
         return loads.found[:, : len(arrays["integrity"])].T
 
     def parts(self, run: Run) -> LawParts:
-        moving, cut, ledger, history = run.moving, run.cut, run.ledger, run.arrays["history"]
+        moving, blocks, ledger, history = run.moving, run.blocks, run.ledger, run.arrays["history"]
         beams, stored = self.tables(run.arrays)
-        loads: Passes = [steps.add_stored_loads(moving, beams, stored, cut)]
+        loads: Passes = [steps.add_stored_loads(moving, beams, stored, blocks)]
         if run.dashpots is not None:
-            loads.append(steps.add_dashpot_loads(moving, beams, run.dashpots, cut))
+            loads.append(steps.add_dashpot_loads(moving, beams, run.dashpots, blocks))
 
         def keep() -> None:
             if stored.history is not history:

@@ -15,7 +15,7 @@ from bondem._core import run_pass
 from bondem._passes import calls, steps
 from bondem._tables.damage_tables import BeamIntegrity, FailureIndices, Strengths
 from bondem._tables.non_local_tables import NonLocalBonds, SmallSprings, SmallSteps
-from bondem._tables.step_tables import Beams, LaggedStresses, Poses, StepCut
+from bondem._tables.step_tables import Beams, LaggedStresses, Poses, StepBlocks
 from bondem._types import Floats, PerBond, PerBond3, PerElement3, PerElement6
 from bondem.errors import InputError
 from bondem.interactions.beams.beam_tables import beam_tables
@@ -127,20 +127,20 @@ class NonLocalInteraction(LaggedInteraction):
     # ---- a step
 
     def parts(self, run: Run) -> LawParts:
-        moving, cut, ledger, dashpots = run.moving, run.cut, run.ledger, run.dashpots
+        moving, blocks, ledger, dashpots = run.moving, run.blocks, run.ledger, run.dashpots
         beams, bonds = self._tables(run.arrays)
-        stresses = self._stresses(run.arrays["stress"], self._rows_of_moments(cut), int(cut.part[-1]))
-        dashes: Passes = [] if dashpots is None else [steps.add_dashpot_loads(moving, beams, dashpots, cut)]
+        stresses = self._stresses(run.arrays["stress"], self._rows_of_moments(blocks), int(blocks.part[-1]))
+        dashes: Passes = [] if dashpots is None else [steps.add_dashpot_loads(moving, beams, dashpots, blocks)]
         stages: dict[str, Passes] = {"prepare": [steps.turn_stresses(moving, stresses)]}
         if run.damage is None and not run.touches:  # nothing needs the stresses of now before the elements move
-            stages["loads"] = [steps.add_lasting_loads(moving, beams, bonds, stresses, cut), *dashes]
-            stages["gather"] = [steps.collect_moments(cut, stresses)]
+            stages["loads"] = [steps.add_lasting_loads(moving, beams, bonds, stresses, blocks), *dashes]
+            stages["gather"] = [steps.collect_moments(blocks, stresses)]
             stages["add"] = [steps.find_stresses_of_block(moving, stresses)]
         else:
             stages["prepare"].append(steps.find_non_local_forces(moving, beams, bonds, stresses))
-            stages["prepare"].append(steps.collect_moments(cut, stresses))
+            stages["prepare"].append(steps.collect_moments(blocks, stresses))
             stages["stress"] = [steps.find_stresses(moving, stresses)]
-            stages["loads"] = [steps.add_non_local_loads(bonds, cut), *dashes]
+            stages["loads"] = [steps.add_non_local_loads(bonds, blocks), *dashes]
         stages["guard"] = [steps.check_beams(moving, beams, ledger)]
         stored = run.arrays["history"]
 
@@ -179,14 +179,14 @@ class NonLocalInteraction(LaggedInteraction):
         n = len(stress)
         return LaggedStresses(1.0 / self.constants.volume, stress, lines(n), lines(n + more), with_twins(to_i))
 
-    def _rows_of_moments(self, cut: StepCut) -> np.ndarray:
+    def _rows_of_moments(self, blocks: StepBlocks) -> np.ndarray:
         """Return the row of the moment that each bond adds to for its element i, uint32, (m,).
 
-        Rows behind those of the n elements are contributions of bonds between domains, in the order of `cut.part`.
+        Rows behind those of the n elements are contributions of bonds between domains, in the order of `blocks.part`.
         """
         i = self.layout.i
-        row = cut.row_i[: len(i)].astype(np.int64)
-        return np.where(row < cut.parts, i, len(self.layout.order) + row - cut.parts).astype(np.uint32)
+        row = blocks.row_i[: len(i)].astype(np.int64)
+        return np.where(row < blocks.parts, i, len(self.layout.order) + row - blocks.parts).astype(np.uint32)
 
 
 def _breakage(

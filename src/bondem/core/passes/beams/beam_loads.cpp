@@ -108,49 +108,51 @@ BONDEM_INLINE void add_loads(Index first, Index last, Pose pose, const Beams &be
     add_loads(first, last, pose, beams, to, kind, none);
 }
 template <class Kind>
-BONDEM_INLINE void add_marked_loads(const Range &range, const double *pose, const Beams &beams, const StepCut &cut, Kind kind,
-                                    const FailureBounds &bounds, const Candidates &candidates) {
+BONDEM_INLINE void add_marked_loads(const Range &range, const double *pose, const Beams &beams,
+                                    const StepBlocks &blocks, Kind kind, const FailureBounds &bounds,
+                                    const Candidates &candidates) {
     BeamMarks marked = {Marks(bounds, candidates, range)};
-    add_loads(range.first, range.last, pose, beams, cut, kind, marked);
+    add_loads(range.first, range.last, pose, beams, blocks, kind, marked);
     candidates.count(range.block) = marked.marks.count();
 }
 
 }  // namespace
 
 // Adds forces and torques of the beams of a block to the sums of their elements.
-void add_beam_loads(const Range &range, const Moving &all, const Beams &beams, const StepCut &cut) {
-    add_loads(range.first, range.last, all.pose.data, beams, cut, Own{beams});
+void add_beam_loads(const Range &range, const Moving &all, const Beams &beams, const StepBlocks &blocks) {
+    add_loads(range.first, range.last, all.pose.data, beams, blocks, Own{beams});
 }
 BONDEM_PASS(add_beam_loads, bonds_of_blocks, "ends pose; adds sums")
 
 // Adds forces and torques of beams that differ in length only.
 void add_alike_beam_loads(const Range &range, const Moving &all, const Beams &beams, const AlikeBeams &alike,
-                          const StepCut &cut) {
-    add_loads(range.first, range.last, all.pose.data, beams, cut, all_alike(alike));
+                          const StepBlocks &blocks) {
+    add_loads(range.first, range.last, all.pose.data, beams, blocks, all_alike(alike));
 }
 BONDEM_PASS(add_alike_beam_loads, bonds_of_blocks, "ends pose; adds sums")
 
 // Adds forces and torques of the beams of a block, and marks beams near to failure.
-void add_marked_beam_loads(const Range &range, const Moving &all, const Beams &beams, const StepCut &cut,
+void add_marked_beam_loads(const Range &range, const Moving &all, const Beams &beams, const StepBlocks &blocks,
                            const FailureBounds &bounds, const Candidates &candidates) {
-    add_marked_loads(range, all.pose.data, beams, cut, Own{beams}, bounds, candidates);
+    add_marked_loads(range, all.pose.data, beams, blocks, Own{beams}, bounds, candidates);
 }
 BONDEM_PASS(add_marked_beam_loads, bonds_of_blocks, "ends pose; adds sums")
 
 // Adds forces and torques of beams that differ in length only, and marks beams near to failure.
 void add_marked_alike_beam_loads(const Range &range, const Moving &all, const Beams &beams, const AlikeBeams &alike,
-                                 const StepCut &cut, const FailureBounds &bounds, const Candidates &candidates) {
-    add_marked_loads(range, all.pose.data, beams, cut, all_alike(alike), bounds, candidates);
+                                 const StepBlocks &blocks, const FailureBounds &bounds, const Candidates &candidates) {
+    add_marked_loads(range, all.pose.data, beams, blocks, all_alike(alike), bounds, candidates);
 }
 BONDEM_PASS(add_marked_alike_beam_loads, bonds_of_blocks, "ends pose; adds sums")
 
 namespace {
 
 template <class Criterion, class Kind>
-BONDEM_INLINE void add_softening_loads(const Range &range, const Moving &all, const Beams &beams, const StepCut &cut,
-                                       Kind kind, const SofteningBounds &bounds, const Candidates &candidates) {
+BONDEM_INLINE void add_softening_loads(const Range &range, const Moving &all, const Beams &beams,
+                                       const StepBlocks &blocks, Kind kind, const SofteningBounds &bounds,
+                                       const Candidates &candidates) {
     SofteningMarks<Criterion> marked = {Marks(bounds, candidates, range), range, all, beams, bounds, candidates};
-    add_loads(range.first, range.last, all.pose.data, beams, cut, kind, marked);
+    add_loads(range.first, range.last, all.pose.data, beams, blocks, kind, marked);
     candidates.count(range.block) = marked.marks.count();
 }
 
@@ -159,15 +161,15 @@ BONDEM_INLINE void add_softening_loads(const Range &range, const Moving &all, co
 // Beams that reach their criterion lose integrity before their loads are added, and are listed as failed in this
 // step.
 template <class Criterion>
-void add_softening(const Range &range, const Moving &all, const Beams &beams, const StepCut &cut, const SofteningBounds &bounds,
-                   const Candidates &candidates) {
-    add_softening_loads<Criterion>(range, all, beams, cut, Own{beams}, bounds, candidates);
+void add_softening(const Range &range, const Moving &all, const Beams &beams, const StepBlocks &blocks,
+                   const SofteningBounds &bounds, const Candidates &candidates) {
+    add_softening_loads<Criterion>(range, all, beams, blocks, Own{beams}, bounds, candidates);
 }
 // Adds forces and torques of beams that may soften and differ in length only, with the pressure on softened ones.
 template <class Criterion>
-void add_alike_softening(const Range &range, const Moving &all, const Beams &beams, const AlikeBeams &alike, const StepCut &cut,
-                         const SofteningBounds &bounds, const Candidates &candidates) {
-    add_softening_loads<Criterion>(range, all, beams, cut, all_alike(alike), bounds, candidates);
+void add_alike_softening(const Range &range, const Moving &all, const Beams &beams, const AlikeBeams &alike,
+                         const StepBlocks &blocks, const SofteningBounds &bounds, const Candidates &candidates) {
+    add_softening_loads<Criterion>(range, all, beams, blocks, all_alike(alike), bounds, candidates);
 }
 
 }  // namespace
@@ -209,7 +211,7 @@ BONDEM_CALL(differentiate_beams, "")
 
 // Adds forces and torques of the dashpots of beams to sums of their own.
 void add_dashpot_loads(const Range &range, const Moving &all, const Beams &beams, const Dashpots &dashpots,
-                       const StepCut &cut) {
+                       const StepBlocks &blocks) {
     const Short *const i = beams.i.data, *const j = beams.j.data;
     const double *const c = dashpots.c.data;
     const Index m = dashpots.c.shape[1];
@@ -220,7 +222,7 @@ void add_dashpot_loads(const Range &range, const Moving &all, const Beams &beams
         const Lanes s = load(beams.integrity.data + k);
         const BeamDashpots<Lanes> dashpot = {s * load(c + k), s * load(c + m + k), s * load(c + 2 * m + k),
                                              s * load(c + 3 * m + k)};
-        add_loads_of(dashpots.sums.data, cut.row_i.data + k, cut.row_j.data + k,
+        add_loads_of(dashpots.sums.data, blocks.row_i.data + k, blocks.row_j.data + k,
                      dashpot_loads(apart, {b.v - a.v, a.w, b.w}, load(dashpots.share.data + k), dashpot), group.known);
     });
 }

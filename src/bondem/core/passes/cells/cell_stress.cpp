@@ -20,9 +20,9 @@ void add(double *moment, const Symmetric3<double> &m, double bent) {
 }  // namespace
 
 // Adds moments of facets of other domains to the sums of shared cells, and sets their rows to zero.
-void collect_facet_moments(const Range &range, const StepCut &cut, const FacetForces &kept) {
+void collect_facet_moments(const Range &range, const StepBlocks &blocks, const FacetForces &kept) {
     for (Index e = range.first; e < range.last; e++)
-        for (Index q = cut.parts + cut.part(e); q < cut.parts + cut.part(e + 1); q++)
+        for (Index q = blocks.parts + blocks.part(e); q < blocks.parts + blocks.part(e + 1); q++)
             for (Index c = 0; c < 8; c++) {
                 kept.sums(range.row[e], c) += kept.sums(q, c);
                 kept.sums(q, c) = 0.0;

@@ -7,11 +7,11 @@
 namespace bondem {
 
 // Computes the accelerations of the elements by their loads alone.
-void find_accelerations(const Range &range, const Moving &all, const Rows &rows, const StepCut &cut,
+void find_accelerations(const Range &range, const Moving &all, const Rows &rows, const StepBlocks &blocks,
                         const CorrectedMass &mass) {
     for (Index e = range.first; e < range.last; e++) {
         const Index p = range.element[e];
-        const double *const sum = &cut.sums(range.row[e], 0);
+        const double *const sum = &blocks.sums(range.row[e], 0);
         if (e < range.held) find_acceleration(all, mass, sum, p);
         else find_acceleration(all, rows, mass, sum, p);
     }
@@ -31,9 +31,9 @@ void find_inertia_forces(const Range &range, const Moving &all, const ElasticFac
 BONDEM_PASS(find_inertia_forces, of_elements, "own arm; ends inertia pose; adds force")
 
 // Adds the forces of the correction to the sums of the elements.
-void add_inertia_forces(const Range &range, const CorrectedMass &mass, const StepCut &cut) {
+void add_inertia_forces(const Range &range, const CorrectedMass &mass, const StepBlocks &blocks) {
     for (Index e = range.first; e < range.last; e++)
-        add_inertia_force(mass, &cut.sums(range.row[e], 0), range.element[e]);
+        add_inertia_force(mass, &blocks.sums(range.row[e], 0), range.element[e]);
 }
 BONDEM_PASS(add_inertia_forces, elements_of_blocks, "own force; changes sums")
 

@@ -45,10 +45,10 @@ void accumulate_and_mark(const Range &range, const Moving &all, const ElasticFac
 BONDEM_PASS(accumulate_and_mark, bonds_of_blocks, "ends pose pose.stress; adds swelling")
 
 // Adds contributions of facets of other domains to V θ of shared cells, and sets their rows to zero.
-void collect_dilatation(const Range &range, const StepCut &cut, const CellDilatation &cells) {
+void collect_dilatation(const Range &range, const StepBlocks &blocks, const CellDilatation &cells) {
     const Index n = cells.weight.size();
     for (Index e = range.first; e < range.last; e++)
-        for (Index q = n + cut.part(e); q < n + cut.part(e + 1); q++) {
+        for (Index q = n + blocks.part(e); q < n + blocks.part(e + 1); q++) {
             cells.swelling(range.element[e]) += cells.swelling(q);
             cells.swelling(q) = 0.0;
         }

@@ -36,10 +36,10 @@ void twist_layers(const Range &range, const Moving &all, const WallConstraints &
 BONDEM_PASS(twist_layers, of_elements, "own base; ends bend pose; adds torque")
 
 // Adds the torques of bent layers to the sums of the cells.
-void add_layer_torques(const Range &range, const DilatationGradients &gradients, const StepCut &cut) {
+void add_layer_torques(const Range &range, const DilatationGradients &gradients, const StepBlocks &blocks) {
     for (Index e = range.first; e < range.last; e++)
         for (Index axis = 0; axis < 3; axis++)
-            cut.sums(range.row[e], 4 + axis) += gradients.torque(range.element[e], axis);
+            blocks.sums(range.row[e], 4 + axis) += gradients.torque(range.element[e], axis);
 }
 BONDEM_PASS(add_layer_torques, elements_of_blocks, "own torque; changes sums")
 

@@ -14,18 +14,18 @@ BONDEM_INLINE Row<Lanes> moment_row(Vector3<Lanes> arm, Vector3<Lanes> force, La
 }  // namespace
 
 // Adds forces and torques of the facets of a block to the sums of their cells, whose stresses are known.
-void add_facet_loads(const Range &range, const Moving &all, const ElasticFacets &facets, const StepCut &cut) {
-    add_loads_of_facets(range.first, range.last, all.pose.data, facets, cut.row_i.data, cut.row_j.data,
-                        cut.sums.data);
+void add_facet_loads(const Range &range, const Moving &all, const ElasticFacets &facets, const StepBlocks &blocks) {
+    add_loads_of_facets(range.first, range.last, all.pose.data, facets, blocks.row_i.data, blocks.row_j.data,
+                        blocks.sums.data);
 }
 BONDEM_PASS(add_facet_loads, bonds_of_blocks, "ends pose pose.stress; adds sums")
 
 // Adds and stores the forces of the facets of a block, and adds up the moments V σ of their cells. A facet without
 // integrity has no force, also if an earlier one is stored.
 void add_and_keep_facet_loads(const Range &range, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
-                              const StepCut &cut) {
+                              const StepBlocks &blocks) {
     const FacetColumns columns(facets);
-    const Short *const row_i = cut.row_i.data, *const row_j = cut.row_j.data;
+    const Short *const row_i = blocks.row_i.data, *const row_j = blocks.row_j.data;
     double *const force = kept.force.data;
     for_each_facets(range.first, range.last, all.pose.data, facets, columns.period,
                     [&](Index k) __attribute__((always_inline)) { return any_left(columns, k); },
@@ -43,9 +43,9 @@ void add_and_keep_facet_loads(const Range &range, const Moving &all, const Elast
         const Lanes bent = bending_square(ends, load(kept.bends.data + k), stiffness.H);
         add_rows(kept.sums.data, row_i + k, row_j + k, moment_row(open.arm_i, on_i, bent),
                  moment_row(open.arm_j, loads.force, bent), known);
-        add_loads_of(cut.sums.data, row_i + k, row_j + k, loads, known);
+        add_loads_of(blocks.sums.data, row_i + k, row_j + k, loads, known);
     });
 }
-BONDEM_PASS(add_and_keep_facet_loads, bonds_of_blocks, "ends pose pose.stress; adds FacetForces.sums StepCut.sums")
+BONDEM_PASS(add_and_keep_facet_loads, bonds_of_blocks, "ends pose pose.stress; adds FacetForces.sums StepBlocks.sums")
 
 }  // namespace bondem

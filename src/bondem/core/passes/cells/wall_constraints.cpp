@@ -46,12 +46,12 @@ void apply_walls(const Range &, const Moving &all, const WallConstraints &walls,
 BONDEM_PASS(apply_walls, of_rows, "own arm pose pose.stress; changes base load loss wall; writes grip")
 
 // Adds the forces of walls to the sums of their cells.
-void add_wall_loads(const Range &range, const Rows &rows, const StepCut &cut) {
+void add_wall_loads(const Range &range, const Rows &rows, const StepBlocks &blocks) {
     for (Index e = range.held; e < range.last; e++) {
         const double *load = &rows.grip(rows.of(range.element[e]), 0);
         for (Index axis = 0; axis < 3; axis++) {
-            cut.sums(range.row[e], axis) += load[axis];
-            cut.sums(range.row[e], 4 + axis) += load[3 + axis];
+            blocks.sums(range.row[e], axis) += load[axis];
+            blocks.sums(range.row[e], 4 + axis) += load[3 + axis];
         }
     }
 }

@@ -203,10 +203,10 @@ BONDEM_PASS(add_pair_loads, of_ranges, "adds sums")
 
 #endif
 
-void add_contact_loads(const Range &range, const Moving &all, const StepCut &cut, const ContactSums &contacts) {
+void add_contact_loads(const Range &range, const Moving &all, const StepBlocks &blocks, const ContactSums &contacts) {
     for (Index e = range.first; e < range.last; e++) {
         const Short p = range.element[e];
-        Row<double> &load = row_at(contacts.sums.data, p), &sum = row_at(cut.sums.data, range.row[e]);
+        Row<double> &load = row_at(contacts.sums.data, p), &sum = row_at(blocks.sums.data, range.row[e]);
         bool loaded = false;
         for (double number : load.column) loaded |= number != 0.0;
         if (!loaded) continue;  // as most elements of a body
@@ -219,7 +219,7 @@ void add_contact_loads(const Range &range, const Moving &all, const StepCut &cut
         load = {};
     }
 }
-BONDEM_PASS(add_contact_loads, elements_of_blocks, "changes ContactSums.sums StepCut.sums loss")
+BONDEM_PASS(add_contact_loads, elements_of_blocks, "changes ContactSums.sums StepBlocks.sums loss")
 
 void sum_pair_energies(const Range &range, const Moving &all, const ContactConstants &law, const ContactPairs &pairs,
                        const Ledger &ledger) {

@@ -5,7 +5,7 @@
 namespace bondem {
 
 // Adds forces and losses of contacts to those of the elements, and sets the former to zero.
-void add_contact_loads(const Range &range, const Moving &all, const StepCut &cut, const ContactSums &contacts);
+void add_contact_loads(const Range &range, const Moving &all, const StepBlocks &blocks, const ContactSums &contacts);
 // Sums the elastic energy of the pairs of a portion [J].
 void sum_pair_energies(const Range &range, const Moving &all, const ContactConstants &law, const ContactPairs &pairs,
                        const Ledger &ledger);

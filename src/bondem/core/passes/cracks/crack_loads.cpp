@@ -45,13 +45,13 @@ void log_cracks(const Range &range, const Moving &all, const ElasticFacets &face
 }
 BONDEM_PASS(log_cracks, of_events, "ends pose")
 
-void add_crack_loads(const Range &range, const Moving &all, const CrackLists &lists, const StepCut &cut) {
+void add_crack_loads(const Range &range, const Moving &all, const CrackLists &lists, const StepBlocks &blocks) {
     for (Index at = range.first; at < range.last; at++) {
         const Short p = range.element[at];
         if (lists.head(p) == 0) continue;
         const double *const sum = &lists.sum(p, 0);
         all.loss(p, rubbed_loss) += sum[3];
-        double *const to = &cut.sums(range.row[at], 0);
+        double *const to = &blocks.sums(range.row[at], 0);
         for (int d = 0; d < 3; d++) to[d] += sum[d], to[4 + d] += sum[4 + d];
     }
 }

@@ -7,7 +7,7 @@
 namespace bondem {
 
 // Adds the forces of cracks that are treated one by one to the sums of their cells.
-void add_crack_loads(const Range &range, const Moving &all, const CrackLists &lists, const StepCut &cut);
+void add_crack_loads(const Range &range, const Moving &all, const CrackLists &lists, const StepBlocks &blocks);
 // Sums the energy of dilatation of a portion of cells by their stresses [J].
 void sum_stressed_dilatation(const Range &range, const Moving &all, const CellDilatation &cells,
                              const Ledger &ledger);

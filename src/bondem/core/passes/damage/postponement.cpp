@@ -24,14 +24,15 @@ void put(const Postponed &postponed, Index place, Short element, Short row) {
 }  // namespace
 
 // Divides the elements of a block, or shared ones, into those that continue and those that are postponed.
-void postpone_elements(const Range &range, const StepCut &cut, const Candidates &candidates, const Postponed &postponed) {
+void postpone_elements(const Range &range, const StepBlocks &blocks, const Candidates &candidates,
+                       const Postponed &postponed) {
     if (!any_fails(candidates)) return;
     Index free = 0, own = 0;  // held elements that own no row, and that own one
     for (Index e = range.first; e < range.last; e++)
         if (is_held(postponed, range.element[e])) (e < range.held ? free : own)++;
     if (free + own == 0) return;
     // shared elements have their places behind those of the blocks
-    const Index first = range.first + (range.block < cut.held.size() ? 0 : cut.ready.size());
+    const Index first = range.first + (range.block < blocks.held.size() ? 0 : blocks.ready.size());
     const Index middle = first + (range.last - range.first) - free - own;
     const Filling going = {first, middle - (range.last - range.held - own), middle};
     const Filling late = {middle, middle + free, middle + free + own};
@@ -45,9 +46,9 @@ void postpone_elements(const Range &range, const StepCut &cut, const Candidates 
 BONDEM_PASS(postpone_elements, divides_elements, "")
 
 // Keeps the sums of postponed elements.
-void keep_sums(const Range &range, const StepCut &cut, const Postponed &postponed) {
+void keep_sums(const Range &range, const StepBlocks &blocks, const Postponed &postponed) {
     for (Index e = range.first; e < range.last; e++)
-        row_at(postponed.kept.data, range.element[e]) = row_at(cut.sums.data, range.row[e]);
+        row_at(postponed.kept.data, range.element[e]) = row_at(blocks.sums.data, range.row[e]);
 }
 BONDEM_PASS(keep_sums, postponed_of_blocks, "own held sums; changes kept")
 

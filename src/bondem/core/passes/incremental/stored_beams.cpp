@@ -12,7 +12,7 @@ namespace bondem {
 // Integrates the stored forces and moments of the beams of a block over the step, and adds them to the sums of their
 // elements.
 void add_stored_loads(const Range &range, const Moving &all, const Beams &beams, const StoredLoads &stored,
-                      const StepCut &cut) {
+                      const StepBlocks &blocks) {
     constexpr Index ahead = 32;  // bonds ahead of the loop whose first elements are asked for
     const Short *const i = beams.i.data, *const j = beams.j.data;
     const double *const pose = all.pose.data, *const motion = all.motion.data, *const period = beams.period.data;
@@ -29,7 +29,7 @@ void add_stored_loads(const Range &range, const Moving &all, const Beams &beams,
         history.keep(group, now);
         const Lanes s = load(beams.integrity.data + k);
         const BeamLoads<Lanes> one = stored_loads(now, apart, shape), loads = {s * one.force, s * one.on_i, s * one.on_j};
-        add_loads_of(cut.sums.data, cut.row_i.data + k, cut.row_j.data + k, loads, group.known);
+        add_loads_of(blocks.sums.data, blocks.row_i.data + k, blocks.row_j.data + k, loads, group.known);
     });
 }
 BONDEM_PASS(add_stored_loads, bonds_of_blocks, "ends motion pose; adds sums")

@@ -36,11 +36,11 @@ void follow_body_forces(const Range &range, const Timeline &timeline, const Body
 }
 BONDEM_PASS(follow_body_forces, of_rows, "")
 
-void add_body_forces(const Range &range, const Moving &all, const StepCut &cut, const BodyForces &body) {
+void add_body_forces(const Range &range, const Moving &all, const StepBlocks &blocks, const BodyForces &body) {
     for (Index e = range.first; e < range.last; e++) {
         const Short p = range.element[e];
         const double inverse_mass = all.motion(p, 3);
-        for (Index d = 0; d < 3; d++) cut.sums(range.row[e], d) += body.present(body.group(p), d) / inverse_mass;
+        for (Index d = 0; d < 3; d++) blocks.sums(range.row[e], d) += body.present(body.group(p), d) / inverse_mass;
         add_work(range, all, body, p);
     }
 }

@@ -4,7 +4,7 @@
 namespace bondem {
 
 // Adds body forces to the sums, and their work over the half of the step that ends.
-void add_body_forces(const Range &range, const Moving &all, const StepCut &cut, const BodyForces &body);
+void add_body_forces(const Range &range, const Moving &all, const StepBlocks &blocks, const BodyForces &body);
 // Adds the work of body forces over the half of the step that begins, after the pass in which elements move or open a
 // step.
 void add_body_work(const Range &range, const Moving &all, const BodyForces &body);

@@ -17,48 +17,52 @@ template <class Who> BONDEM_INLINE Wrench<typename Who::Number> taken(double *su
 }
 
 template <class Resisted>
-BONDEM_INLINE void move_free(const Range &range, const Moving &all, const StepCut &cut, const Resisted &resistance) {
+BONDEM_INLINE void move_free(const Range &range, const Moving &all, const StepBlocks &blocks,
+                             const Resisted &resistance) {
     const Index last = range.held;
     for (Index e = range.first; e < last; e += lanes) {
         const Several later(range, least(e + ahead, last - 1), last);
         prefetch(all.pose.data, later.element);
         prefetch(all.motion.data, later.element);
         const Several several(range, e, last);
-        move(several, range.clock, all, taken(cut.sums.data, several), NoRow{}, resistance, -1);
+        move(several, range.clock, all, taken(blocks.sums.data, several), NoRow{}, resistance, -1);
     }
 }
 
 template <class Resisted>
-inline void move_held(const Range &range, const Moving &all, const StepCut &cut, const Rows &rows, const Resisted &resistance) {
+inline void move_held(const Range &range, const Moving &all, const StepBlocks &blocks, const Rows &rows,
+                      const Resisted &resistance) {
     for (Index e = range.held; e < range.last; e++) {
         const One one(range, e);
         const Index r = rows.of(one.element);
-        move(one, range.clock, all, taken(cut.sums.data, one), BoundaryRow(rows, r), resistance, r);
+        move(one, range.clock, all, taken(blocks.sums.data, one), BoundaryRow(rows, r), resistance, r);
     }
 }
 
 }  // namespace
 
 // Closes the step, and opens the next, for elements that own no row of the boundary.
-void move_elements(const Range &range, const Moving &all, const StepCut &cut) { move_free(range, all, cut, NoRow{}); }
+void move_elements(const Range &range, const Moving &all, const StepBlocks &blocks) {
+    move_free(range, all, blocks, NoRow{});
+}
 BONDEM_PASS(move_elements, elements_of_blocks, "changes acceleration motion pose sums")
 
 // Closes the step, and opens the next, for damped elements that own no row of the boundary.
-void move_resisted(const Range &range, const Moving &all, const StepCut &cut, const Resistance &resistance) {
-    move_free(range, all, cut, resistance);
+void move_resisted(const Range &range, const Moving &all, const StepBlocks &blocks, const Resistance &resistance) {
+    move_free(range, all, blocks, resistance);
 }
 BONDEM_PASS(move_resisted, elements_of_blocks, "changes acceleration dashed loss motion pose sums")
 
 // Closes the step, and opens the next, for elements that own rows of the boundary.
-void move_rows(const Range &range, const Moving &all, const StepCut &cut, const Rows &rows) {
-    move_held(range, all, cut, rows, NoRow{});
+void move_rows(const Range &range, const Moving &all, const StepBlocks &blocks, const Rows &rows) {
+    move_held(range, all, blocks, rows, NoRow{});
 }
 BONDEM_PASS(move_rows, elements_of_blocks, "own force full half; changes acceleration motion pose sums; writes reaction")
 
 // Closes the step, and opens the next, for damped elements that own rows of the boundary.
-void move_resisted_rows(const Range &range, const Moving &all, const StepCut &cut, const Rows &rows,
+void move_resisted_rows(const Range &range, const Moving &all, const StepBlocks &blocks, const Rows &rows,
                         const Resistance &resistance) {
-    move_held(range, all, cut, rows, resistance);
+    move_held(range, all, blocks, rows, resistance);
 }
 BONDEM_PASS(move_resisted_rows, elements_of_blocks, "own force full half; changes acceleration dashed loss motion pose sums; writes reaction")
 

@@ -38,10 +38,10 @@ Index turn_all_stresses(Index, const Poses &all, const LaggedStresses &stresses)
 BONDEM_CALL(turn_all_stresses, "")
 
 // Adds moments of bonds of other domains to the stresses of shared elements, and sets their rows to zero.
-void collect_moments(const Range &range, const StepCut &cut, const LaggedStresses &stresses) {
+void collect_moments(const Range &range, const StepBlocks &blocks, const LaggedStresses &stresses) {
     const Index n = stresses.inverse.size();
     for (Index e = range.first; e < range.last; e++)
-        for (Index q = n + cut.part(e); q < n + cut.part(e + 1); q++)
+        for (Index q = n + blocks.part(e); q < n + blocks.part(e + 1); q++)
             for (Index c = 0; c < 6; c++) {
                 stresses.moment(range.element[e], c) += stresses.moment(q, c);
                 stresses.moment(q, c) = 0.0;

@@ -93,10 +93,10 @@ BONDEM_INLINE void add_moments(const LaggedStresses &stresses, const Beams &beam
              moment_row(symmetric_product(now.lever_i, force)), moment_row(symmetric_product(-now.lever_j, force)),
              group.known);
 }
-BONDEM_INLINE void add_loads(const StepCut &cut, Group group, const NonLocalLoads<Lanes> &loads) {
+BONDEM_INLINE void add_loads(const StepBlocks &blocks, Group group, const NonLocalLoads<Lanes> &loads) {
     const Index k = group.first;
     const BeamLoads<Lanes> each = {-loads.force, loads.on_i, -loads.on_j};
-    add_loads_of(cut.sums.data, cut.row_i.data + k, cut.row_j.data + k, each, group.known);
+    add_loads_of(blocks.sums.data, blocks.row_i.data + k, blocks.row_j.data + k, each, group.known);
 }
 
 #endif
@@ -119,25 +119,25 @@ void find_non_local_forces(const Range &range, const Moving &all, const Beams &b
 BONDEM_PASS(find_non_local_forces, bonds_of_blocks, "ends pose space; adds moment")
 
 // Adds forces and torques of the bonds to the sums of the elements, in the order of the bonds.
-void add_non_local_loads(const Range &range, const NonLocalBonds &bonds, const StepCut &cut) {
+void add_non_local_loads(const Range &range, const NonLocalBonds &bonds, const StepBlocks &blocks) {
     const double *const data = bonds.output.data;
     const Index m = bonds.output.shape[1];
     for_each_group(range.first, range.last, [&](Group group) __attribute__((always_inline)) {
         const auto vector = [&](Output first) __attribute__((always_inline)) {
             return vector_at<Lanes>(data, m, first, group.first);
         };
-        add_loads(cut, group, {vector(force_column), vector(on_i_column), vector(on_j_column)});
+        add_loads(blocks, group, {vector(force_column), vector(on_i_column), vector(on_j_column)});
     });
 }
 BONDEM_PASS(add_non_local_loads, bonds_of_blocks, "adds sums")
 
 // Finds and adds forces and torques of bonds that cannot fail, without keeping them.
 void add_lasting_loads(const Range &range, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
-                       const LaggedStresses &stresses, const StepCut &cut) {
+                       const LaggedStresses &stresses, const StepBlocks &blocks) {
     const auto add = [&](Group group, const PairPose<Lanes> &now, const NonLocalLoads<Lanes> &loads)
                          __attribute__((always_inline)) {
         add_moments(stresses, beams, group, now, loads.force);
-        add_loads(cut, group, loads);
+        add_loads(blocks, group, loads);
     };
     find_forces(range, all, beams, bonds, stresses, add);
 }
