@@ -80,12 +80,12 @@ def surfaces(folder: Path) -> None:
     path.write_bytes(binary)
     assert np.isclose(bd.Surface(path, unit="mm").volume, 1e-9)
     path.write_bytes(binary[:-30])
-    told = ""
+    message = ""
     try:
         bd.Surface(path, unit="mm")
     except InputError as error:
-        told = str(error)
-    assert "cut" in told, f"a file that was cut: {told or 'it was read'}"  # and not that a Python module is missing
+        message = str(error)
+    assert "cut" in message, f"a file that was cut: {message or 'it was read'}"  # and no module is missing
 
 
 def commands(folder: Path) -> None:
@@ -101,9 +101,9 @@ def commands(folder: Path) -> None:
     assert (folder / "out" / "report.html").stat().st_size > 1000
     run, new = str(folder / "run.h5"), str(folder / "new.toml")
     for given in (["new", "cells", new], ["info", run], ["export", run, run + ".csv"], ["schema"]):
-        with redirect_stdout(io.StringIO()) as told:
+        with redirect_stdout(io.StringIO()) as text:
             bondem.main(given, standalone_mode=False)
-        assert told.getvalue() or given[0] == "export", given
+        assert text.getvalue() or given[0] == "export", given
 
 
 def main() -> None:

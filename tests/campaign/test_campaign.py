@@ -94,10 +94,10 @@ def test_other_files_are_no_campaigns() -> None:
 def test_other_commands_know_a_campaign(tmp_path: Path) -> None:
     with pytest.raises(StudyError, match="use bondem campaign"):
         read(EXAMPLE)
-    told = CliRunner().invoke(check, [str(EXAMPLE)])
-    assert told.exception is None
-    assert "20 specimens, varied by specimen.count, failure.tension, seed" in told.output
-    assert "200 cells" in told.output
+    outcome = CliRunner().invoke(check, [str(EXAMPLE)])
+    assert outcome.exception is None
+    assert "20 specimens, varied by specimen.count, failure.tension, seed" in outcome.output
+    assert "200 cells" in outcome.output
 
 
 def test_a_worker_dies_and_all_arrive_once(tmp_path: Path) -> None:

@@ -174,7 +174,7 @@ class Step:
                 if about.written is None or not values.size:
                     continue
                 name = f"{type(table).__name__}.{about.name}"
-                if name == "StepBlocks.sums":  # the rows behind those of the step are `Postponed.kept`
+                if name == "StepBlocks.sums":  # the rows behind those of the step are `Postponed.sum`
                     values = values[: self.kept]
                 axes = tuple(symbol for symbol, _ in about.shape)
                 owner = self._owner(name, axes[0], values, one)

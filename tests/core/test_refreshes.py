@@ -16,8 +16,8 @@ from tests.device_yielding import CASES as YIELDING
 pytestmark = pytest.mark.filterwarnings("ignore::UserWarning")
 _ALL = {**RUNS, **CRACKING, **YIELDING}
 _CRACKS = [
-    "pose.stress relax_cracked_cells", "weight wake_cracks", "pose.stress relax_stale_cells", "half soften_cracks",
-    "pose.stress relax_stale_cells", "slip sum_cracks",
+    "pose.stress relax_cracked_cells", "weight wake_cracks", "pose.stress relax_outdated_cells", "half soften_cracks",
+    "pose.stress relax_outdated_cells", "slip sum_cracks",
 ]  # fmt: skip
 #: Of each kind of model: the column, and the pass that its refresh stands behind.
 WANTED = {

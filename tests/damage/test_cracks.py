@@ -273,9 +273,9 @@ def test_the_first_record_of_a_run_that_goes_on_has_all_that_cells_dissipated() 
     model, dt = torn_then_pressed(MIXED)
     start = impact(model, 150, dt).state
     went_on = bd.solve_explicit(model, duration=10 * dt, dt=dt, every=1, state=start).history.energy
-    came = np.diff(went_on["plastic"])
-    assert came.min() > 0.0
-    assert went_on["plastic"][0] == pytest.approx(0.5 * came[0], rel=0.2)
+    increment = np.diff(went_on["plastic"])
+    assert increment.min() > 0.0
+    assert went_on["plastic"][0] == pytest.approx(0.5 * increment[0], rel=0.2)
 
 
 @pytest.mark.parametrize("pressure", [1e6, 6e6])

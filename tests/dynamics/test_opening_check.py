@@ -49,11 +49,11 @@ def test_a_run_whose_cracks_open_in_few_steps_says_so_once() -> None:
     model = pair(bd.Bilinear())
     state = model.state()
     state.velocity = np.array([[-500.0, 0.0, 0.0], [500.0, 0.0, 0.0]])
-    with warnings.catch_warnings(record=True) as told:
+    with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         run = bd.solve_explicit(model, duration=5e-4, dt=1e-6, state=state, imbalance=None)
     assert len(run.events) == 1
-    found = [one for one in told if issubclass(one.category, UnresolvedOpeningWarning)]
+    found = [one for one in caught if issubclass(one.category, UnresolvedOpeningWarning)]
     assert len(found) == 1
     assert issubclass(UnresolvedOpeningWarning, bd.errors.FractureEnergyWarning)
     assert "1 of 1 broken facets, with 100 % of the energy" in str(found[0].message)

@@ -1,4 +1,4 @@
-"""What is told about a run while it goes on."""
+"""What is reported about a run while it goes on."""
 
 import pytest
 
@@ -9,19 +9,19 @@ from tests.models import torn_row
 
 
 def test_a_run_tells_how_far_it_is_and_what_broke() -> None:
-    told: list[RunProgress] = []
-    with listening(told.append):
+    reports: list[RunProgress] = []
+    with listening(reports.append):
         assert has_listener()
         run = bd.solve_explicit(torn_row(), duration=2e-4, every=20, save_every=0, imbalance=None)
     assert not has_listener()
-    last = told[-1]
+    last = reports[-1]
     assert (last.step, last.steps, last.time) == (run.iterations, run.iterations, run.state.time)
     assert last.broken == len(run.events) > 0
     assert last.balance == pytest.approx(run.history.imbalance, rel=1e-12)
     assert last.left == 0.0
     assert last.rate > 0.0
     bd.solve_explicit(torn_row(), duration=2e-5, imbalance=None)
-    assert told[-1] is last
+    assert reports[-1] is last
 
 
 def test_the_log_has_the_run_beside_the_stage(tmp_path) -> None:

@@ -48,13 +48,13 @@ def test_a_servo_wall_of_default_mass_settles_at_its_force():
 
 
 def test_a_servo_wall_that_does_not_reach_its_force_says_what_it_reached():
-    with pytest.warns(NotQuasistaticWarning, match="servo wall 1 presses with .* N at the end, not 1000 N") as told:
+    with pytest.warns(NotQuasistaticWarning, match="servo wall 1 presses with .* N at the end, not 1000 N") as caught:
         run = pushed(1e-4, speed=0.2)
     reached, wanted = run.quasistatic.servo[1]
     assert (reached, wanted) == (run.history["far"][-1, 0], TARGET)
     assert reached < 0.9 * TARGET
-    assert f"{reached:.4g} N" in str(told[0].message)
-    assert told[0].filename == __file__
+    assert f"{reached:.4g} N" in str(caught[0].message)
+    assert caught[0].filename == __file__
 
 
 def joint(speed: float, push: float = 20e-6) -> bd.ExplicitResult:

@@ -36,9 +36,9 @@ def test_a_bar_that_cracks_once_gives_the_fracture_energy_of_its_material() -> N
 def test_the_work_of_a_bar_that_stores_more_than_one_crack_takes_is_questioned() -> None:
     """5 times: the test returned several times the fracture energy entered, without a word."""
     brittle = bd.Rankine(tension=20e6, fracture_energy=20.0)
-    with pytest.warns(FractureEnergyWarning, match=r"stores [45][.\d]* times the energy") as told:
+    with pytest.warns(FractureEnergyWarning, match=r"stores [45][.\d]* times the energy") as caught:
         test = bd.labtests.direct_tension(bar(120, 40e-3, 10e-3), bd.CellBond(E=80e9, nu=0.2), brittle)
-    assert "not a fracture energy" in str(told[0].message)
+    assert "not a fracture energy" in str(caught[0].message)
     one = test.cracking
     assert one.stored_ratio == pytest.approx(20e6**2 * 40e-3 / (2.0 * 80e9 * 20.0), rel=0.05)
     assert not one.single

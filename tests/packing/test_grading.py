@@ -166,16 +166,16 @@ BAD = {
 @pytest.mark.parametrize("bad", BAD)
 def test_bad_input_is_refused_in_one_line(bad):
     message, made = BAD[bad]
-    with pytest.raises(InputError, match=message) as told:
+    with pytest.raises(InputError, match=message) as caught:
         made()
-    assert "\n" not in str(told.value)
+    assert "\n" not in str(caught.value)
 
 
 @pytest.mark.parametrize("size", [np.nan, np.inf, 1e-300, 1e300, True, 1j, None.__class__, b"1", [0.01], {}])
 def test_no_size_is_refused_in_one_line(size):
-    with pytest.raises(InputError) as told:
+    with pytest.raises(InputError) as caught:
         bd.pack(bd.Box(BAR), size=size, method="even")
-    assert "\n" not in str(told.value)
+    assert "\n" not in str(caught.value)
 
 
 def test_counts_of_sizes():

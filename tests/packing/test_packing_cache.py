@@ -42,7 +42,7 @@ def packings(monkeypatch):
     """Grows by one whenever `bd.pack` really packs."""
     made = []
     quench = packing._METHODS["quench"]
-    counted = lambda *told: made.append(1) or quench(*told)  # noqa: E731
+    counted = lambda *given: made.append(1) or quench(*given)  # noqa: E731
     monkeypatch.setitem(packing._METHODS, "quench", counted)
     return made
 
@@ -157,9 +157,9 @@ def test_a_damaged_file_is_as_good_as_none(tmp_path, damage):
     cache = PackingCache(tmp_path / "kept")
     assert same_spheres(cache.remembered(REQUEST, make))
     path = tmp_path / "kept" / f"{key(REQUEST)}.h5"
-    told = bd.read_provenance(path)
-    assert told["method"] == "quench"
-    assert told["sizes"] == {"type": "bondem.packing.sizes.Uniform", "spread": 0.25}
+    provenance = bd.read_provenance(path)
+    assert provenance["method"] == "quench"
+    assert provenance["sizes"] == {"type": "bondem.packing.sizes.Uniform", "spread": 0.25}
     path.write_bytes(damage(path.read_bytes()))
     assert cache.get(key(REQUEST)) is None
     for _ in range(2):

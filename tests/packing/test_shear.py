@@ -96,9 +96,9 @@ def test_the_energy_ledger_closes(compacted):
 
 @pytest.mark.validate
 def test_same_seed_same_bits_and_the_share_done_rises():
-    def once(seed: int, told: list[float]) -> Compaction:
+    def once(seed: int, shares: list[float]) -> Compaction:
         random = draw(seed)
-        return compact(BOX, bd.Uniform(0.25).radii(40, random), random, cycles=1, on_share=told.append)
+        return compact(BOX, bd.Uniform(0.25).radii(40, random), random, cycles=1, on_share=shares.append)
 
     shares: list[float] = []
     one, two = once(3, shares), once(3, [])

@@ -54,9 +54,9 @@ def test_a_plate_breaks_with_branches_and_is_drawn(tmp_path: Path, capsys: pytes
     assert growth.length[-1] == pytest.approx(50e-3, abs=4e-3)
     for file, least in (("cracks.png", 50_000), ("plate.vtkhdf", 10_000)):
         assert (tmp_path / file).stat().st_size > least
-    told = capsys.readouterr().out
-    assert "Fracture of 1000 cells" in told
-    assert re.search(r"surfaces: [1-3],", told)  # the crack, and at most crumbs beside it
+    text = capsys.readouterr().out
+    assert "Fracture of 1000 cells" in text
+    assert re.search(r"surfaces: [1-3],", text)  # the crack, and at most crumbs beside it
 
 
 @pytest.mark.validate

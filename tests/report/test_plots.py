@@ -44,9 +44,9 @@ def test_a_model_shows_supports_loads_and_walls() -> None:
     held, state = turned_cubes()
     ends = [bd.Fix(bd.Index([0]), rotation=""), bd.Load(bd.Index([1]), force=(0.0, 0.0, -5.0))]
     model = bd.Model(held.lattice, held.bond, 1e3, boundary=ends, contact=held.contact, walls=held.walls)
-    told = words(model.plot())
-    assert "fixed x y z" in told
-    assert "load 5 N" in told
+    text = words(model.plot())
+    assert "fixed x y z" in text
+    assert "load 5 N" in text
     polygons = [one for one in model.plot().axes[0].collections if isinstance(one, PolyCollection)]
     assert len(polygons) == 3  # the cells and both walls
     driven = bd.Model(held.lattice, held.bond, 1e3, boundary=[bd.Drive(bd.Index([1]), vx=1.0)])
@@ -63,9 +63,9 @@ def test_a_window_needs_a_display() -> None:
 
 def test_runs_and_tests_are_drawn() -> None:
     run = bd.solve_explicit(torn_row(), duration=2e-4, every=20, imbalance=None)
-    told = words(run.plot())
-    assert "energy [µJ]" in told
-    assert "pieces, motion × " in told
+    text = words(run.plot())
+    assert "energy [µJ]" in text
+    assert "pieces, motion × " in text
     curve = np.column_stack([np.linspace(0.0, 1e-3, 5), np.linspace(0.0, 4e6, 5)])
     cracking = Cracking(run.state.model.lattice, run.state, 0.0, 0.0, 0.0, 1.0, 100.0)
     test = bd.labtests.StrengthTest(

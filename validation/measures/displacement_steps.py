@@ -86,4 +86,4 @@ def _left(of: SofteningSearch, curve: tuple[float, float], factor: float) -> np.
         slope = kink * strength / (last * (1.0 - (1.0 - kink) * steep))
         left = np.maximum(left, (slope * last / T - slope) / (1.0 - slope))
     least = np.clip(left, 0.0, 1.0).min(axis=1)
-    return np.where(factor >= of.gone, 0.0, least)
+    return np.where(factor >= of.ended, 0.0, least)

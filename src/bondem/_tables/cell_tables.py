@@ -132,7 +132,7 @@ class WallConstraints(NamedTuple):
     values: Floats  #: schedules, as `Timeline` has them, (hold_times,)
     start: Ints  #: (hold_schedules + 1,)
     wall: Floats  #: displacement of the wall now [m], (held, 3)
-    came: Floats  #: its increment in this step [m], (held, 3)
+    increment: Floats  #: of it in this step [m], (held, 3)
     load: Floats  #: force and torque on the cell [N, N·m], (held, 6)
     friction: Floats  #: μ of a wall on which the facet may slide, NaN for one that holds it, (held,)
     inward: Floats  #: axis along which such a wall presses on the cell, (held, 3)
@@ -144,7 +144,7 @@ class FacetTractions(NamedTuple):
     value: Floats  #: contribution of each to V θ at full load [m³], (tractions, n)
     schedule: Ints  #: (tractions,)
     factor: Floats  #: present factors, (tractions,)
-    came: Floats  #: their increments in this step, (tractions,)
+    increment: Floats  #: of them in this step, (tractions,)
 
 
 class CellStrains(NamedTuple):

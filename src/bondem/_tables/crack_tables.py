@@ -115,7 +115,7 @@ class CrackLists(NamedTuple):
     waking: Bytes  #: what becomes of a crack, by place, (places,)
     flagged: Ints  #: whether there is a flag in a portion, (crack_portions,)
     woken: Ints  #: whether there is a flag in a portion, (crack_portions,)
-    stale: Bytes  #: 1 for cells whose stress is to be found again, (n,)
+    outdated: Bytes  #: 1 for cells whose stress is to be found again, (n,)
     leader: Int32s  #: facet of the crack that leads those of a cell, -1 of none, (n,)
     base: Floats  #: V θ without cracks that are treated one by one [m³], (n,)
     #: `SwellingHalf` by the number of the half (`half_of`) and, once forces are known, `crack::LoadColumn`, (halves,

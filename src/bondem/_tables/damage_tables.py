@@ -33,11 +33,11 @@ class Candidates(NamedTuple):
 class Postponed(NamedTuple):
     """Postponed elements, which close a step with all bonds and open the next one without failed bonds."""
 
-    held: Bytes  #: not 0 for elements that are postponed, (n,)
+    flag: Bytes  #: not 0 for elements that are postponed, (n,)
     element: Uint32s  #: lists of these elements, (n,)
     row: Uint32s  #: rows of their sums, (n,)
     first_row: int  #: of the sums of a step that keep those of the postponed, one row per element
-    kept: Floats  #: these rows, (n, 8)
+    sum: Floats  #: these rows, (n, 8)
 
 
 class EventLog(NamedTuple):

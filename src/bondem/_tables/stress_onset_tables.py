@@ -53,7 +53,7 @@ class SofteningSearch(NamedTuple):
     #: integrity, 0 of brittle ones [Pa], (listed, 3, 3)
     line: Floats
     direction: Floats  #: these directions, by rows; without meaning for material planes, (listed, 3, 3)
-    gone: Floats  #: load factors at which the integrity is zero in all directions, (listed,)
+    ended: Floats  #: load factors at which the integrity is zero in all directions, (listed,)
 
 
 class SofteningTeeth(NamedTuple):

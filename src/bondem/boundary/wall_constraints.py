@@ -243,7 +243,7 @@ class Grips:
             rate=np.array(holds.rate, dtype=np.uint8), times=np.concatenate([np.zeros(0), *(t for t, _ in tables)]),
             values=np.concatenate([np.zeros(0), *(values for _, values in tables)]),
             start=np.cumsum([0, *(len(t) for t, _ in tables)]).astype(np.int64),
-            wall=base[:, :3].copy(), came=np.zeros((count, 3)), load=np.zeros((count, 6)),
+            wall=base[:, :3].copy(), increment=np.zeros((count, 3)), load=np.zeros((count, 6)),
             friction=holds.friction, inward=inward,
         )  # fmt: skip
 

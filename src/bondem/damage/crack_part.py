@@ -171,7 +171,7 @@ class CrackingBody:
         """Return the passes by which cracks open, close, soften, rest and part, and those of their forces."""
         moving, body, cracks, lists = self.shared.moving, self.body, self.cracks, self.lists
         strengths, stresses = self.strengths, self.stresses
-        again = steps.relax_stale_cells(moving, body.cells, cracks, lists)
+        again = steps.relax_outdated_cells(moving, body.cells, cracks, lists)
         crack: Passes = [
             steps.list_cracks(body.facets, cracks, lists),
             steps.begin_bases(moving, body.cells, lists),

@@ -61,8 +61,8 @@ class DamageTables:
                 count=np.zeros(len(blocks.bond) - 1, dtype=np.int64), any=np.zeros(1, dtype=np.int64),
             ),
             postponed=Postponed(
-                held=np.zeros(n, dtype=np.uint8), element=np.empty(n, dtype=np.uint32),
-                row=np.empty(n, dtype=np.uint32), first_row=first, kept=blocks.sums[first:],
+                flag=np.zeros(n, dtype=np.uint8), element=np.empty(n, dtype=np.uint32),
+                row=np.empty(n, dtype=np.uint32), first_row=first, sum=blocks.sums[first:],
             ),
             log=new_event_log(state),
         )  # fmt: skip

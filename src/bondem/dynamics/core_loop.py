@@ -126,8 +126,8 @@ class CoreLoop:
         records = np.zeros((steps // self._every + 1 if self._every else 0, self._width))
         done, written, wide, moved = 0, 0, 0, False
         while True:
-            ending, (gone, new, turned, lost) = self._take(steps - done, records[written:], moved=moved)
-            done, written, wide = done + gone, written + new, max(wide, turned)
+            ending, (taken, new, turned, lost) = self._take(steps - done, records[written:], moved=moved)
+            done, written, wide = done + taken, written + new, max(wide, turned)
             if ending != "out_of_date":
                 break
             if not self._renew():

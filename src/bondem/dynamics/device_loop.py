@@ -55,7 +55,7 @@ class DeviceLoop:
         names = names_of(composed(self._parts, *FORCES))
         self._run = Translation(
             model.layout, self._shared.blocks, self._shared.ledger, len(state.reaction),
-            np.zeros(0, dtype=np.uint8) if late is None else late[1].held, further=not FURTHER.isdisjoint(names),
+            np.zeros(0, dtype=np.uint8) if late is None else late[1].flag, further=not FURTHER.isdisjoint(names),
         )  # fmt: skip
         self._tables = DeviceTables(device)
         self._width = HistoryColumn.COUNT + 3 * len(plan.gauges)

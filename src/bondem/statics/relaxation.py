@@ -89,9 +89,9 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
         goal = min(_TURNING if turning else _CHUNK, most - done)
         if turning:  # the forces of moments turn with their regions
             load[:] = constraints.final_load(n, state.pose)
-        gone, ratio, balanced = relaxed(beams, alike, sums, relaxation, done, goal)
-        finished = gone == 0 if turning else balanced
-        done += gone
+        taken, ratio, balanced = relaxed(beams, alike, sums, relaxation, done, goal)
+        finished = taken == 0 if turning else balanced
+        done += taken
         _, lost, sick = count_turned(state.pose, beams)
         if lost or sick:
             raise ConvergenceError(

@@ -96,8 +96,8 @@ def _carry_out(study: Study, out: Path, on_stage: Progress) -> dict[str, Any]:
         write_vtkhdf(out / "specimen.vtkhdf", lattices[0], elements=pulled(specimens[0]))
     if study.packing_files:
         for one in specimens:
-            told = {"study": study.name, "seed": one.seed}
-            save_particles(out / f"packing_{one.seed}.h5", one.lattice, provenance=told)
+            provenance = {"study": study.name, "seed": one.seed}
+            save_particles(out / f"packing_{one.seed}.h5", one.lattice, provenance=provenance)
     if study.run_files and bonds is not None:
         for one in specimens:
             keep_specimen(out / f"specimen_{one.seed}.h5", one.lattice, one.law, bonds.density)

@@ -130,14 +130,14 @@ def relax_cell(moving: Moving, cell_dilatation: CellDilatation, crack_lists: Cra
     return Kernel("relax_cell", (moving, cell_dilatation, crack_lists))
 
 
-def relax_stale_cell(
+def relax_outdated_cell(
     moving: Moving, cell_dilatation: CellDilatation, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> Kernel:
     """Finds the stresses of cells with cracks that are out of date, and which crack leads those of each.
 
     Over one index.
     """
-    return Kernel("relax_stale_cell", (moving, cell_dilatation, cohesive_cracks, crack_lists))
+    return Kernel("relax_outdated_cell", (moving, cell_dilatation, cohesive_cracks, crack_lists))
 
 
 def restore_crack(

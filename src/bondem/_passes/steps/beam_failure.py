@@ -15,7 +15,7 @@ def break_beams(
     """Removes the beams that fail.
 
     Over what begins, changes or ends in the step, in order. Reads `pose` at both ends, of elements that are
-    postponed; adds `kept` to elements.
+    postponed; adds `sum` to elements.
     """
     return StepEntry("break_beams", (moving, beams, beam_integrity, candidates, postponed, event_log))
 
@@ -25,7 +25,7 @@ def judge_beams_by_elliptic(
 ) -> StepEntry:
     """Evaluates marked beams of a block by a criterion, and postpones the elements of failed ones.
 
-    Over bonds of a block. Reads `pose` at both ends; adds `held` to elements.
+    Over bonds of a block. Reads `pose` at both ends; adds `flag` to elements.
     """
     return StepEntry("judge_beams_by_elliptic", (moving, beams, strengths, candidates, postponed))
 
@@ -35,7 +35,7 @@ def judge_beams_by_linear_sum(
 ) -> StepEntry:
     """Evaluates marked beams of a block by a criterion, and postpones the elements of failed ones.
 
-    Over bonds of a block. Reads `pose` at both ends; adds `held` to elements.
+    Over bonds of a block. Reads `pose` at both ends; adds `flag` to elements.
     """
     return StepEntry("judge_beams_by_linear_sum", (moving, beams, strengths, candidates, postponed))
 
@@ -45,7 +45,7 @@ def judge_beams_by_mohr_coulomb(
 ) -> StepEntry:
     """Evaluates marked beams of a block by a criterion, and postpones the elements of failed ones.
 
-    Over bonds of a block. Reads `pose` at both ends; adds `held` to elements.
+    Over bonds of a block. Reads `pose` at both ends; adds `flag` to elements.
     """
     return StepEntry("judge_beams_by_mohr_coulomb", (moving, beams, strengths, candidates, postponed))
 
@@ -55,7 +55,7 @@ def judge_beams_by_peripheral_stress(
 ) -> StepEntry:
     """Evaluates marked beams of a block by a criterion, and postpones the elements of failed ones.
 
-    Over bonds of a block. Reads `pose` at both ends; adds `held` to elements.
+    Over bonds of a block. Reads `pose` at both ends; adds `flag` to elements.
     """
     return StepEntry("judge_beams_by_peripheral_stress", (moving, beams, strengths, candidates, postponed))
 
@@ -66,7 +66,7 @@ def withdraw_dashpots(
     """Subtracts dashpots of failed beams from the kept sums of their ends, before the beams are removed.
 
     Over what begins, changes or ends in the step, in order. Reads `motion` at both ends; reads `pose` at both
-    ends, of elements that are postponed; adds `kept`, `sums` to elements.
+    ends, of elements that are postponed; adds `sum`, `sums` to elements.
     """
     return StepEntry("withdraw_dashpots", (moving, beams, dashpots, candidates, postponed))
 

@@ -16,7 +16,7 @@ def leave_cracks(
     """Puts cracks to rest, or parts their faces, as `soften_cracks` has found.
 
     Over cracks or their cells, of which threads may share portions. Reads `CellDilatation.weight`, `half`,
-    `pose`, `pose.stress` at both ends; adds `CellDilatation.weight`, `base`, `half`, `stale` to elements.
+    `pose`, `pose.stress` at both ends; adds `CellDilatation.weight`, `base`, `half`, `outdated` to elements.
     """
     return StepEntry("leave_cracks", (
         moving, elastic_facets, cell_dilatation, cell_slack, cohesive_cracks, crack_lists
@@ -65,7 +65,7 @@ def wake_cracks(
     """Treats resting cracks one by one again that are about to soften or close.
 
     Over cracks or their cells, of which threads may share portions. Reads `pose` at both ends; adds
-    `CellDilatation.weight`, `base`, `half`, `stale` to elements.
+    `CellDilatation.weight`, `base`, `half`, `outdated` to elements.
     """
     return StepEntry("wake_cracks", (
         moving, elastic_facets, cell_dilatation, cell_slack, cohesive_cracks, crack_lists

@@ -29,7 +29,7 @@ def judge_facets_by_mohr_coulomb(
     their neighbours.
 
     Over what begins, changes or ends in the step, in order. Reads `pose`, `pose.stress` at both ends; adds
-    `held` to elements.
+    `flag` to elements.
     """
     return StepEntry("judge_facets_by_mohr_coulomb", (
         moving, elastic_facets, facet_release, strengths, candidates, postponed
@@ -51,7 +51,7 @@ def restore_facets(
     """Adds the loads of the remaining facets and of walls to the kept sums.
 
     Over what begins, changes or ends in the step, in order. Reads `arm`, `base`, `wall` of an element; reads
-    `held`, `pose.stress` at both ends; reads `pose` at both ends, of elements that are postponed; adds `kept`,
+    `flag`, `pose.stress` at both ends; reads `pose` at both ends, of elements that are postponed; adds `sum`,
     `load` to elements.
     """
     return StepEntry("restore_facets", (
@@ -65,9 +65,9 @@ def withdraw_facets(
 ) -> StepEntry:
     """Lists the cells whose loads change, and subtracts the loads of their facets and walls from the kept sums.
 
-    Over what begins, changes or ends in the step, in order. Reads `load` of an element; reads `held`,
-    `pose.stress` at both ends; reads `pose` at both ends, of elements that are postponed; adds `held`, `kept`
-    to elements.
+    Over what begins, changes or ends in the step, in order. Reads `load` of an element; reads `flag`,
+    `pose.stress` at both ends; reads `pose` at both ends, of elements that are postponed; adds `flag`, `sum` to
+    elements.
     """
     return StepEntry("withdraw_facets", (
         moving, elastic_facets, wall_constraints, facet_release, candidates, postponed

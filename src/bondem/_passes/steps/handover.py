@@ -18,7 +18,7 @@ def begin_contacts(
     """Begins contact where beams have broken in this step, on the sums that are kept for their ends.
 
     Over what begins, changes or ends in the step, in order. Reads `motion` at both ends; reads `pose` at both
-    ends, of elements that are postponed; adds `kept` to elements.
+    ends, of elements that are postponed; adds `sum` to elements.
     """
     return StepEntry("begin_contacts", (moving, contact_constants, contact_pairs, near_pairs, event_log, postponed))
 

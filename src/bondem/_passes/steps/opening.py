@@ -41,12 +41,12 @@ def relax_cracked_cells(moving: Moving, cell_dilatation: CellDilatation, crack_l
     return StepEntry("relax_cracked_cells", (moving, cell_dilatation, crack_lists))
 
 
-def relax_stale_cells(
+def relax_outdated_cells(
     moving: Moving, cell_dilatation: CellDilatation, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> StepEntry:
     """Finds the stresses of cells with cracks that are out of date, and which crack leads those of each.
 
     Over cracks or their cells, of which threads may share portions. Reads `base`, `half`, `weight` of an
-    element; adds `pose.stress`, `stale` to elements.
+    element; adds `pose.stress`, `outdated` to elements.
     """
-    return StepEntry("relax_stale_cells", (moving, cell_dilatation, cohesive_cracks, crack_lists))
+    return StepEntry("relax_outdated_cells", (moving, cell_dilatation, cohesive_cracks, crack_lists))

@@ -16,7 +16,7 @@ def break_pairs(
     """Removes the bonds that fail: their force from the kept sums, and the energy of their springs.
 
     Over what begins, changes or ends in the step, in order. Reads `pose` at both ends, of elements that are
-    postponed; adds `kept` to elements.
+    postponed; adds `sum` to elements.
     """
     return StepEntry("break_pairs", (moving, beams, non_local_bonds, candidates, postponed, event_log))
 
@@ -27,7 +27,7 @@ def judge_pairs(
 ) -> StepEntry:
     """Evaluates marked bonds of a block, and postpones the elements of failed ones.
 
-    Over bonds of a block. Reads `space` at both ends; adds `held` to elements.
+    Over bonds of a block. Reads `space` at both ends; adds `flag` to elements.
     """
     return StepEntry("judge_pairs", (beams, lagged_stresses, strengths, candidates, postponed))
 

@@ -11,7 +11,7 @@ from bondem._tables.step_tables import Dashpots, HistoryRows, Rows, StepBlocks
 def keep_dashpots(dashpots: Dashpots, postponed: Postponed) -> StepEntry:
     """Keeps the sums of the dashpots of postponed elements.
 
-    Over postponed elements of a block. Reads `held` of an element; changes `sums` of an element.
+    Over postponed elements of a block. Reads `flag` of an element; changes `sums` of an element.
     """
     return StepEntry("keep_dashpots", (dashpots, postponed))
 
@@ -19,7 +19,7 @@ def keep_dashpots(dashpots: Dashpots, postponed: Postponed) -> StepEntry:
 def keep_sums(step_blocks: StepBlocks, postponed: Postponed) -> StepEntry:
     """Keeps the sums of postponed elements.
 
-    Over postponed elements of a block. Reads `held`, `sums` of an element; changes `kept` of an element.
+    Over postponed elements of a block. Reads `flag`, `sums` of an element; changes `sum` of an element.
     """
     return StepEntry("keep_sums", (step_blocks, postponed))
 
@@ -27,7 +27,7 @@ def keep_sums(step_blocks: StepBlocks, postponed: Postponed) -> StepEntry:
 def list_postponed(rows: Rows, candidates: Candidates, postponed: Postponed) -> StepEntry:
     """Lists all postponed elements, those with rows of the boundary last, and ends the failures of the step.
 
-    Over elements of a block, which it divides. Writes `held` of an element.
+    Over elements of a block, which it divides. Writes `flag` of an element.
     """
     return StepEntry("list_postponed", (rows, candidates, postponed))
 

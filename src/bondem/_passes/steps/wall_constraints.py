@@ -40,7 +40,7 @@ def apply_walls(moving: Moving, wall_constraints: WallConstraints, rows: Rows) -
 def follow_walls(moving: Moving, wall_constraints: WallConstraints, rows: Rows) -> StepEntry:
     """Brings walls to the time of the clock; at a time that no step has reached, their forces are updated as well.
 
-    Over rows of a table, in the order of the table. Reads `base` of an element; changes `came`, `wall` of an
-    element.
+    Over rows of a table, in the order of the table. Reads `base` of an element; changes `increment`, `wall` of
+    an element.
     """
     return StepEntry("follow_walls", (moving, wall_constraints, rows))

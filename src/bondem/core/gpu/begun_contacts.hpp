@@ -29,14 +29,14 @@ inline void begin_contact_of_event(Index e, const Moving &all, const ContactCons
 inline void add_begun_contacts_of_element(Index p, const BondsOfElements &bonds, const BondMarks &marks,
                                           const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near,
                                           const EventLog &log, const Postponed &postponed) {
-    if (log.written(log_count::before) == log.written(log_count::events) || !is_held(postponed, p)) return;
+    if (log.written(log_count::before) == log.written(log_count::events) || !is_postponed(postponed, p)) return;
     for_each_failing_of(p, bonds, marks, [&](Index bond, bool) {
         const Index k = pairs.of_bond(bond);
         if (k < 0) return;
         const double *const out = near.output.row<Row<double>>(k).column;
         if (out[7] == 0.0) return;
         const BegunContact begun = {true, {out[0], out[1], out[2]}, {out[4], out[5], out[6]}};
-        add_begun(&postponed.kept(p, 0), pairs.second(k) == Short(p), c.radius(p), begun);
+        add_begun(&postponed.sum(p, 0), pairs.second(k) == Short(p), c.radius(p), begun);
     });
 }
 // Subtracts the energies that contacts store from the energy released in the run.

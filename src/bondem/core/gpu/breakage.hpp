@@ -125,9 +125,9 @@ inline void remove_failing_beam(Index e, const DeviceSpan &span, const Moving &a
 }
 inline void take_beams_off_element(Index p, const BondsOfElements &bonds, const BondMarks &marks, const LoadsOfBonds &from,
                                    const Candidates &candidates, const Postponed &postponed) {
-    if (!any_fails(candidates) || !is_held(postponed, p)) return;
+    if (!any_fails(candidates) || !is_postponed(postponed, p)) return;
     for_each_failing_of(p, bonds, marks, [&](Index k, bool is_i) {
-        take_off_end(&postponed.kept(p, 0), is_i, loads_in(from, k));
+        take_off_end(&postponed.sum(p, 0), is_i, loads_in(from, k));
     });
 }
 inline void load_failing_dashpot(Index e, const Moving &all, const Beams &beams, const Dashpots &dashpots,
@@ -140,10 +140,10 @@ inline void load_failing_dashpot(Index e, const Moving &all, const Beams &beams,
 inline void take_dashpots_off_element(Index p, const BondsOfElements &bonds, const BondMarks &marks,
                                       const LoadsOfBonds &from, const Dashpots &dashpots, const Candidates &candidates,
                                       const Postponed &postponed) {
-    if (!any_fails(candidates) || !is_held(postponed, p)) return;
+    if (!any_fails(candidates) || !is_postponed(postponed, p)) return;
     for_each_failing_of(p, bonds, marks, [&](Index k, bool is_i) {
         const BeamLoads<double> loads = loads_in(from, k);
-        take_off_end(&postponed.kept(p, 0), is_i, loads);
+        take_off_end(&postponed.sum(p, 0), is_i, loads);
         take_off_end(&dashpots.sums(postponed.first_row + p, 0), is_i, loads);
     });
 }
@@ -153,15 +153,15 @@ inline void take_dashpots_off_element(Index p, const BondsOfElements &bonds, con
 inline void keep_gathered_sum(Index e, const StepBlocks &blocks, const BondsOfElements &bonds,
                               const LoadsOfBonds &from, const Postponed &postponed) {
     const Short p = blocks.ready(e);
-    if (is_held(postponed, p)) row_at(postponed.kept.data, p) = gathered({}, p, bonds, from);
+    if (is_postponed(postponed, p)) row_at(postponed.sum.data, p) = gathered({}, p, bonds, from);
 }
 inline void keep_sum(Index e, const StepBlocks &blocks, const Postponed &postponed) {
     const Short p = blocks.ready(e);
-    if (is_held(postponed, p)) row_at(postponed.kept.data, p) = row_at(blocks.sums.data, blocks.ready_row(e));
+    if (is_postponed(postponed, p)) row_at(postponed.sum.data, p) = row_at(blocks.sums.data, blocks.ready_row(e));
 }
 inline void keep_dashed_sum(Index e, const StepBlocks &blocks, const Dashpots &dashpots, const Postponed &postponed) {
     const Short p = blocks.ready(e);
-    if (is_held(postponed, p))
+    if (is_postponed(postponed, p))
         row_at(dashpots.sums.data, Short(postponed.first_row + p)) = row_at(dashpots.sums.data, blocks.ready_row(e));
 }
 
@@ -174,35 +174,35 @@ BONDEM_INLINE void resume(const DeviceSpan &span, const Moving &all, const Postp
     still.goes_on = 0;
     One one(p);
     one.row = Short(postponed.first_row + p);  // of the sums of its dashpots
-    move(one, still, all, Wrench<double>(gather(postponed.kept.data, one.element)), row, resistance, r);
+    move(one, still, all, Wrench<double>(gather(postponed.sum.data, one.element)), row, resistance, r);
     if (clock_of(span).goes_on) open_one(p, clock_of(span), all, row);
 }
 inline void resume_free(Index e, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
                         const Postponed &postponed) {
     const Index p = blocks.ready(e);
-    if (is_held(postponed, p)) resume(span, all, postponed, p, NoRow{}, NoRow{}, -1);
+    if (is_postponed(postponed, p)) resume(span, all, postponed, p, NoRow{}, NoRow{}, -1);
 }
 inline void resume_resisted(Index e, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
                             const Resistance &resistance, const Postponed &postponed) {
     const Index p = blocks.ready(e);
-    if (is_held(postponed, p)) resume(span, all, postponed, p, NoRow{}, resistance, -1);
+    if (is_postponed(postponed, p)) resume(span, all, postponed, p, NoRow{}, resistance, -1);
 }
 inline void resume_row(Index h, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks, const Rows &rows,
                        const Postponed &postponed) {
     const Index p = blocks.ready(blocks.held(0) + h), r = rows.of(p);
-    if (is_held(postponed, p)) resume(span, all, postponed, p, BoundaryRow(rows, r), NoRow{}, r);
+    if (is_postponed(postponed, p)) resume(span, all, postponed, p, BoundaryRow(rows, r), NoRow{}, r);
 }
 inline void resume_resisted_row(Index h, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
                                 const Rows &rows, const Resistance &resistance, const Postponed &postponed) {
     const Index p = blocks.ready(blocks.held(0) + h), r = rows.of(p);
-    if (is_held(postponed, p)) resume(span, all, postponed, p, BoundaryRow(rows, r), resistance, r);
+    if (is_postponed(postponed, p)) resume(span, all, postponed, p, BoundaryRow(rows, r), resistance, r);
 }
 inline void reopen_work_of_body(Index p, const DeviceSpan &span, const Moving &all, const BodyForces &body,
                                 const Postponed &postponed) {
-    if (is_held(postponed, p) && clock_of(span).goes_on) open_body_work(range_of(span, p), all, body);
+    if (is_postponed(postponed, p) && clock_of(span).goes_on) open_body_work(range_of(span, p), all, body);
 }
 inline void release_element(Index p, const Candidates &candidates, const Postponed &postponed) {
-    if (any_fails(candidates)) postponed.held(p) = 0;
+    if (any_fails(candidates)) postponed.flag(p) = 0;
 }
 inline void end_all_failures(Index, const Candidates &candidates) {
     if (any_fails(candidates)) end_failures(candidates);

@@ -90,7 +90,7 @@ inline void load_facet(Index k, const Moving &all, const ElasticFacets &facets, 
 inline void place_wall(Index g, const DeviceSpan &span, const WallConstraints &walls) {
     place_hold(walls, clock_of(span).time, g);
     if (clock_of(span).first)
-        for (Index axis = 0; axis < 3; axis++) walls.came(g, axis) = 0.0;
+        for (Index axis = 0; axis < 3; axis++) walls.increment(g, axis) = 0.0;
 }
 // Sum of the forces of the walls of row r; and these forces.
 BONDEM_INLINE void sum_row(Index r, const WallConstraints &walls, const RowOrder &order, const Rows &rows) {
@@ -136,13 +136,13 @@ inline void add_wall_load(Index h, const Rows &rows, const StepBlocks &blocks) {
 
 inline void follow_traction(Index l, const DeviceSpan &span, const Timeline &timeline, const FacetTractions &tractions) {
     const double now = value_at(timeline, tractions.schedule(l), clock_of(span).time);
-    tractions.came(l) = clock_of(span).first ? 0.0 : now - tractions.factor(l);
+    tractions.increment(l) = clock_of(span).first ? 0.0 : now - tractions.factor(l);
     tractions.factor(l) = now;
 }
 inline void give_dilatation(Index p, const DeviceSpan &span, const FacetTractions &tractions, const CellDilatation &cells) {
     const Index count = tractions.schedule.size();
     bool changed = clock_of(span).first;
-    for (Index l = 0; l < count; l++) changed |= tractions.came(l) != 0.0;
+    for (Index l = 0; l < count; l++) changed |= tractions.increment(l) != 0.0;
     if (!changed) return;
     double sum = 0.0;
     for (Index l = 0; l < count; l++) sum += tractions.factor(l) * tractions.value(l, p);

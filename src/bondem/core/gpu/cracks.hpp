@@ -24,9 +24,9 @@ BONDEM_INLINE bool takes_time(const DeviceSpan &span) { return clock_of(span).dt
 BONDEM_INLINE bool is_treated(const CohesiveCracks &cracks, Index k) { return cracks.listed(k) == 1 + crack::active; }
 // True if a crack is no longer treated one by one from this step on.
 BONDEM_INLINE bool leaves(Byte flag) { return flag == crack::calmed || flag == crack::parts; }
-BONDEM_INLINE void make_stale(const CrackLists &lists, const ElasticFacets &facets, Index k) {
-    put_shared(lists.stale(facets.i(k)), Byte(1));
-    put_shared(lists.stale(facets.j(k)), Byte(1));
+BONDEM_INLINE void make_outdated(const CrackLists &lists, const ElasticFacets &facets, Index k) {
+    put_shared(lists.outdated(facets.i(k)), Byte(1));
+    put_shared(lists.outdated(facets.j(k)), Byte(1));
 }
 // Calls on(k, whether it is cell i) for the facets of cell p, in ascending order.
 template <class Facets, class On> BONDEM_INLINE void for_each_facet_of(const Facets &of, Index p, On on) {
@@ -88,12 +88,12 @@ inline void measure_crack(Index k, const DeviceSpan &span, const Moving &all, co
     measure_each(OneCrack(facets, k), all, facets, slack, stresses, cracks, lists, 0, takes_time(span));
 }
 inline void relax_cell(Index p, const Moving &all, const CellDilatation &cells, const CrackLists &lists) {
-    lists.stale(p) = 0;
+    lists.outdated(p) = 0;
     if (lists.head(p) != 0) relax(OneCell{Short(p)}, all, cells, lists);
 }
-inline void relax_stale_cell(Index p, const Moving &all, const CellDilatation &cells, const CohesiveCracks &cracks,
-                             const CrackLists &lists) {
-    if (lists.stale(p) == 0) return;
+inline void relax_outdated_cell(Index p, const Moving &all, const CellDilatation &cells, const CohesiveCracks &cracks,
+                                const CrackLists &lists) {
+    if (lists.outdated(p) == 0) return;
     find_leader(cracks, lists, p);
     relax_cell(p, all, cells, lists);
 }
@@ -115,7 +115,7 @@ inline void wake_crack(Index k, const Moving &all, const ElasticFacets &facets, 
         return;
     }
     begin_treating(one, facets, cracks, lists, k, k);
-    make_stale(lists, facets, k);
+    make_outdated(lists, facets, k);
 }
 // Adds contributions of the cracks that `changes` names to V θ of cell p without its cracks, times a sign.
 template <class Changes>
@@ -133,7 +133,7 @@ BONDEM_INLINE bool change_base(Index p, const Moving &all, const ElasticFacets &
 inline void take_woken(Index p, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
                        const CellDilatation &cells, const CellSlack &slack, const CohesiveCracks &cracks,
                        const CrackLists &lists) {
-    if (lists.stale(p) == 0 || !takes_time(span)) return;
+    if (lists.outdated(p) == 0 || !takes_time(span)) return;
     const auto woken = [&](Index k) { return lists.waking(k) == crack::wakes; };
     if (!change_base(p, all, facets, slack, cracks, lists, -1.0, woken)) return;
     weigh_cracked(cells, slack, cracks, p);
@@ -147,7 +147,7 @@ inline void soften_crack(Index k, const DeviceSpan &span, const Moving &all, con
                          const CrackLists &lists) {
     if (!is_treated(cracks, k) || !takes_time(span)) return;
     soften_each(OneCrack(facets, k), all, facets, strengths, stresses, cracks, lists, 0);
-    if (lists.flag(k) != crack::unchanged) make_stale(lists, facets, k);
+    if (lists.flag(k) != crack::unchanged) make_outdated(lists, facets, k);
 }
 
 // ---- parting and rest
@@ -178,7 +178,7 @@ inline void leave_crack(Index k, const ElasticFacets &facets, const CohesiveCrac
 inline void take_leaving(Index p, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
                          const CellDilatation &cells, const CellSlack &slack, const CohesiveCracks &cracks,
                          const CrackLists &lists) {
-    if (lists.stale(p) == 0 || !takes_time(span)) return;
+    if (lists.outdated(p) == 0 || !takes_time(span)) return;
     const auto left = [&](Index k) { return leaves(lists.flag(k)); };
     if (change_base(p, all, facets, slack, cracks, lists, 1.0, left)) weigh_cracked(cells, slack, cracks, p);
 }

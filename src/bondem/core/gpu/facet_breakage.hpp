@@ -41,7 +41,7 @@ BONDEM_FACET_CRITERIA(BONDEM_JUDGE, )
 
 inline void postpone_neighbour(Index p, const ElasticFacets &facets, const FacetRelease &release,
                                const Candidates &candidates, const Postponed &postponed) {
-    if (!any_fails(candidates) || is_held(postponed, p)) return;
+    if (!any_fails(candidates) || is_postponed(postponed, p)) return;
     bool neighbour = false;
     for_each_facet_of(release, p, [&](Index k) {
         neighbour |= facets.integrity(k) > 0.0 && loses_facet(postponed, other_cell(facets, k, p));
@@ -52,7 +52,7 @@ inline void postpone_neighbour(Index p, const ElasticFacets &facets, const Facet
 inline void withdraw_facets_of_cell(Index p, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                                     const FacetRelease &release, const Candidates &candidates,
                                     const Postponed &postponed) {
-    if (any_fails(candidates) && is_held(postponed, p))
+    if (any_fails(candidates) && is_postponed(postponed, p))
         take_off_changing(1.0, all, facets, walls, release, postponed, p);
 }
 // Energy of dilatation of both cells of facet k without the failed facets below a number [J].
@@ -101,7 +101,7 @@ inline void end_facets_of_cell(Index p, const Moving &all, const ElasticFacets &
 inline void restore_facets_of_cell(Index p, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                                    const FacetRelease &release, const Candidates &candidates,
                                    const Postponed &postponed) {
-    if (any_fails(candidates) && is_held(postponed, p)) add_changed(all, facets, walls, release, postponed, p);
+    if (any_fails(candidates) && is_postponed(postponed, p)) add_changed(all, facets, walls, release, postponed, p);
 }
 inline void renew_wall_row(Index r, const WallConstraints &walls, const RowOrder &order, const Rows &rows,
                            const Candidates &candidates) {

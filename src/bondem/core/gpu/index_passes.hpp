@@ -48,29 +48,30 @@
     X(find_cell_stress) X(find_still_stress) X(add_surface_stress) X(add_still_surface_stress) X(judge_cell) \
     X(mark_facet) X(mark_plane) X(begin_marked_crack) X(sum_stressed_portion) X(sum_portion_of_cracks) \
     X(sum_portion_of_crushing) X(write_all_crushing_of_facets) X(begin_all_levers) X(restore_crack) X(weigh_cell) \
-    X(carry_cell) X(follow_lever) X(link_halves) X(begin_base) X(measure_crack) X(relax_cell) X(relax_stale_cell) \
-    X(watch_resting_crack) X(wake_crack) X(take_woken) X(soften_crack) X(part_crack) X(leave_crack) \
-    X(take_leaving) X(load_crack) X(sum_cracks_of_cell) X(slide_crack_of) X(add_crack_load) X(log_all_cracks) \
-    X(dilate_marked_facet) X(postpone_neighbour) X(withdraw_facets_of_cell) X(write_facet_failure) \
-    X(end_facets_of_cell) X(restore_facets_of_cell) X(renew_wall_row) X(gather_loads) X(gather_dashpots) \
-    X(move_gathered) X(move_gathered_resisted) X(move_summed) X(move_summed_resisted) X(move_gathered_row) \
-    X(move_gathered_resisted_row) X(move_summed_row) X(move_summed_resisted_row) X(open_element) \
-    X(open_element_or_row) X(open_work_of_body) X(add_body_force) X(add_work_of_body) X(find_force_of_pair) \
-    X(turn_stress_of_element) X(gather_moments) X(add_pair_moments_of_element) X(add_wall_moments_of_element) \
-    X(find_stress_of_element) X(judge_pair) X(write_pair_failure) X(take_pairs_off_element) X(relieve_element) \
-    X(end_failing_pair) X(add_all_begun_contacts) X(sum_portion_of_springs) X(set_clock) X(count_record) \
-    X(sum_portion_of_elements) X(judge_all_energy) X(write_whole_ledger) X(read_part_of_gauge) X(write_gauge) \
-    X(roll_one_pair) X(add_rolling_of_element) X(roll_element_at_walls) X(sum_portion_of_rolling) \
-    X(sum_portion_of_rolling_at_walls) X(soften_listed) X(end_portion_of_softening) X(log_all_softened) \
-    X(load_softening_beam) X(load_softening_alike_beam) X(begin_all_softening) X(release_all_pressure) \
-    X(begin_all_softened_contacts) X(sum_portion_of_pressure) X(write_all_crushing_of_beams) X(load_stored_beam) \
-    X(sum_portion_of_stored) X(follow_strain_factors) X(stretch_strained_beam) X(add_work_of_strains) \
-    X(follow_cell_factors) X(stretch_facet_of_step) X(stretch_wall_of_step) X(sum_strain_portion) \
-    X(begin_strain_portion) X(begin_cell_strains) X(add_work_of_cell_strains) X(judge_cell_by_mean_stress) \
-    X(judge_cell_by_cone) X(judge_cell_by_size) X(clear_candidates) X(find_stress_candidate) \
-    X(index_candidate_by_mean_stress) X(index_candidate_by_cone) X(mark_failing_facet) X(find_strength_along) \
-    X(yield_cell) X(add_yielding_work_of_row) X(sum_portion_of_heat) X(stretch_yielded_cell) \
-    X(stretch_growing_cell) X(stretch_wall_of_cell) X(stretch_crack_of_cells) X(keep_base_levers) \
-    X(stretch_cell_anew) X(stretch_wall_anew) X(add_crack_power) X(begin_crack_power) X(judge_beam_by_elliptic) \
-    X(judge_beam_by_linear_sum) X(judge_beam_by_mohr_coulomb) X(judge_beam_by_peripheral_stress) \
-    X(judge_facet_by_mohr_coulomb) X(begin_beam_by_mohr_coulomb) X(begin_beam_by_peripheral_stress)
+    X(carry_cell) X(follow_lever) X(link_halves) X(begin_base) X(measure_crack) X(relax_cell) \
+    X(relax_outdated_cell) X(watch_resting_crack) X(wake_crack) X(take_woken) X(soften_crack) X(part_crack) \
+    X(leave_crack) X(take_leaving) X(load_crack) X(sum_cracks_of_cell) X(slide_crack_of) X(add_crack_load) \
+    X(log_all_cracks) X(dilate_marked_facet) X(postpone_neighbour) X(withdraw_facets_of_cell) \
+    X(write_facet_failure) X(end_facets_of_cell) X(restore_facets_of_cell) X(renew_wall_row) X(gather_loads) \
+    X(gather_dashpots) X(move_gathered) X(move_gathered_resisted) X(move_summed) X(move_summed_resisted) \
+    X(move_gathered_row) X(move_gathered_resisted_row) X(move_summed_row) X(move_summed_resisted_row) \
+    X(open_element) X(open_element_or_row) X(open_work_of_body) X(add_body_force) X(add_work_of_body) \
+    X(find_force_of_pair) X(turn_stress_of_element) X(gather_moments) X(add_pair_moments_of_element) \
+    X(add_wall_moments_of_element) X(find_stress_of_element) X(judge_pair) X(write_pair_failure) \
+    X(take_pairs_off_element) X(relieve_element) X(end_failing_pair) X(add_all_begun_contacts) \
+    X(sum_portion_of_springs) X(set_clock) X(count_record) X(sum_portion_of_elements) X(judge_all_energy) \
+    X(write_whole_ledger) X(read_part_of_gauge) X(write_gauge) X(roll_one_pair) X(add_rolling_of_element) \
+    X(roll_element_at_walls) X(sum_portion_of_rolling) X(sum_portion_of_rolling_at_walls) X(soften_listed) \
+    X(end_portion_of_softening) X(log_all_softened) X(load_softening_beam) X(load_softening_alike_beam) \
+    X(begin_all_softening) X(release_all_pressure) X(begin_all_softened_contacts) X(sum_portion_of_pressure) \
+    X(write_all_crushing_of_beams) X(load_stored_beam) X(sum_portion_of_stored) X(follow_strain_factors) \
+    X(stretch_strained_beam) X(add_work_of_strains) X(follow_cell_factors) X(stretch_facet_of_step) \
+    X(stretch_wall_of_step) X(sum_strain_portion) X(begin_strain_portion) X(begin_cell_strains) \
+    X(add_work_of_cell_strains) X(judge_cell_by_mean_stress) X(judge_cell_by_cone) X(judge_cell_by_size) \
+    X(clear_candidates) X(find_stress_candidate) X(index_candidate_by_mean_stress) X(index_candidate_by_cone) \
+    X(mark_failing_facet) X(find_strength_along) X(yield_cell) X(add_yielding_work_of_row) X(sum_portion_of_heat) \
+    X(stretch_yielded_cell) X(stretch_growing_cell) X(stretch_wall_of_cell) X(stretch_crack_of_cells) \
+    X(keep_base_levers) X(stretch_cell_anew) X(stretch_wall_anew) X(add_crack_power) X(begin_crack_power) \
+    X(judge_beam_by_elliptic) X(judge_beam_by_linear_sum) X(judge_beam_by_mohr_coulomb) \
+    X(judge_beam_by_peripheral_stress) X(judge_facet_by_mohr_coulomb) X(begin_beam_by_mohr_coulomb) \
+    X(begin_beam_by_peripheral_stress)

@@ -99,8 +99,8 @@ inline void write_pair_failure(Index e, const DeviceSpan &span, const Moving &al
 }
 inline void take_pairs_off_element(Index p, const NonLocalBonds &bonds, const BondsOfElements &of, const BondMarks &marks,
                                    const Candidates &candidates, const Postponed &postponed) {
-    if (!any_fails(candidates) || !is_held(postponed, p)) return;
-    for_each_failing_of(p, of, marks, [&](Index k, bool is_i) { take_off_pair(&postponed.kept(p, 0), is_i, bonds, k); });
+    if (!any_fails(candidates) || !is_postponed(postponed, p)) return;
+    for_each_failing_of(p, of, marks, [&](Index k, bool is_i) { take_off_pair(&postponed.sum(p, 0), is_i, bonds, k); });
 }
 inline void relieve_element(Index p, const Moving &all, const NonLocalBonds &bonds, const BondsOfElements &of,
                             const BondMarks &marks, const LaggedStresses &stresses, const Candidates &candidates) {

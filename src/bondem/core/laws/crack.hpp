@@ -291,7 +291,7 @@ template <class T> struct CrackLosses {
 template <class T> struct CrackStep {
     CrackIntegrity<T> before, now;
     CrackRates<T> rate_before, rate;
-    Vector3<T> rub_before, rub, came;
+    Vector3<T> rub_before, rub, increment;
 };
 template <class T> BONDEM_INLINE CrackLosses<T> crack_losses(T k, const CrackStep<T> &step) {
     const T zero = {}, one = all<T>(1.0), fell = step.before.grip - step.now.grip;
@@ -304,9 +304,9 @@ template <class T> BONDEM_INLINE CrackLosses<T> crack_losses(T k, const CrackSte
     const Vector3<T> stretch = (1.0 / (k * (1.0 - step.now.grip))) * step.rub;
     // the spring of friction stores Δγ times the product of its stretches before and after
     const T taken = select(step.before.grip < one, T(0.5 * dot(step.rub_before, stretch) / (1.0 - step.before.grip)),
-                           T(0.5 * k * dot(stretch + step.came, stretch)));
+                           T(0.5 * k * dot(stretch + step.increment, stretch)));
     return {cracked - select(fell > zero, T(taken * fell), zero),
-            0.5 * (dot(step.rub_before, step.came) + dot(step.rub, step.came))};
+            0.5 * (dot(step.rub_before, step.increment) + dot(step.rub, step.increment))};
 }
 
 // Elastic energy across and along a crack, without bending [J].

@@ -122,7 +122,7 @@ struct WallConstraints {
     Array<const double, 1> values;  // schedules, as `Timeline` has them, (hold_times,)
     Array<const Index, 1> start;  // (hold_schedules + 1,)
     Array<double, 2> wall;  // displacement of the wall now [m], (held, 3)
-    Array<double, 2> came;  // its increment in this step [m], (held, 3)
+    Array<double, 2> increment;  // of it in this step [m], (held, 3)
     Array<double, 2> load;  // force and torque on the cell [N, N·m], (held, 6)
     Array<const double, 1> friction;  // μ of a wall on which the facet may slide, NaN for one that holds it, (held,)
     Array<const double, 2> inward;  // axis along which such a wall presses on the cell, (held, 3)
@@ -132,7 +132,7 @@ struct FacetTractions {
     Array<const double, 2> value;  // contribution of each to V θ at full load [m³], (tractions, n)
     Array<const Index, 1> schedule;  // (tractions,)
     Array<double, 1> factor;  // present factors, (tractions,)
-    Array<double, 1> came;  // their increments in this step, (tractions,)
+    Array<double, 1> increment;  // of them in this step, (tractions,)
 };
 // Stress-free strains of cells that change in time, g of them.
 struct CellStrains {

@@ -105,7 +105,7 @@ struct CrackLists {
     Array<Byte, 1> waking;  // what becomes of a crack, by place, (places,)
     Array<Index, 1> flagged;  // whether there is a flag in a portion, (crack_portions,)
     Array<Index, 1> woken;  // whether there is a flag in a portion, (crack_portions,)
-    Array<Byte, 1> stale;  // 1 for cells whose stress is to be found again, (n,)
+    Array<Byte, 1> outdated;  // 1 for cells whose stress is to be found again, (n,)
     Array<int32_t, 1> leader;  // facet of the crack that leads those of a cell, -1 of none, (n,)
     Array<double, 1> base;  // V θ without cracks that are treated one by one [m³], (n,)
     // `SwellingHalf` by the number of the half (`half_of`) and, once forces are known, `crack::LoadColumn`, (halves, 16): one

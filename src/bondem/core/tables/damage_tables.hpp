@@ -27,11 +27,11 @@ struct Candidates {
 };
 // Postponed elements, which close a step with all bonds and open the next one without failed bonds.
 struct Postponed {
-    Array<Byte, 1> held;  // not 0 for elements that are postponed, (n,)
+    Array<Byte, 1> flag;  // not 0 for elements that are postponed, (n,)
     Array<Short, 1> element;  // lists of these elements, (n,)
     Array<Short, 1> row;  // rows of their sums, (n,)
     Index first_row;  // of the sums of a step that keep those of the postponed, one row per element
-    Array<double, 2> kept;  // these rows, (n, 8)
+    Array<double, 2> sum;  // these rows, (n, 8)
 };
 // Failures of one call of the core, in the order of time.
 struct EventLog {

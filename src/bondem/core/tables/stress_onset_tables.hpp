@@ -47,7 +47,7 @@ struct SofteningSearch {
     // integrity, 0 of brittle ones [Pa], (listed, 3, 3)
     Array<double, 3> line;
     Array<double, 3> direction;  // these directions, by rows; without meaning for material planes, (listed, 3, 3)
-    Array<double, 1> gone;  // load factors at which the integrity is zero in all directions, (listed,)
+    Array<double, 1> ended;  // load factors at which the integrity is zero in all directions, (listed,)
 };
 // Steps of a softening curve within a band around it.
 struct SofteningTeeth {

@@ -73,7 +73,7 @@ COUNTERPARTS: dict[str, Counterpart] = {
     "begin_bases": over(kernels.begin_base, elements),
     "measure_cracks": over(kernels.measure_crack, bonds),
     "relax_cracked_cells": over(kernels.relax_cell, elements),
-    "relax_stale_cells": over(kernels.relax_stale_cell, elements),
+    "relax_outdated_cells": over(kernels.relax_outdated_cell, elements),
     "watch_resting_cracks": over(kernels.watch_resting_crack, bonds),
     "wake_cracks": in_order(over(kernels.wake_crack, bonds), over(kernels.take_woken, elements)),
     "soften_cracks": over(kernels.soften_crack, bonds),

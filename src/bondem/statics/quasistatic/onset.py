@@ -97,4 +97,4 @@ class StressOnset:
     def again(self, found: Loaded, facets: Ints, traction: Floats) -> PerBond:
         """See `FacetOnset`."""
         opened = self.along(found, facets, traction)
-        return np.minimum(opened.factor.min(axis=1), opened.gone)
+        return np.minimum(opened.factor.min(axis=1), opened.ended)

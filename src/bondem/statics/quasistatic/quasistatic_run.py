@@ -181,7 +181,7 @@ def _followed(
     softening: dict[int, tuple[Teeth, int]] = {}
     following = np.full(len(body.integrity), np.inf)
     motion, before = body.motion.copy(), (body.integrity, body.closed)
-    first, size, told, end = 0.0, 0.0, 0.0, "events"
+    first, size, reported, end = 0.0, 0.0, 0.0, "events"
     if progress is not None:
         progress(0.0)
     for event in range(limit):
@@ -226,8 +226,8 @@ def _followed(
             end = "unloaded"
             break
         if progress is not None:
-            told = max(told, (1.0 - borne) / (1.0 - share))
-            progress(told)
+            reported = max(reported, (1.0 - borne) / (1.0 - share))
+            progress(reported)
     if progress is not None:
         progress(1.0)
     return path.result(body, before, end, equilibrium)

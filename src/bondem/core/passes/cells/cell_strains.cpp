@@ -56,9 +56,9 @@ void add_strain_work(const Range &, const Moving &all, const CellStrains &strain
     const auto &factor = strains.factor;
     take_powers(all, strains, walls);
     for (Index g = 0; g < strains.schedule.size(); g++) {
-        rows.work(strains.place) += 0.5 * (factor(before, g) + factor(after, g)) * factor(came, g);
+        rows.work(strains.place) += 0.5 * (factor(before, g) + factor(after, g)) * factor(change, g);
         factor(before, g) = factor(after, g);
-        factor(came, g) = 0.0;
+        factor(change, g) = 0.0;
     }
     strains.due(strain_due::power) = 0;
 }

@@ -16,7 +16,8 @@ namespace {
 void hold_with_neighbours(const ElasticFacets &facets, const FacetRelease &release, const Postponed &postponed, Index p) {
     for_each_facet_of(release, p, [&](Index k) {
         const Index other = other_cell(facets, k, p);
-        if (facets.integrity(k) > 0.0 && !is_held(postponed, other)) hold(postponed, other, postponed_for::neighbour);
+        if (facets.integrity(k) > 0.0 && !is_postponed(postponed, other))
+            hold(postponed, other, postponed_for::neighbour);
     });
     hold(postponed, p, postponed_for::own_facet);
 }
@@ -88,8 +89,8 @@ void list_changed(const ElasticFacets &facets, const FacetRelease &release, cons
     Index &count = release.changes(0);
     count = 0;
     const auto list = [&](Index p, Byte as) {
-        if (postponed.held(p) != as) return;
-        postponed.held(p) = Byte(as + listed);
+        if (postponed.flag(p) != as) return;
+        postponed.flag(p) = Byte(as + listed);
         release.changed(count++) = Short(p);
     };
     for_each_failing(candidates, [&](Index k, Index) {
@@ -117,7 +118,7 @@ Removal break_facet(const Moving &all, const ElasticFacets &facets, const WallCo
 }  // namespace
 
 #define BONDEM_CRITERION(_, name, Criterion)                                     \
-    BONDEM_PASS_AS(judge_facets_by_##name, of_events, "ends pose pose.stress; adds held", judge_facets<Criterion>)  \
+    BONDEM_PASS_AS(judge_facets_by_##name, of_events, "ends pose pose.stress; adds flag", judge_facets<Criterion>)  \
     BONDEM_CALL_AS(index_facets_by_##name, "", index_facets<Criterion>)         \
     BONDEM_CALL_AS(index_tractions_by_##name, "", index_tractions<Criterion>)
 BONDEM_FACET_CRITERIA(BONDEM_CRITERION, )
@@ -126,7 +127,7 @@ BONDEM_FACET_CRITERIA(BONDEM_CRITERION, )
 void take_off_changing(double sign, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                        const FacetRelease &release, const Postponed &postponed, Index p) {
     const bool loses = loses_facet(postponed, p);
-    double *const row = &postponed.kept(p, 0);
+    double *const row = &postponed.sum(p, 0);
     for_each_facet_of(release, p, [&](Index k) {
         if (facets.integrity(k) <= 0.0 || !(loses || loses_facet(postponed, other_cell(facets, k, p)))) return;
         const FacetLoads<double> loads = loads_of(all.pose.data, facets, k);
@@ -155,7 +156,7 @@ void withdraw_facets(const Range &, const Moving &all, const ElasticFacets &face
     for (Index c = 0; c < release.changes(0); c++)
         take_off_changing(1.0, all, facets, walls, release, postponed, release.changed(c));
 }
-BONDEM_PASS(withdraw_facets, of_events, "own load; ends held pose.stress; still pose; adds held kept")
+BONDEM_PASS(withdraw_facets, of_events, "own load; ends flag pose.stress; still pose; adds flag sum")
 
 // Removes the facets that fail, and brings the stresses of their cells up to date.
 void break_facets(const Range &range, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
@@ -171,7 +172,7 @@ void restore_facets(const Range &, const Moving &all, const ElasticFacets &facet
     for (Index c = 0; c < release.changes(0); c++)
         add_changed(all, facets, walls, release, postponed, release.changed(c));
 }
-BONDEM_PASS(restore_facets, of_events, "own arm base wall; ends held pose.stress; still pose; adds kept load")
+BONDEM_PASS(restore_facets, of_events, "own arm base wall; ends flag pose.stress; still pose; adds sum load")
 
 // Updates the forces of walls on the rows of their cells.
 void renew_wall_rows(const Range &, const WallConstraints &walls, const Rows &rows, const Candidates &candidates) {

@@ -24,7 +24,7 @@ enum : Byte { neighbour = 1, own_facet = 2, listed = 4 };
 }
 // True if a postponed cell loses a facet in this step.
 inline bool loses_facet(const Postponed &postponed, Index p) {
-    return (get_shared(postponed.held(p)) & postponed_for::own_facet) != 0;
+    return (get_shared(postponed.flag(p)) & postponed_for::own_facet) != 0;
 }
 
 }  // namespace bondem

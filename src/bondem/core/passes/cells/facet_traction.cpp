@@ -16,7 +16,7 @@ void follow_tractions(const Range &range, const Timeline &timeline, const FacetT
     bool changed = false;
     for (Index l = 0; l < count; l++) {
         const double now = value_at(timeline, tractions.schedule(l), range.clock.time);
-        tractions.came(l) = range.clock.first ? 0.0 : now - tractions.factor(l);
+        tractions.increment(l) = range.clock.first ? 0.0 : now - tractions.factor(l);
         changed |= now != tractions.factor(l);
         tractions.factor(l) = now;
     }

@@ -6,7 +6,7 @@ namespace bondem {
 
 // Rows of the factors.
 namespace strain_factor {
-enum : Index { now, came, before, after };
+enum : Index { now, change, before, after };
 }
 
 inline double growth_of(const CellStrains &strains, Index k) {

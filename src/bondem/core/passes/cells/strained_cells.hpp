@@ -15,7 +15,7 @@ inline bool follow_factors(const Clock &clock, const Timeline &timeline, const C
     bool changed = clock.first, needed = clock.first;
     for (Index g = 0; g < strains.schedule.size(); g++) {
         const double present = value_at(timeline, strains.schedule(g), clock.time), step = present - factor(now, g);
-        factor(came, g) = clock.first ? 0.0 : step;
+        factor(change, g) = clock.first ? 0.0 : step;
         factor(now, g) = present;
         changed |= step != 0.0;
         needed |= value_at(timeline, strains.schedule(g), clock.time + clock.dt) != present;

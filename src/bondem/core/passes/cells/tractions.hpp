@@ -7,14 +7,14 @@ namespace bondem {
 
 inline bool comes(const FacetTractions &tractions) {
     for (Index l = 0; l < tractions.schedule.size(); l++)
-        if (tractions.came(l) != 0.0) return true;
+        if (tractions.increment(l) != 0.0) return true;
     return false;
 }
 // Half the work of tractions that change, by the present stress of cell p, which owns a row.
 inline void add_traction_work_of(const Moving &all, const FacetTractions &tractions, const Rows &rows, Index p) {
     double &work = rows.work(rows.of(p));
     for (Index l = 0; l < tractions.schedule.size(); l++)
-        work += 0.5 * tractions.came(l) * all.pose(p, stress_column) * tractions.value(l, p);
+        work += 0.5 * tractions.increment(l) * all.pose(p, stress_column) * tractions.value(l, p);
 }
 
 }  // namespace bondem

@@ -21,10 +21,10 @@ void follow_walls(const Range &range, const Moving &all, const WallConstraints &
     for (Index g = 0; g < walls.cell.size(); g++) place_hold(walls, range.clock.time, g);
     if (!range.clock.first) return;
     for (Index g = 0; g < walls.cell.size(); g++)
-        for (Index axis = 0; axis < 3; axis++) walls.came(g, axis) = 0.0;
+        for (Index axis = 0; axis < 3; axis++) walls.increment(g, axis) = 0.0;
     load_all(all, walls, rows);
 }
-BONDEM_PASS(follow_walls, of_rows, "own base; changes came wall")
+BONDEM_PASS(follow_walls, of_rows, "own base; changes increment wall")
 
 // Adds contributions of walls to V θ of their cells.
 void add_wall_dilatation(const Range &, const Moving &all, const WallConstraints &walls,

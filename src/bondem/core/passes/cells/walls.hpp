@@ -107,7 +107,8 @@ inline void set_rows(const WallConstraints &walls, const Rows &rows) {
 
 // Adds half the work of a wall that moves to the row of its cell.
 inline void add_half_work(const WallConstraints &walls, const Rows &rows, Index g) {
-    for (Index axis = 0; axis < 3; axis++) rows.work(walls.row(g)) += 0.5 * walls.load(g, axis) * walls.came(g, axis);
+    for (Index axis = 0; axis < 3; axis++)
+        rows.work(walls.row(g)) += 0.5 * walls.load(g, axis) * walls.increment(g, axis);
 }
 
 // Energy of the half facet at a wall, without dilatation [J].
@@ -117,7 +118,7 @@ inline double energy_of_hold(const Array<double, 2> &pose, const Array<const dou
     return 0.5 * walls.k(g) * dot(gap, gap) + 2.0 * dot(v, walls.H.row<const Symmetric3<double>>(g) * v);
 }
 
-// Moves the wall of a held facet to its place at a time; `came` is its displacement.
+// Moves the wall of a held facet to its place at a time; `increment` is its displacement.
 inline void place_hold(const WallConstraints &walls, double time, Index g) {
     const Timeline timeline = {walls.times, walls.values, walls.start};
     for (Index axis = 0; axis < 3; axis++) {
@@ -125,7 +126,7 @@ inline void place_hold(const WallConstraints &walls, double time, Index g) {
         if (s < 0) continue;
         const double way = walls.rate(s) ? integral_to(timeline, s, time) : value_at(timeline, s, time);
         const double now = walls.base(g, axis) + way;
-        walls.came(g, axis) = now - walls.wall(g, axis);
+        walls.increment(g, axis) = now - walls.wall(g, axis);
         walls.wall(g, axis) = now;
     }
 }

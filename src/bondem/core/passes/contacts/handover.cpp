@@ -63,13 +63,13 @@ void begin_contacts(const Range &, const Moving &all, const ContactConstants &c,
     if (!any_event(log)) return;
     ExactSum stored = {};
     for_each_event(log, [&](Index bond, Index event) {
-        const double energy = hand_over(all, c, pairs, near, bond, postponed.kept.data);
+        const double energy = hand_over(all, c, pairs, near, bond, postponed.sum.data);
         log.event(event, event_column::energy) -= energy;
         stored.add(energy);
     });
     log.released(0) -= stored.value();
 }
-BONDEM_PASS(begin_contacts, of_events, "ends motion; still pose; adds kept")
+BONDEM_PASS(begin_contacts, of_events, "ends motion; still pose; adds sum")
 
 void release_pressure(const Range &, const EventLog &log, const SofteningBounds &bounds) {
     for_each_event(log, [&](Index bond, Index) { bounds.press(bond) = 0.0; });

@@ -26,7 +26,7 @@ void hand_over(const SingleCrack &one, const ElasticFacets &facets, const CellDi
     lists.base(j) += s * dot(at.share_j, at.gap);
     weigh_cracked(cells, slack, cracks, i);
     weigh_cracked(cells, slack, cracks, j);
-    lists.stale(i) = lists.stale(j) = 1;
+    lists.outdated(i) = lists.outdated(j) = 1;
 }
 
 // Puts a half on the list of its cell, where its order belongs.
@@ -114,7 +114,7 @@ void wake_cracks(const Range &range, const Moving &all, const ElasticFacets &fac
     }
     if (lists.size(list_count::treated) > before) fill_treated(lists);
 }
-BONDEM_PASS(wake_cracks, of_cracks, "ends pose; adds CellDilatation.weight base half stale")
+BONDEM_PASS(wake_cracks, of_cracks, "ends pose; adds CellDilatation.weight base half outdated")
 
 // Lowers the integrities of cracks, and finds those that go to rest.
 void soften_cracks(const Range &range, const Moving &all, const ElasticFacets &facets,
@@ -172,7 +172,7 @@ void leave_cracks(const Range &range, const Moving &all, const ElasticFacets &fa
             if (flag == crack::unchanged) continue;
             const Index k = lists.treated(e);
             if (flag == crack::fell) {
-                lists.stale(facets.i(k)) = lists.stale(facets.j(k)) = 1;
+                lists.outdated(facets.i(k)) = lists.outdated(facets.j(k)) = 1;
                 lists.flag(e) = crack::unchanged;
                 continue;
             }
@@ -192,6 +192,6 @@ void leave_cracks(const Range &range, const Moving &all, const ElasticFacets &fa
         }
     }
 }
-BONDEM_PASS(leave_cracks, of_cracks, "ends CellDilatation.weight half pose pose.stress; adds CellDilatation.weight base half stale")
+BONDEM_PASS(leave_cracks, of_cracks, "ends CellDilatation.weight half pose pose.stress; adds CellDilatation.weight base half outdated")
 
 }  // namespace bondem

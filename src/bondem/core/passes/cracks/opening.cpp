@@ -61,25 +61,25 @@ void relax_cracked_cells(const Range &range, const Moving &all, const CellDilata
 BONDEM_PASS(relax_cracked_cells, of_cracks, "own base half weight; adds pose.stress")
 
 // Finds the stresses of cells with cracks that are out of date, and which crack leads those of each.
-void relax_stale_cells(const Range &range, const Moving &all, const CellDilatation &cells,
-                       const CohesiveCracks &cracks, const CrackLists &lists) {
+void relax_outdated_cells(const Range &range, const Moving &all, const CellDilatation &cells,
+                          const CohesiveCracks &cracks, const CrackLists &lists) {
     over_places(range, lists.size(list_count::cells), [&](Index first, Index last, Index) {
-        Short stale[crack::of_portion + lanes];
+        Short outdated[crack::of_portion + lanes];
         Index count = 0;
         for (Index q = first; q < last; q++) {
             const Short p = lists.cell(q);
-            if (lists.stale(p) == 0) continue;
-            lists.stale(p) = 0;
+            if (lists.outdated(p) == 0) continue;
+            lists.outdated(p) = 0;
             ask_for_halves(lists, p);
             find_leader(cracks, lists, p);
-            stale[count++] = p;
+            outdated[count++] = p;
         }
         if (count == 0) return;
-        for (Index n = count; n < count + lanes; n++) stale[n] = stale[count - 1];
-        for (Index n = 0; n < count; n += lanes) relax(CellGroup{stale + n}, all, cells, lists);
+        for (Index n = count; n < count + lanes; n++) outdated[n] = outdated[count - 1];
+        for (Index n = 0; n < count; n += lanes) relax(CellGroup{outdated + n}, all, cells, lists);
     });
 }
-BONDEM_PASS(relax_stale_cells, of_cracks, "own base half weight; adds pose.stress stale")
+BONDEM_PASS(relax_outdated_cells, of_cracks, "own base half weight; adds pose.stress outdated")
 
 #endif
 

@@ -116,11 +116,12 @@ inline void slide_crack(const Moving &all, const ElasticFacets &facets, const Co
     const Quaternion<double> turn = orientation(gather(all.pose.data, i));
     const Vector across = axes_of(turn, quaternion_of(frame_of(cracks, k).axes)).e[0];
     const double loose = root(stiff / face_of(cracks, k).k);
-    Vector came = turned_by(inverse(turn), loose * minus(apart, dot(apart, across), across));
+    Vector increment = turned_by(inverse(turn), loose * minus(apart, dot(apart, across), across));
     // continuing slip has no lag where it dissipates energy
-    const Vector more = plus(came, kept_slip, before), f = {cracks.pull(k, 0), cracks.pull(k, 1), cracks.pull(k, 2)};
-    if (dot(came, before) > 0.0 && dot(f, turned_by(turn, more)) > 0.0) came = more;
-    for (int d = 0; d < 3; d++) state.slip[d] += came[d], state.rub[d] = came[d];
+    const Vector more = plus(increment, kept_slip, before);
+    const Vector f = {cracks.pull(k, 0), cracks.pull(k, 1), cracks.pull(k, 2)};
+    if (dot(increment, before) > 0.0 && dot(f, turned_by(turn, more)) > 0.0) increment = more;
+    for (int d = 0; d < 3; d++) state.slip[d] += increment[d], state.rub[d] = increment[d];
 }
 
 }  // namespace bondem

@@ -54,8 +54,8 @@ Index index_beams(Index, const Poses &all, const Beams &beams, const Strengths &
 
 Removal break_beam(const double *pose, const Beams &beams, const BeamIntegrity &state, const Postponed &postponed, Index k) {
     const FailedBeam failed = failed_beam(pose, beams, state, k);
-    take_off_end(&postponed.kept(beams.i(k), 0), true, failed.loads);
-    take_off_end(&postponed.kept(beams.j(k), 0), false, failed.loads);
+    take_off_end(&postponed.sum(beams.i(k), 0), true, failed.loads);
+    take_off_end(&postponed.sum(beams.j(k), 0), false, failed.loads);
     put_integrity_of_beam(state, k, 0.0, beams.length(k));
     return failed.removal;
 }
@@ -63,7 +63,7 @@ Removal break_beam(const double *pose, const Beams &beams, const BeamIntegrity &
 void withdraw_dashpot(const Moving &all, const Beams &beams, const Dashpots &dashpots, const Postponed &postponed, Index k) {
     const BeamLoads<double> loads = loads_of_dashpot(all, beams, dashpots, k);
     // the sums of all forces and the sums of dashpots alone both contain these loads
-    double *const tables[2] = {postponed.kept.data, dashpots.sums.data + 8 * postponed.first_row};
+    double *const tables[2] = {postponed.sum.data, dashpots.sums.data + 8 * postponed.first_row};
     for (double *sums : tables) {
         take_off_end(sums + 8 * beams.i(k), true, loads);
         take_off_end(sums + 8 * beams.j(k), false, loads);
@@ -74,7 +74,7 @@ void withdraw_dashpot(const Moving &all, const Beams &beams, const Dashpots &das
 
 #if defined(BONDEM_LANES)
 #define BONDEM_CRITERION(_, name, Criterion)                                         \
-    BONDEM_PASS_AS(judge_beams_by_##name, bonds_of_blocks, "ends pose; adds held", judge_beams<Criterion>)  \
+    BONDEM_PASS_AS(judge_beams_by_##name, bonds_of_blocks, "ends pose; adds flag", judge_beams<Criterion>)  \
     BONDEM_CALL_AS(index_beams_by_##name, "", index_beams<Criterion>)
 BONDEM_BEAM_CRITERIA(BONDEM_CRITERION, )
 #undef BONDEM_CRITERION
@@ -85,13 +85,13 @@ void withdraw_dashpots(const Range &, const Moving &all, const Beams &beams, con
                        const Candidates &candidates, const Postponed &postponed) {
     for_each_failing(candidates, [&](Index k, Index) { withdraw_dashpot(all, beams, dashpots, postponed, k); });
 }
-BONDEM_PASS(withdraw_dashpots, of_events, "ends motion; still pose; adds kept sums")
+BONDEM_PASS(withdraw_dashpots, of_events, "ends motion; still pose; adds sum sums")
 
 // Removes the beams that fail.
 void break_beams(const Range &range, const Moving &all, const Beams &beams, const BeamIntegrity &state,
                  const Candidates &candidates, const Postponed &postponed, const EventLog &log) {
     remove(range, candidates, log, [&](Index k) { return break_beam(all.pose.data, beams, state, postponed, k); });
 }
-BONDEM_PASS(break_beams, of_events, "still pose; adds kept")
+BONDEM_PASS(break_beams, of_events, "still pose; adds sum")
 
 }  // namespace bondem

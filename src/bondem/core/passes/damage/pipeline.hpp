@@ -94,14 +94,14 @@ class Marks {
 
 // Postpones an element at the end of the step. Several threads may postpone an element that domains share.
 inline void hold(const Postponed &postponed, Index element, Byte as = 1) {
-    put_shared(postponed.held(element), as);
+    put_shared(postponed.flag(element), as);
 }
 inline void hold_ends(const Postponed &postponed, const Beams &beams, Index k) {
     hold(postponed, beams.i(k));
     hold(postponed, beams.j(k));
 }
-inline bool is_held(const Postponed &postponed, Index element) {
-    return get_shared(postponed.held(element)) != 0;
+inline bool is_postponed(const Postponed &postponed, Index element) {
+    return get_shared(postponed.flag(element)) != 0;
 }
 inline bool any_fails(const Candidates &candidates) { return get_shared(candidates.any(0)) != 0; }
 

@@ -27,9 +27,9 @@ void put(const Postponed &postponed, Index place, Short element, Short row) {
 void postpone_elements(const Range &range, const StepBlocks &blocks, const Candidates &candidates,
                        const Postponed &postponed) {
     if (!any_fails(candidates)) return;
-    Index free = 0, own = 0;  // held elements that own no row, and that own one
+    Index free = 0, own = 0;  // postponed elements that own no row, and that own one
     for (Index e = range.first; e < range.last; e++)
-        if (is_held(postponed, range.element[e])) (e < range.held ? free : own)++;
+        if (is_postponed(postponed, range.element[e])) (e < range.held ? free : own)++;
     if (free + own == 0) return;
     // shared elements have their places behind those of the blocks
     const Index first = range.first + (range.block < blocks.held.size() ? 0 : blocks.ready.size());
@@ -38,7 +38,7 @@ void postpone_elements(const Range &range, const StepBlocks &blocks, const Candi
     const Filling late = {middle, middle + free, middle + free + own};
     Index next[4] = {going.first, late.first, going.held, late.held};
     for (Index e = range.first; e < range.last; e++) {
-        const Index list = (e < range.held ? 0 : 2) + (is_held(postponed, range.element[e]) ? 1 : 0);
+        const Index list = (e < range.held ? 0 : 2) + (is_postponed(postponed, range.element[e]) ? 1 : 0);
         put(postponed, next[list]++, range.element[e], range.row[e]);
     }
     *range.division = {going.list(postponed), late.list(postponed)};
@@ -48,25 +48,25 @@ BONDEM_PASS(postpone_elements, divides_elements, "")
 // Keeps the sums of postponed elements.
 void keep_sums(const Range &range, const StepBlocks &blocks, const Postponed &postponed) {
     for (Index e = range.first; e < range.last; e++)
-        row_at(postponed.kept.data, range.element[e]) = row_at(blocks.sums.data, range.row[e]);
+        row_at(postponed.sum.data, range.element[e]) = row_at(blocks.sums.data, range.row[e]);
 }
-BONDEM_PASS(keep_sums, postponed_of_blocks, "own held sums; changes kept")
+BONDEM_PASS(keep_sums, postponed_of_blocks, "own flag sums; changes sum")
 
 // Keeps the sums of the dashpots of postponed elements.
 void keep_dashpots(const Range &range, const Dashpots &dashpots, const Postponed &postponed) {
     for (Index e = range.first; e < range.last; e++)
         row_at(dashpots.sums.data, Short(postponed.first_row + range.element[e])) = row_at(dashpots.sums.data, range.row[e]);
 }
-BONDEM_PASS(keep_dashpots, postponed_of_blocks, "own held; changes sums")
+BONDEM_PASS(keep_dashpots, postponed_of_blocks, "own flag; changes sums")
 
 // Lists all postponed elements, those with rows of the boundary last, and ends the failures of the step.
 void list_postponed(const Range &range, const Rows &rows, const Candidates &candidates, const Postponed &postponed) {
     if (!any_fails(candidates)) return;
     Index count = 0, free = 0;
     for (Index own = 0; own < 2; own++) {
-        for (Index p = 0; p < postponed.held.size(); p++)
-            if (postponed.held(p) != 0 && (rows.of(p) >= 0) == (own == 1)) {
-                postponed.held(p) = 0;
+        for (Index p = 0; p < postponed.flag.size(); p++)
+            if (postponed.flag(p) != 0 && (rows.of(p) >= 0) == (own == 1)) {
+                postponed.flag(p) = 0;
                 put(postponed, count++, Short(p), Short(postponed.first_row + p));
             }
         if (own == 0) free = count;
@@ -74,7 +74,7 @@ void list_postponed(const Range &range, const Rows &rows, const Candidates &cand
     range.division->postponed = {0, count, free, postponed.element.data, postponed.row.data};
     end_failures(candidates);
 }
-BONDEM_PASS(list_postponed, divides_elements, "writes held")
+BONDEM_PASS(list_postponed, divides_elements, "writes flag")
 
 // Writes the energy released into a record.
 void write_released(const Range &range, const EventLog &log, const HistoryRows &history) {

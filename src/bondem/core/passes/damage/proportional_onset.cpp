@@ -120,7 +120,7 @@ Index find_softening_factors(Index, const LoadedFacets &loaded, const FacetStren
         }
         // the integrity is zero where the whole opening reaches the last one
         const double size = length(opening_part(t, facet.normal, dot(t, facet.normal))), end = 1.0 / strengths.brittleness(k);
-        search.gone(e) = strengths.plane(k) == 0.0 && size > 0.0 && end > 0.0 ? end / size : infinity;
+        search.ended(e) = strengths.plane(k) == 0.0 && size > 0.0 && end > 0.0 ? end / size : infinity;
     }
     return 0;
 }

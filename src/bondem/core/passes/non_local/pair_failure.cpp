@@ -46,18 +46,18 @@ void judge_pairs(const Range &range, const Beams &beams, const LaggedStresses &s
         [&](Index k) { return verdict_of_pair(beams, stresses, strengths, k); },
         [&](Index k) { hold_ends(postponed, beams, k); });
 }
-BONDEM_PASS(judge_pairs, bonds_of_blocks, "ends space; adds held")
+BONDEM_PASS(judge_pairs, bonds_of_blocks, "ends space; adds flag")
 
 // Removes the bonds that fail: their force from the kept sums, and the energy of their springs.
 void break_pairs(const Range &range, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                  const Candidates &candidates, const Postponed &postponed, const EventLog &log) {
     remove(range, candidates, log, [&](Index k) -> Removal {
-        take_off_pair(&postponed.kept(beams.i(k), 0), true, bonds, k);
-        take_off_pair(&postponed.kept(beams.j(k), 0), false, bonds, k);
+        take_off_pair(&postponed.sum(beams.i(k), 0), true, bonds, k);
+        take_off_pair(&postponed.sum(beams.j(k), 0), false, bonds, k);
         return removal_of_pair(all, beams, bonds, k);
     });
 }
-BONDEM_PASS(break_pairs, of_events, "still pose; adds kept")
+BONDEM_PASS(break_pairs, of_events, "still pose; adds sum")
 
 // Subtracts the force of failed bonds from the stresses of their elements, and sets their integrity to 0; after
 // `break_pairs`.
