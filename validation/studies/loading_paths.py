@@ -54,6 +54,7 @@ CASES: dict[str, tuple[CaseFunction, tuple[int, ...]]] = {
     "flat": (opened.flat, (400,)),
     "crossing": (opened.crossing, (400, 1000)),
     "closing": (opened.closing, (400, 1000)),
+    "rubbing": (opened.rubbing, (400,)),
     "turning": (stress_states.turning, (400,)),
     "inclined": (weak_planes.inclined, (400,)),
     "lateral": (weak_planes.lateral, (400,)),

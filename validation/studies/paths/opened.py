@@ -17,6 +17,10 @@ OPENED, TIMES, STIFFNESS = 0.3, 3, 0.03
 #: Dissipation that may be taken back in a step between records, over G_f [-].
 TAKEN = 1e-6
 LAST = 2.0 * ENERGY / TENSION
+#: Friction of a crack that is closed, slides from which it is compared, and its length, over the last opening.
+FRICTION, SLID = 0.5, (4.0 / 3.0, 2.0)
+#: Limits of its friction, of which the test of a small cube had the same [-].
+RUBS = 0.1
 #: Length of the flat block along x [m].
 FLAT = 10e-3
 
@@ -102,4 +106,24 @@ def closing(seed: int, count: int) -> list[Row]:
         Row("open", f"{told}: G_f when torn", float(spent[-1]), 1.0, WORK, seed, count, note=found.note),
         Row("open", f"{told}: dissipation taken back over G_f", float(-np.diff(spent).min(initial=0.0)), 0.0, TAKEN,
             seed, count),
+    ]  # fmt: skip
+
+
+def rubbing(seed: int, count: int) -> list[Row]:
+    """A cube that is torn, pressed by f_t and slid: its shear over μ p, and the share of friction in its work."""
+    failure = bd.Rankine(tension=TENSION, fracture_energy=ENERGY, friction=FRICTION)
+    press = -TENSION / E * SIDE
+    found = course(
+        cube(seed, count), failure, {"x": (0.0, torn(), press, press)}, slide=(0.0, 0.0, 0.0, SLID[1] * LAST)
+    )
+    late = found.moved["slide"] > SLID[0] * LAST
+    shear, pressure = found.stress["slide"][late], -found.stress["x"][late]
+    work = float(np.trapezoid(shear, found.moved["slide"][late])) * found.section["x"]
+    rubbed = float(np.ptp(found.run.history.energy["friction"][late]))
+    told = f"torn, pressed by f_t and slid by {SLID[1]:g}"
+    return [
+        Row("open", f"{told}: shear over friction times pressure", float(shear.mean() / (FRICTION * pressure.mean())),
+            1.0, RUBS, seed, count, note=found.note),
+        Row("open", f"{told}: friction over the work of the slide", rubbed / work, 1.0, RUBS, seed, count,
+            note=found.note),
     ]  # fmt: skip
