@@ -163,3 +163,8 @@ def test_a_patch_that_ends_within_a_plane_says_what_its_facets_cover():
     body = bd.connect(bd.pack(surface, count=200, method="even", seed=1), method="laguerre")
     with pytest.warns(bd.errors.FaceWarning, match=r"the facets on 'pad' cover .* m² of its 1.6e-05 m²"):
         body.on_face("pad")
+
+
+def test_one_number_is_no_list_of_triangles() -> None:
+    with pytest.raises(InputError, match=r"triangles \(1,\)"):
+        bd.Surface(vertices=np.zeros((3, 3)), triangles=-1.0, named={"pad": [0]})

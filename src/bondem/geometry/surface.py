@@ -316,7 +316,7 @@ def _given(
     if vertices is None or triangles is None:
         raise InputError("Surface needs both vertices= and triangles=, or a file")
     x = array("Surface", "vertices", vertices, wanted="corners, shape (v, 3)")
-    t = _whole("triangles", triangles, "numbers of corners, shape (t, 3)")
+    t = np.atleast_1d(_whole("triangles", triangles, "numbers of corners, shape (t, 3)"))  # one number has no length
     parts = {}
     if named is not None:
         instance("Surface", "named", named, Mapping, 'names and triangles, such as {"inlet": [0, 1]}')
