@@ -125,10 +125,18 @@ def solve_explicit(
         if given is not None and not callable(given):
             raise InputError(f"solve_explicit: {name} = {shown(given)}; give a function, or None")
     plan = Plan(
-        duration=duration, dt=dt, scheme=scheme if scheme is not None else VelocityVerlet(), damping=damping,
-        gauges={} if gauges is None else gauges, every=every, save_every=save_every, snapshot_every=snapshot_every,
-        until=until, safety=safety, imbalance=imbalance,
-    )  # fmt: skip
+        duration=duration,
+        dt=dt,
+        scheme=scheme if scheme is not None else VelocityVerlet(),
+        damping=damping,
+        gauges={} if gauges is None else gauges,
+        every=every,
+        save_every=save_every,
+        snapshot_every=snapshot_every,
+        until=until,
+        safety=safety,
+        imbalance=imbalance,
+    )
     loop_of = _loop_on(device, model)
     check_gauges(model, plan)
     own = begin(model, state)

@@ -96,12 +96,16 @@ class WallTable:
         lengths = [len(times) for times, _ in tables]
         drive = np.array(drives, dtype=np.int64).reshape(-1, 4)
         return cls(
-            shape=_shapes(walls, origin), inertia=_inertias(walls),
+            shape=_shapes(walls, origin),
+            inertia=_inertias(walls),
             start=np.concatenate([[0], np.cumsum(lengths)]).astype(np.int64),
             times=np.concatenate([np.zeros(0), *(times for times, _ in tables)]),
-            values=np.concatenate([np.zeros(0), *(values for _, values in tables)]), drive_wall=drive[:, 0].copy(),
-            drive_component=drive[:, 1].copy(), drive_schedule=drive[:, 2].copy(),
-            drive_rate=drive[:, 3].astype(np.uint8), drive_axis=np.array(axes, dtype=float).reshape(-1, 3),
+            values=np.concatenate([np.zeros(0), *(values for _, values in tables)]),
+            drive_wall=drive[:, 0].copy(),
+            drive_component=drive[:, 1].copy(),
+            drive_schedule=drive[:, 2].copy(),
+            drive_rate=drive[:, 3].astype(np.uint8),
+            drive_axis=np.array(axes, dtype=float).reshape(-1, 3),
             servo_wall=np.array([k for k, *_ in servos], dtype=np.int64),
             servo_schedule=np.array([s for _, s, *_ in servos], dtype=np.int64),
             servo_speed=np.array([v for *_, v, _, _ in servos], dtype=float),
@@ -112,7 +116,7 @@ class WallTable:
             free_force=np.array([body.force for _, body in free], dtype=float).reshape(-1, 3),
             free_torque=np.array([body.torque for _, body in free], dtype=float).reshape(-1, 3),
             free_lever=np.array([_lever(walls[k], position, radius) for k, _ in free], dtype=float),
-        )  # fmt: skip
+        )
 
 
 def _shapes(walls: Sequence[Wall], origin: Floats) -> Floats:

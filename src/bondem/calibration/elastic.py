@@ -320,10 +320,17 @@ def calibrate(
             lattices, calibrated, ucs=ucs, tension=tension, friction_angle=friction_angle, density=density
         )
     return Calibration(
-        law=calibrated, density=density, material=material, parameter=free.name,
-        table=tuple(trials[key] for key in sorted(trials)), responses=responses, slopes=slopes, reason=reason,
-        strength=strength, friction_angle=friction_angle,
-    )  # fmt: skip
+        law=calibrated,
+        density=density,
+        material=material,
+        parameter=free.name,
+        table=tuple(trials[key] for key in sorted(trials)),
+        responses=responses,
+        slopes=slopes,
+        reason=reason,
+        strength=strength,
+        friction_angle=friction_angle,
+    )
 
 
 def _require_slender(lattice: Lattice) -> None:

@@ -63,10 +63,15 @@ class CoreLoop:
         """Compose the lists of passes of the present parts."""
         self._compose = Composer(self._lasting)
         self._lists = StepPasses(
-            present=self._list("present"), opening=self._list("opening"), travel=self._list("travel"),
-            forces=self._list(*FORCES), resume=self._list("resume"), reopening=self._list("reopening"),
-            guard=self._list("guard"), record=self._compose([]),
-        )  # fmt: skip
+            present=self._list("present"),
+            opening=self._list("opening"),
+            travel=self._list("travel"),
+            forces=self._list(*FORCES),
+            resume=self._list("resume"),
+            reopening=self._list("reopening"),
+            guard=self._list("guard"),
+            record=self._compose([]),
+        )
 
     def _begin(self) -> None:
         """Call the passes that begin a run, at the time of the state."""

@@ -340,10 +340,15 @@ def _checkpoint(file: h5py.File, schema: int, failure: Criterion | None) -> Chec
     if schema < _SHARED:
         lattice = with_corrected_normals(lattice, made_of["boundary"])
     model = Model(
-        lattice, bond=made_of["bond"], density=float(density) if density.ndim == 0 else density,
-        boundary=made_of["boundary"], contact=made_of["contact"], walls=made_of["walls"],
-        failure=failure or made_of.get("failure"), mass_matrix=made_of.get("mass_matrix", "lumped"),
-    )  # fmt: skip
+        lattice,
+        bond=made_of["bond"],
+        density=float(density) if density.ndim == 0 else density,
+        boundary=made_of["boundary"],
+        contact=made_of["contact"],
+        walls=made_of["walls"],
+        failure=failure or made_of.get("failure"),
+        mass_matrix=made_of.get("mass_matrix", "lumped"),
+    )
     state = State(model)
     for name in state.arrays:
         if schema < _SINCE.get(name, 0):

@@ -85,10 +85,14 @@ class Cantilever:
         faces = specimen_faces(lattice, depth)
         near, far = faces.ends
         return cls(
-            lattice=lattice, held=held, loaded=loaded, paper=Bar(faces.paper_length, section, E, nu, rho),
-            refined=Bar(far - near, filled, E, nu, rho), moving=Bar(face - near, filled, E, nu, rho),
+            lattice=lattice,
+            held=held,
+            loaded=loaded,
+            paper=Bar(faces.paper_length, section, E, nu, rho),
+            refined=Bar(far - near, filled, E, nu, rho),
+            moving=Bar(face - near, filled, E, nu, rho),
             overhang=face - far,
-        )  # fmt: skip
+        )
 
     def model_under(self, law: AnyLaw, depth: float, force: tuple[float, ...], moment: float = 0.0) -> Model:
         """Model of the specimen clamped at x_min, under a force and a moment about x on x_max."""

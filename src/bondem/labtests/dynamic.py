@@ -52,9 +52,13 @@ def dynamic_tension(
     bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, gyration=gyration, density=density, depth=depth)
     modes = modes or natural_frequencies(lattice, law, density=density, depth=depth)
     return Outcome(
-        name="dynamic_tension", measured=modes.tension, theory=bar.paper.axial_frequency,
-        theory_refined=bar.moving.axial_frequency, unit="Hz", curves=_curves(vibration, "tension"),
-    )  # fmt: skip
+        name="dynamic_tension",
+        measured=modes.tension,
+        theory=bar.paper.axial_frequency,
+        theory_refined=bar.moving.axial_frequency,
+        unit="Hz",
+        curves=_curves(vibration, "tension"),
+    )
 
 
 @staged("dynamic bending")
@@ -80,10 +84,14 @@ def dynamic_bending(
     bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, gyration=gyration, density=density, depth=depth)
     modes = modes or natural_frequencies(lattice, law, density=density, depth=depth)
     return Outcome(
-        name="dynamic_bending", measured=modes.bending, theory=bar.paper.bending_frequency,
+        name="dynamic_bending",
+        measured=modes.bending,
+        theory=bar.paper.bending_frequency,
         theory_timoshenko=bar.paper.bending_frequency_timoshenko,
-        theory_refined=bar.moving.bending_frequency_timoshenko, unit="Hz", curves=_curves(vibration, "bending"),
-    )  # fmt: skip
+        theory_refined=bar.moving.bending_frequency_timoshenko,
+        unit="Hz",
+        curves=_curves(vibration, "bending"),
+    )
 
 
 @staged("dynamic torsion")
@@ -109,9 +117,13 @@ def dynamic_torsion(
     bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, gyration=gyration, density=density, depth=depth)
     modes = modes or natural_frequencies(lattice, law, density=density, depth=depth)
     return Outcome(
-        name="dynamic_torsion", measured=modes.torsion, theory=bar.paper.torsional_frequency,
-        theory_refined=bar.moving.torsional_frequency, unit="Hz", curves=_curves(vibration, "torsion"),
-    )  # fmt: skip
+        name="dynamic_torsion",
+        measured=modes.torsion,
+        theory=bar.paper.torsional_frequency,
+        theory_refined=bar.moving.torsional_frequency,
+        unit="Hz",
+        curves=_curves(vibration, "torsion"),
+    )
 
 
 def _curves(vibration: FreeVibration | None, kind: str) -> dict[str, Floats]:

@@ -128,9 +128,15 @@ def tension_of(
     axial, *lateral = np.diag(field.strain)
     E_paper, nu_paper = _paper_moduli(model, solution, field, stress * lattice.particles.envelope.section(), depth)
     return Tension(
-        E=stress / axial, nu=-0.5 * sum(lateral) / axial, E_paper=E_paper, nu_paper=nu_paper, stress=stress,
-        strain=field.strain, gyration=force_gyration(model, solution), solution=solution,
-    )  # fmt: skip
+        E=stress / axial,
+        nu=-0.5 * sum(lateral) / axial,
+        E_paper=E_paper,
+        nu_paper=nu_paper,
+        stress=stress,
+        strain=field.strain,
+        gyration=force_gyration(model, solution),
+        solution=solution,
+    )
 
 
 def force_gyration(model: Model, solution: StaticResult) -> Floats:

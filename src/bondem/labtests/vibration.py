@@ -168,10 +168,14 @@ def recorded_vibration(run: ExplicitResult, released: float, energy: float) -> F
     shift, turn = history["shift"][whole], history["turn"][whole]
     ledger = history.energy
     return FreeVibration(
-        time=history.time[whole], signal={"tension": shift[:, 0], "bending": shift[:, 1], "torsion": turn[:, 0]},
+        time=history.time[whole],
+        signal={"tension": shift[:, 0], "bending": shift[:, 1], "torsion": turn[:, 0]},
         energy={name: values[whole] for name, values in ledger.items()},
-        energy_error=float(np.abs(ledger["balance"]).max() / energy), dt=run.dt, steps=run.steps, released=released,
-    )  # fmt: skip
+        energy_error=float(np.abs(ledger["balance"]).max() / energy),
+        dt=run.dt,
+        steps=run.steps,
+        released=released,
+    )
 
 
 def _quaternions(rotation: Floats) -> Floats:

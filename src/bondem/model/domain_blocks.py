@@ -98,13 +98,20 @@ class Blocks:
         row_i = row[i]
         row_i[across] = rows + np.arange(len(across))
         return cls(
-            domain=domain.astype(np.int64), bond=np.append(layout.in_start[edges[:-1]], len(with_twins(layout.i))),
-            move=move.astype(np.int64), held=held.astype(np.int64), ready=ready.astype(np.uint32),
-            ready_row=row[ready].astype(np.uint32), row_i=with_twins(row_i.astype(np.uint32)),
-            row_j=with_twins(row[j].astype(np.uint32)), shared=shared.astype(np.uint32),
-            shared_row=row[shared].astype(np.uint32), shared_held=len(shared) - int(owns[shared].sum()),
-            part=np.concatenate([[0], np.cumsum(parts)]).astype(np.int64), parts=rows,
-        )  # fmt: skip
+            domain=domain.astype(np.int64),
+            bond=np.append(layout.in_start[edges[:-1]], len(with_twins(layout.i))),
+            move=move.astype(np.int64),
+            held=held.astype(np.int64),
+            ready=ready.astype(np.uint32),
+            ready_row=row[ready].astype(np.uint32),
+            row_i=with_twins(row_i.astype(np.uint32)),
+            row_j=with_twins(row[j].astype(np.uint32)),
+            shared=shared.astype(np.uint32),
+            shared_row=row[shared].astype(np.uint32),
+            shared_held=len(shared) - int(owns[shared].sum()),
+            part=np.concatenate([[0], np.cumsum(parts)]).astype(np.int64),
+            parts=rows,
+        )
 
     def table(self, more: int = 0) -> StepBlocks:
         """Return the division in the form of the core, with sums at zero and `more` rows behind them."""

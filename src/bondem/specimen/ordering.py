@@ -71,10 +71,16 @@ class Layout:
         i, j = i[bond_order], j[bond_order]
         out_bond = np.argsort(i, kind="stable")
         return cls(
-            order=order, rank=rank, bond_order=bond_order, flipped=flipped[bond_order], i=i.astype(np.uint32),
-            j=j.astype(np.uint32), in_start=_starts(j, n), out_start=_starts(i, n),
+            order=order,
+            rank=rank,
+            bond_order=bond_order,
+            flipped=flipped[bond_order],
+            i=i.astype(np.uint32),
+            j=j.astype(np.uint32),
+            in_start=_starts(j, n),
+            out_start=_starts(i, n),
             out_bond=out_bond.astype(np.uint32),
-        )  # fmt: skip
+        )
 
     def of_elements(self, value: PerBond) -> PerElement:
         """Return the mean over the bonds of each element of values (m,), user's order, (n,); 0 without bonds."""

@@ -82,13 +82,19 @@ def _carry_out(study: Study, out: Path, on_stage: Progress) -> dict[str, Any]:
     watch.lap("tests_s")
     results = collect(study, bonds, specimens, watch.laps)
     findings = Findings(
-        title=study.name, material=study.material, bonds=bonds,
+        title=study.name,
+        material=study.material,
+        bonds=bonds,
         chart=calibration_chart(lattices[0], fit) if study.figures and fit is not None else (),
-        calibrating=study.calibrating, specimens=specimens, results=results,
+        calibrating=study.calibrating,
+        specimens=specimens,
+        results=results,
         citation=study.reference.citation if study.reference else "",
         published=study.reference.errors if study.reference else {},
-        peaks=study.reference.peaks if study.reference else {}, failures=study.failures, source=study.source,
-    )  # fmt: skip
+        peaks=study.reference.peaks if study.reference else {},
+        failures=study.failures,
+        source=study.source,
+    )
     make_folder(out)
     results["curves"] = write_curves(findings, out)
     write_text(out / "results.json", json.dumps(results, indent=2, allow_nan=False) + "\n")
@@ -166,9 +172,14 @@ def examined(study: Study, k: int, body: _Body, bonds: Bonding | None, on_stage:
     mass = density * lattice.element_volume[lattice.connected].sum()
     rho = float(mass / lattice.particles.envelope.volume)
     specimen = Examined(
-        seed=study.seed + k, lattice=lattice, quality=_quality(lattice), tension=tension, rho=rho, law=law,
+        seed=study.seed + k,
+        lattice=lattice,
+        quality=_quality(lattice),
+        tension=tension,
+        rho=rho,
+        law=law,
         aggregates=body.aggregates,
-    )  # fmt: skip
+    )
     outcomes: dict[str, Outcome] = {}
     if tension is None:  # a ball, or a specimen with a notch or borings, is broken only
         for name in study.tests:

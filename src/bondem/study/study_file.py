@@ -244,15 +244,20 @@ def parse_study(data: Mapping[str, Any], *, folder: Path = Path()) -> Study:
         bar = specimen.shape is None or _is_bar(specimen.shape)
         tests = top.texts("tests", default=TESTS if material is not None and bar else ())
         return Study(
-            name=name, seed=top.count("seed", default=Study.seed),
+            name=name,
+            seed=top.count("seed", default=Study.seed),
             packings=top.count("packings", default=1 if isinstance(specimen, ImportPlan) else Study.packings),
-            material=material, specimen=specimen, bond=bond,
+            material=material,
+            specimen=specimen,
+            bond=bond,
             failure=read_failure(top.section("failure")) if top.has("failure") else None,
-            calibrating=_calibrating(top, bond), tests=tests, options=read_options(top, tests),
+            calibrating=_calibrating(top, bond),
+            tests=tests,
+            options=read_options(top, tests),
             **_output(top.section("output")),
             reference=_reference(top.section("reference")) if top.has("reference") else None,
             aggregates=read_aggregates(top.section("aggregates")) if top.has("aggregates") else None,
-        )  # fmt: skip
+        )
 
 
 def _material(table: TomlTable) -> Material:

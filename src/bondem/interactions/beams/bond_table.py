@@ -52,9 +52,18 @@ class BondTable:
         b = L - a
         k = kb - kt
         return cls(
-            direction=directions(lattice, layout), length=L, kn=stiffness.kn[order], A=ks * a * a + k,
-            B=ks * a * b - k, C=ks * b * b + k, kt=kt, ks=ks, kb=kb, lever=a, radius=stiffness.radius[order],
-        )  # fmt: skip
+            direction=directions(lattice, layout),
+            length=L,
+            kn=stiffness.kn[order],
+            A=ks * a * a + k,
+            B=ks * a * b - k,
+            C=ks * b * b + k,
+            kt=kt,
+            ks=ks,
+            kb=kb,
+            lever=a,
+            radius=stiffness.radius[order],
+        )
 
     def stretched(self, strain: PerBond) -> "BondTable":
         """Return the same bonds with rest lengths L (1 + ε*); the constants of moments are unchanged.
