@@ -21,7 +21,6 @@
 namespace bondem {
 
 BONDEM_INLINE bool takes_time(const DeviceSpan &span) { return clock_of(span).dt > 0.0; }
-BONDEM_INLINE bool is_treated(const CohesiveCracks &cracks, Index k) { return cracks.listed(k) == 1 + crack::active; }
 // True if a crack is no longer treated one by one from this step on.
 BONDEM_INLINE bool leaves(Byte flag) { return flag == crack::calmed || flag == crack::parts; }
 BONDEM_INLINE void make_outdated(const CrackLists &lists, const ElasticFacets &facets, Index k) {

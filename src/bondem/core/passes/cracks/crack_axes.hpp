@@ -32,7 +32,7 @@ inline void find_leader(const CohesiveCracks &cracks, const CrackLists &lists, I
     for (Index h = lists.head(p); h > 0; h = lists.next(h)) {
         const Index k = facet_of(h);
         const bool grips = state_of(cracks, k).kind == crack::of_material && frame_of(cracks, k).left[3] > 0.0;
-        if (grips && cracks.listed(k) == 1 + crack::active) leader.add(cracks, k);
+        if (grips && is_treated(cracks, k)) leader.add(cracks, k);
     }
     lists.leader(p) = int32_t(leader.facet);
 }

@@ -54,7 +54,7 @@ void list_cracks(const Range &, const ElasticFacets &facets, const CohesiveCrack
     Index treated[2] = {}, resting[2] = {}, cells = 0;
     for (Index k = 0, m = cracks.integrity.size(); k < m; k++) {
         const bool whole = cracks.integrity(k) != 0.0;
-        treated[1] += whole & (cracks.listed(k) == 1 + crack::active);
+        treated[1] += whole & is_treated(cracks, k);
         resting[1] += whole & (cracks.listed(k) == 1 + crack::resting);
     }
     const auto push = [&](Short p, Index half) {
@@ -71,13 +71,12 @@ void list_cracks(const Range &, const ElasticFacets &facets, const CohesiveCrack
         at_j(e) = facets.j(k);
     };
     for_each_listed(cracks, [&](Index k) {
-        const Byte listed = cracks.listed(k);
         const bool broken = cracks.integrity(k) == 0.0;
-        if (listed == 1 + crack::active) {
+        if (is_treated(cracks, k)) {
             put(lists.treated, lists.treated_i, lists.treated_j, treated[broken]++, k);
             push(facets.i(k), half_of(k, 0));
             push(facets.j(k), half_of(k, 1));
-        } else if (listed == 1 + crack::resting) {
+        } else if (cracks.listed(k) == 1 + crack::resting) {
             put(lists.resting, lists.resting_i, lists.resting_j, resting[broken]++, k);
         }
     });

@@ -77,6 +77,8 @@ inline double weight_with(const CellSlack &of, const CohesiveCracks &cracks, Ind
         add(of.in_start(0) + Index(of.out_bond(e)), of.slack_i);
     return of.weight(p) / (1.0 + of.weight(p) * slack);
 }
+// True if crack k is treated one by one.
+BONDEM_INLINE bool is_treated(const CohesiveCracks &cracks, Index k) { return cracks.listed(k) == 1 + crack::active; }
 inline bool treated_as_facet(const CohesiveCracks &cracks, Index k) { return cracks.listed(k) > 1 + crack::active; }
 inline void weigh_cracked(const CellDilatation &cells, const CellSlack &of, const CohesiveCracks &cracks, Index p) {
     cells.weight(p) = weight_with(of, cracks, p, [&](Index k) { return treated_as_facet(cracks, k); });
