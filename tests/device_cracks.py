@@ -19,13 +19,13 @@ STEP = 1e-7
 
 
 @cache
-def body() -> bd.Lattice:
-    """A bar of 128 cells."""
+def body(length: int = 8) -> bd.Lattice:
+    """A bar of 128 cells, or of other lengths."""
     rng = np.random.default_rng(1)
-    counts = (8, 4, 4)
+    counts = (length, 4, 4)
     grid = 4e-3 * (np.indices(counts).reshape(3, -1).T + 0.5)
     centre, radius = grid + rng.uniform(-7e-4, 7e-4, grid.shape), rng.uniform(1e-3, 1.2e-3, len(grid))
-    return bd.connect(bd.Particles(centre, radius, shape=bd.Box((32e-3, 16e-3, 16e-3))), method="laguerre")
+    return bd.connect(bd.Particles(centre, radius, shape=bd.Box((length * 4e-3, 16e-3, 16e-3))), method="laguerre")
 
 
 def thrown(along: tuple[float, float, float], noise: float = 0.05) -> Callable[[bd.Model], State]:
@@ -42,9 +42,9 @@ def thrown(along: tuple[float, float, float], noise: float = 0.05) -> Callable[[
     return start
 
 
-def free(failure: Any, **more: Any) -> bd.Model:
+def free(failure: Any, length: int = 8, **more: Any) -> bd.Model:
     """The bar, free of anything else."""
-    return bd.Model(body(), LAW, 2500.0, failure=failure, **more)
+    return bd.Model(body(length), LAW, 2500.0, failure=failure, **more)
 
 
 def held() -> bd.Model:
@@ -57,16 +57,16 @@ def held() -> bd.Model:
     ])  # fmt: skip
 
 
-def sliding() -> bd.Model:
-    """A bar of 128 cubes, whose upper half slides on a weak joint that presses."""
-    box = (32e-3, 16e-3, 8e-3)
+def sliding(length: int = 8) -> bd.Model:
+    """A bar of 128 cubes, or more, whose upper half slides on a weak joint that presses."""
+    box = (length * 4e-3, 16e-3, 8e-3)
     low, up = bd.Within(bd.Box(box)), bd.Within(bd.Box(box).moved((0.0, 0.0, 8e-3)))
     weak = bd.MohrCoulomb(
         tension=1e4, cohesion=1e4, friction_angle=0.4, fracture_energy=0.3, fracture_energy_shear=0.3
     )
     failure = {bd.Everything(): bd.Rankine(tension=20e6, fracture_energy=300.0), (low, up): weak}
     return bd.Model(
-        cubes((8, 4, 4), 4e-3), LAW, 2500.0, failure=failure, contact=bd.LinearContact(E=40e9, friction=0.4),
+        cubes((length, 4, 4), 4e-3), LAW, 2500.0, failure=failure, contact=bd.LinearContact(E=40e9, friction=0.4),
         boundary=[bd.Fix(bd.Face("z_min")), bd.Pressure(bd.Face("z_max"), 5e6)],
     )  # fmt: skip
 

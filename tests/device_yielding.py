@@ -32,9 +32,9 @@ def warming(failure: Any, share: float = 1.0) -> bd.Model:
     return bd.Model(body(), LAW, 2500.0, failure=failure, boundary=[*ends, *heat])
 
 
-def pressed(failure: Any) -> bd.Model:
+def pressed(failure: Any, length: int = 8) -> bd.Model:
     """The bar, pressed by a wall against another one and by a pressure that grows."""
-    return bd.Model(body(), LAW, 2500.0, failure=failure, boundary=[
+    return bd.Model(body(length), LAW, 2500.0, failure=failure, boundary=[
         bd.Fix(bd.Face("x_min")),
         bd.Drive(bd.Face("x_max"), vx=bd.Ramp(0.0, -6.0, 4e-6)),
         bd.Pressure(bd.Face("y_max"), 4e6, schedule=bd.Ramp(0.0, 1.0, 1e-5)),

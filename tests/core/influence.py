@@ -178,7 +178,7 @@ class Step:
                     values = values[: self.kept]
                 axes = tuple(symbol for symbol, _ in about.shape)
                 owner = self._owner(name, axes[0], values, one)
-                if values.dtype.kind != "f" and values.dtype != np.uint8:
+                if values.dtype.kind != "f" and values.dtype != np.uint8 and name not in _FACETS:
                     owner = None
                 if about.name == "pose":
                     yield Array(name, values, (slice(None), (0, 1, 2, 4, 5, 6, 7)), axes, owner, about.written)
@@ -224,7 +224,7 @@ def kind_of(one: StepEntry) -> str:
     return kinds_of_passes()[step_pass(one.name)[0][1]]
 
 
-#: Numbers of facets, by cell.
+# Numbers of facets, by cell.
 _FACETS = {"CrackLists.leader"}
 BY_BLOCKS = {"bonds_of_blocks", "elements_of_blocks", "parts_of_shared", "divides_elements", "postponed_of_blocks"}
 
@@ -297,7 +297,7 @@ class Look:
         after = self.memory if c is not None else self.plain
         bonds, step, found = self.kind in _BOND_KINDS, self.step, self.found
         for d in self.arrays:
-            if not d.written or d.name in _FACETS:
+            if not d.written:
                 continue
             made, own = after[d.key], c is not None and (d.key, d.part) == (c.key, c.part)
             wrote = False

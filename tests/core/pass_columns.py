@@ -7,6 +7,8 @@ column of a pose that holds the stress of a cell, and `pose` the others.
 
 from functools import cache
 
+import numpy as np
+
 from bondem import _core
 from bondem._core import pass_tables
 
@@ -16,6 +18,7 @@ USES = {
     "ends": "reads {} at both ends",
     "around": "reads {} at both ends and at their neighbours",
     "still": "reads {} at both ends, of elements that are postponed",
+    "energy": "reads {} at both ends, for the energy of an event",
     "adds": "adds {} to elements",
     "changes": "changes {} of an element",
     "writes": "writes {} of an element",
@@ -64,7 +67,7 @@ def _known(tables: tuple[str, ...]) -> tuple[dict[str, list[str]], set[str]]:
     written = set()
     for table in dict.fromkeys(tables):
         for field in _core._library().tables[table]:
-            if field.written is None or field.shape[0][0] not in OF_ELEMENTS or field.dtype.kind not in "fu":
+            if field.written is None or field.shape[0][0] not in OF_ELEMENTS or field.dtype == np.int64:
                 continue
             full = f"{table}.{field.name}"
             for one in (full, f"{full}.stress") if field.name == "pose" else (full,):

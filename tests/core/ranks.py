@@ -1,7 +1,8 @@
 """A run by several ranks in one process: each moves its own elements, and has the others as ghosts.
 
-A rank has all tables of the body, but bonds and pairs without an own end do not act, as a rank with one layer of
-ghosts lacks them. So forces and sums of its ghosts are wrong, until a refresh copies columns from their owners.
+A rank has all tables of the body, but bonds and pairs that it would lack do not act: those without an end that is
+own, or among the ghosts of which it has all bonds. So forces and sums of ghosts are wrong, until a refresh copies
+columns from their owners. Elements beyond the ghosts are never refreshed, and go wrong at once.
 """
 
 from collections.abc import Sequence
@@ -21,7 +22,7 @@ from bondem.dynamics.plan import Plan
 from bondem.interactions.step_part import FORCES, Part, composed
 from bondem.model.domain_blocks import Blocks
 from bondem.model.state import State
-from tests.core.refreshes import Refresh, values_of
+from tests.core.refreshes import LEADER, Refresh, values_of
 from tests.device_cases import Case
 
 _GUARDED = 100  # steps between two passes of the guard, behind which elements open the next step by themselves
@@ -39,10 +40,10 @@ class Rank:
         case: model, state, time step and options of all ranks.
         state: state from which the run begins.
         own: own elements, internal order.
-        layers: layers of ghosts, 1 or more.
+        layers: layers of ghosts, and of ghosts of which the rank has all bonds.
     """
 
-    def __init__(self, case: Case, state: State, own: np.ndarray, layers: int) -> None:
+    def __init__(self, case: Case, state: State, own: np.ndarray, layers: tuple[int, int]) -> None:
         model, _, _, dt, options = case
         plan = Plan(duration=dt, dt=dt, **options)
         self.state, self.own, self.model = state, own, model
@@ -54,22 +55,24 @@ class Rank:
         self.scheme = StepScheme(dt, *plan.scheme.coefficients(dt), terms.gamma, state.time - state.step * dt)
         self.i, self.j = model.layout.i.astype(int), model.layout.j.astype(int)
         self._live: list[Any] = []
-        self.compose, self.known = Composer(), self._known(layers)
+        self.compose = Composer()
+        self._bonded, self.known = self._within(layers[0]), self._within(layers[1])
         self.call(0, present=composed(self.parts, "present"), looks=True)
         if first := composed(self.parts, "begin"):
             self.call(0, present=[*composed(self.parts, "present"), *first], looks=True)
         self._leave_out()
 
-    def _known(self, layers: int) -> np.ndarray:
-        """Elements of which a rank has all bonds."""
-        known = self.own.copy()
-        for _ in range(layers - 1):
-            one, other = known[self.j], known[self.i]
-            known[self.i[one]] = known[self.j[other]] = True
-        return known
+    def _within(self, layers: int) -> np.ndarray:
+        """Own elements and layers of ghosts."""
+        found = self.own.copy()
+        for _ in range(layers):
+            one, other = found[self.j], found[self.i]
+            found[self.i[one]] = found[self.j[other]] = True
+        return found
 
     def _leave_out(self) -> None:
-        """Let bonds and pairs that the rank lacks do nothing."""
+        """Let bonds and pairs that the rank lacks do nothing, and find its ghosts."""
+        self.ghosts = self._bonded.copy()
         lacks = np.flatnonzero(~self.known[self.i] & ~self.known[self.j])
         for stage in ("present", *FORCES):
             for one in composed(self.parts, stage):
@@ -82,7 +85,10 @@ class Rank:
                             values[lacks] = np.where(values[lacks] == 0, _PARTED, values[lacks])
                     if type(table).__name__ == "ContactPairs":
                         first, second = table.first.astype(int), table.second.astype(int)
-                        table.reach[~self.known[first] & ~self.known[second]] = 0.0
+                        has = self.known[first] | self.known[second]
+                        table.reach[~has] = 0.0
+                        self.ghosts[np.r_[first[has], second[has]]] = True
+        self.ghosts &= ~self.own
 
     def call(self, before: int, *, looks: bool = False, pauses: bool = False, **lists: list[StepEntry]) -> None:
         """Carry out lists of passes; those of forces in the step behind a number of steps, the last one or not."""
@@ -118,11 +124,11 @@ class Ranks:
         state: state of all elements, with their present acceleration.
         owner: rank of each element, internal order.
         wanted: refreshes of each step.
-        layers: layers of ghosts.
+        layers: as `Rank` has them.
     """
 
     def __init__(
-        self, case: Case, state: State, owner: np.ndarray, wanted: Sequence[Refresh], layers: int = 1
+        self, case: Case, state: State, owner: np.ndarray, wanted: Sequence[Refresh], layers: tuple[int, int]
     ) -> None:
         self.owner, self.wanted = owner, wanted
         self.ranks = [Rank(case, state.copy(), owner == rank, layers) for rank in range(owner.max() + 1)]
@@ -138,8 +144,7 @@ class Ranks:
             self._through(before - 1, "travel")
             self._refresh("travel")
             if any(rank.is_out_of_date for rank in self.ranks):
-                for rank in self.ranks:
-                    rank.renew()
+                self._renew()
             self._through(before, "present")
             self._forces(before, last)
             for rank in self.ranks:
@@ -151,6 +156,16 @@ class Ranks:
         for rank in self.ranks:
             for part in rank.parts:
                 part.keep()
+
+    def _renew(self) -> None:
+        """Renew the lists of contacts, by the places and velocities of all elements."""
+        for name in ("pose", "motion"):
+            found = [getattr(rank.state, name) for rank in self.ranks]
+            whole = np.array(found)[self.owner, np.arange(len(self.owner))]
+            for values in found:
+                values[...] = whole
+        for rank in self.ranks:
+            rank.renew()
 
     def _through(self, before: int, stage: str) -> None:
         for rank in self.ranks:
@@ -167,16 +182,21 @@ class Ranks:
             self._refresh("forces", last)
 
     def _refresh(self, stage: str, place: int | None = None) -> None:
-        """Copy columns of ghosts from their owners."""
+        """Copy columns of ghosts from their owners; with the number of a crack its integrities and axes."""
         for one in self.wanted:
             if one.stage == stage and place in (None, one.place):
                 stages = FORCES if stage == "forces" else (stage,)
-                found = [values_of(composed(rank.parts, *stages)[one.place], one.column) for rank in self.ranks]
+                entries = [composed(rank.parts, *stages)[one.place] for rank in self.ranks]
+                found = [values_of(entry, one.column) for entry in entries]
                 part = [3] if one.column.endswith(".stress") else [0, 1, 2, 4, 5, 6, 7]
                 for rank, values in enumerate(found):
                     for other, source in enumerate(found):
-                        rows = np.flatnonzero(self.owner == other)
+                        rows = np.flatnonzero((self.owner == other) & self.ranks[rank].ghosts)
                         if other != rank and ".pose" in one.column:
                             values[np.ix_(rows, part)] = source[np.ix_(rows, part)]
                         elif other != rank:
                             values[rows] = source[rows]
+                        if one.column == LEADER:
+                            cracks = source[rows][source[rows] >= 0]
+                            frames = [values_of(entries[at], "CohesiveCracks.frame") for at in (rank, other)]
+                            frames[0][cracks] = frames[1][cracks]

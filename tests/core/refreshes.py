@@ -1,13 +1,15 @@
 """Which columns of ghosts need the numbers of their owners in a step, and where, from what its passes declare.
 
-A rank that has a part of a body holds the elements that share a bond with its own as ghosts, and no other bonds. So
+A rank has its own elements, their bonds, and elements around these as ghosts. So
 
     what bonds add to a ghost is incomplete;
     what an element writes from something incomplete is incomplete;
     a pass that reads something incomplete at its ends needs it refreshed before.
 
-A refresh stands behind the pass that left a column incomplete. The earliest of these passes comes first, as its
-refresh may complete what others write. A step begins with what the last one left: the walk goes round the list twice.
+A refresh stands behind the pass that left a column incomplete. Passes that add come first, and the earliest of them,
+as their refresh may complete what others write. A step begins with what the last one left: the walk goes round the
+list twice.
+Energies of events need no refresh: a pass that finds one from all bonds of a ghost needs these bonds (`layers`).
 """
 
 from collections.abc import Iterable
@@ -24,6 +26,8 @@ _STAGES = (
     ("opening", ("opening",)), ("travel", ("travel",)), ("present", ("present",)), ("forces", tuple(FORCES)),
     *((name, (name,)) for name in RESUME),
 )  # fmt: skip
+#: Numbers of cracks, one a cell. A pass that reads them reads these cracks, and the orientations of their cells i.
+LEADER = "CrackLists.leader"
 #: All of these.
 STEP = tuple(stage for _, some in _STAGES for stage in some)
 
@@ -73,27 +77,34 @@ def refreshes(parts: Iterable[Part]) -> list[Refresh]:
     return sorted(found, key=lambda one: (order.index(one.stage), one.place))
 
 
-def layers(parts: Iterable[Part]) -> int:
-    """Return the layers of ghosts that a step needs: two where a pass reads at neighbours of its ends."""
-    return 1 + any("around" in columns_of(one.name) for one in composed(parts, *STEP))
+def layers(parts: Iterable[Part], *, energies: bool = False) -> tuple[int, int]:
+    """Return how many layers of ghosts a step needs, and of how many all bonds, for motions or for energies too.
+
+    Neighbours of the ends of an own bond are two away, and the cells of their cracks three. A pass that reads which
+    faces of a cell have parted, or an energy by all of its cracks, needs all bonds of the ghosts beside own elements.
+    """
+    passes = [columns_of(one.name) for one in composed(parts, *STEP)]
+    around = {column for one in passes for column in one.get("around", ())}
+    bonds = any("FacePairs.faced" in one.get("ends", ()) or (energies and "energy" in one) for one in passes)
+    return 1 + (len(around) > 0) + (LEADER in around) + bonds, int(bonds)
 
 
 def _first_need(passes: list[_Pass | str]) -> tuple[int, str, int] | None:
-    """Return the place of the earliest pass that leaves a column incomplete, the column, and where it is needed."""
-    incomplete: dict[str, int] = {}
+    """Return the place of the first pass that leaves a column incomplete, the column, and where it is needed."""
+    incomplete: dict[str, tuple[bool, int]] = {}  # whether by what it reads, and the place of the pass
     needs = []
     for turn in range(2):
         for place, one in enumerate(passes):
             if isinstance(one, str):
                 incomplete.pop(one, None)
                 continue
-            needs += [(incomplete[column], column, place) for column in one.ends if column in incomplete if turn]
+            needs += [(*incomplete[column], column, place) for column in one.ends if column in incomplete if turn]
             spoiled = any(column in incomplete for column in one.own | one.ends)
-            incomplete |= dict.fromkeys(one.adds, place)
+            incomplete |= dict.fromkeys(one.adds, (False, place))
             for column in one.writes:
                 incomplete.pop(column, None)
-            incomplete |= dict.fromkeys(one.writes if spoiled else (), place)
-    return min(needs, default=None)
+            incomplete |= dict.fromkeys(one.writes if spoiled else (), (True, place))
+    return min(needs)[1:] if needs else None
 
 
 def _with_memory(one: StepEntry, names: dict[tuple[int, str], str]) -> _Pass:

@@ -65,7 +65,7 @@ def declared(name: str) -> dict[str, set[str]]:
     """Return the declaration of a pass as it is seen from outside: not whether elements are postponed."""
     columns = {use: set(of) for use, of in columns_of(name).items()}
     around = columns.get("around", set())
-    ends = columns.get("ends", set()) | columns.get("still", set()) | around
+    ends = set().union(*(columns.get(use, set()) for use in ("ends", "still", "energy", "around")))
     adds = columns.get("adds", set())
     return {
         "ends": ends, "around": around, "adds": adds, "writes": columns.get("writes", set()) | adds,
@@ -118,7 +118,8 @@ def test_passes_do_what_they_declare() -> None:
     [
         ("add_facet_loads", "ends pose; adds sums", "ends Moving.pose.stress"),
         ("mark_pairs", "ends moment space", "does not read LaggedStresses.moment at its ends"),
-        ("measure_cracks", "ends pose tensor; adds half", "around StressesOfCells.tensor"),
+        ("measure_cracks", "ends pose tensor; around leader; adds half", "around StressesOfCells.tensor"),
+        ("measure_cracks", "around pose tensor; adds half", "around CrackLists.leader"),
         ("stress_cells", "own given swelling weight; writes pose.stress", "writes CellDilatation.swelling"),
         ("sum_stress_differences", "own pose.stress; writes difference", "ends Moving.pose.stress"),
         ("begin_cracks", "", "adds CrackOnset.cracked"),

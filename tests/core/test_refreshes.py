@@ -1,8 +1,12 @@
 """Refreshes of ghosts that follow from what passes declare, and runs of several ranks with them."""
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 
+import bondem as bd
+from bondem.damage.crack_columns import FACET, SPENT
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.parts.parts_of_model import parts_in_one_block
 from bondem.dynamics.plan import Plan
@@ -10,13 +14,15 @@ from tests.core.ranks import Ranks
 from tests.core.refreshes import layers, refreshes
 from tests.device_cases import Case
 from tests.device_cracks import CASES as CRACKING
+from tests.device_cracks import RANKINE, STEP, free, pushed, sliding, thrown
 from tests.device_runs import CASES as RUNS
 from tests.device_yielding import CASES as YIELDING
+from tests.device_yielding import COULOMB, pressed
 
 pytestmark = pytest.mark.filterwarnings("ignore::UserWarning")
 _ALL = {**RUNS, **CRACKING, **YIELDING}
 _CRACKS = [
-    "pose.stress relax_cracked_cells", "weight wake_cracks", "pose.stress relax_outdated_cells", "half soften_cracks",
+    "pose.stress relax_cracked_cells", "pose.stress relax_outdated_cells", "leader relax_outdated_cells",
     "pose.stress relax_outdated_cells", "slip sum_cracks",
 ]  # fmt: skip
 #: Of each kind of model: the column, and the pass that its refresh stands behind.
@@ -40,7 +46,11 @@ WANTED = {
     ],
     "torn apart": ["pose open_elements", "tensor add_surface_stresses", "judged judge_cells", *_CRACKS],
     "crushed": [
-        "pose open_elements", "tensor add_surface_stresses", "judged yield_cells", "plastic yield_cells", *_CRACKS
+        "pose open_elements", "tensor add_surface_stresses", "plastic yield_cells", "judged yield_cells", *_CRACKS
+    ],
+    "warming and crushed": [
+        "pose open_elements_and_rows", "tensor add_surface_stresses", "plastic yield_cells", "judged yield_cells",
+        *_CRACKS,
     ],
     "non-local, spheres": ["pose open_elements_and_rows", "space turn_stresses"],
     "non-local, bonds break": [
@@ -61,42 +71,128 @@ def test_refreshes_follow_from_declarations(name: str) -> None:
     assert [f"{one.column.partition('.')[2]} {one.behind}" for one in found] == WANTED[name]
 
 
-def test_cracks_need_two_layers_and_facets_that_break_at_once_a_pass_that_is_divided() -> None:
-    assert layers(parts_of(_ALL["torn apart"]())) == 2
-    assert layers(parts_of(_ALL["non-local, bonds break"]())) == 1
+def test_cracks_need_three_layers_and_facets_that_break_at_once_a_pass_that_is_divided() -> None:
+    assert layers(parts_of(_ALL["torn apart"]())) == (3, 0)
+    assert layers(parts_of(_ALL["torn apart"]()), energies=True) == (4, 1)
+    assert layers(parts_of(_ALL["sliding on a joint"]())) == (4, 1)
+    assert layers(parts_of(_ALL["non-local, bonds break"]())) == (1, 0)
     with pytest.raises(ValueError, match="break_facets reads at its ends"):
         refreshes(parts_of(_ALL["brittle cells"]()))
 
 
-def differing(name: str, steps: int, left_out: int | None = None) -> int:
-    """Return how many elements of three ranks, dealt at random, differ in a bit from a run of one process."""
-    model, start, _, dt, options = _ALL[name]()
-    options = {key: value for key, value in options.items() if key not in ("every", "gauges")}
-    case = model, start, steps, dt, options
-    whole = CoreLoop(model, Plan(duration=1.0, dt=dt, every=0, **options), start(model), dt)
-    whole.look()
-    state, parts = whole.state.copy(), parts_of(case)
-    whole.run(steps)
-    owner = np.random.default_rng(0).integers(0, 3, len(state.pose))
-    wanted = [one for place, one in enumerate(refreshes(parts)) if place != left_out and "half" not in one.column]
-    ranks = Ranks(case, state, owner, wanted, layers(parts))
-    ranks.run(steps)
-    differ = np.zeros(len(owner), dtype=bool)
-    for number, rank in enumerate(ranks.ranks):
-        for field in ("pose", "motion", "acceleration"):
-            one, other = getattr(rank.state, field), getattr(whole.state, field)
-            differ |= (owner == number) & (one != other).any(axis=1)
-    return int(differ.sum())
+# The bars of cracking bodies, three times as long, so that a rank with its ghosts is not the whole body.
+_TOUCH = bd.LinearContact(E=40e9, friction=0.4)
+_LONG: dict[str, Callable[[], Case]] = {
+    "torn apart": lambda: (free(RANKINE, 24), thrown((6.0, -1.2, 1.8)), 60, STEP, {}),
+    "driven together and touching": lambda: (
+        free(RANKINE, 24, contact=_TOUCH), thrown((-120.0, -36.0, -36.0), 10.0), 440, 0.25 * STEP, {}
+    ),
+    "crushed": lambda: (free(COULOMB, 24), thrown((-12.0, 1.5, 2.4)), 100, STEP, {}),
+    "crushed between walls": lambda: (pressed(COULOMB, 24), thrown((-3.0, 0.0, 0.0)), 60, STEP, {}),
+    "sliding on a joint": lambda: (sliding(24), pushed, 440, 0.8 * STEP, {}),
+}  # fmt: skip
+
+
+def cuts(model: bd.Model, seed: int = 0) -> np.ndarray:
+    """Return one of three ranks for each element: parts along the body, with a random cut between them."""
+    x = model.lattice.centre[model.layout.order][:, 0]
+    ragged = np.random.default_rng(seed).uniform(-1.5, 1.5, len(x))
+    share = (x - x.min()) / np.ptp(x) + ragged * 4e-3 / np.ptp(x)
+    return np.searchsorted([1 / 3, 2 / 3], share)
+
+
+def dealt(model: bd.Model, seed: int = 0) -> np.ndarray:
+    """Return one of three ranks for each element, at random."""
+    return np.random.default_rng(seed).integers(0, 3, len(model.lattice.centre))
+
+
+class Sides:
+    """A run of one process and one of three ranks, from the same state.
+
+    Args:
+        case: model, state, steps, time step and options.
+        owner: rank of each element, internal order.
+        left_out: place of a refresh that is left out, or None.
+        given: layers of ghosts, and of those of which ranks have all bonds, or None for what motions need.
+    """
+
+    def __init__(
+        self, case: Case, owner: np.ndarray, left_out: int | None = None, given: tuple[int, int] | None = None
+    ) -> None:
+        model, start, _, dt, options = case
+        options = {key: value for key, value in options.items() if key not in ("every", "gauges")}
+        case, plan = (*case[:4], options), Plan(duration=1.0, dt=dt, every=0, **options)
+        self.owner, self.whole = owner, CoreLoop(model, plan, start(model), dt)
+        self.whole.look()
+        parts = parts_of(case)
+        wanted = [one for place, one in enumerate(refreshes(parts)) if place != left_out]
+        self.ranks = Ranks(case, self.whole.state.copy(), owner, wanted, given or layers(parts))
+
+    def differing(self, steps: int) -> int:
+        """Take steps, and return how many elements of ranks differ in a bit from those of the one process."""
+        self.whole.run(steps)
+        self.ranks.run(steps)
+        differ = np.zeros(len(self.owner), dtype=bool)
+        for number, rank in enumerate(self.ranks.ranks):
+            for field in ("pose", "motion", "acceleration"):
+                one, other = getattr(rank.state, field), getattr(self.whole.state, field)
+                differ |= (self.owner == number) & (one != other).any(axis=1)
+        return int(differ.sum())
+
+    @property
+    def other_energies(self) -> int:
+        """How many cracks of ranks, by their cell j, have dissipated another energy than in the one process."""
+        differ, whole = 0, dict(self.whole.state.cracks[:, [FACET, SPENT]])
+        for number, rank in enumerate(self.ranks.ranks):
+            cracks = rank.state.cracks[self.owner[rank.j[rank.state.cracks[:, FACET].astype(int)]] == number]
+            differ += sum(whole[facet] != spent for facet, spent in cracks[:, [FACET, SPENT]])
+        return differ
 
 
 @pytest.mark.parametrize(
-    ("name", "steps"),
-    [("dashpots and brittle", 20), ("layer of cells", 10), ("non-local, bonds break", 20), ("torn apart", 8)],
+    ("name", "steps"), [("dashpots and brittle", 20), ("layer of cells", 10), ("non-local, bonds break", 20)]
 )
 def test_ranks_have_the_bits_of_one_process(name: str, steps: int) -> None:
-    assert differing(name, steps) == 0
+    case = _ALL[name]()
+    assert Sides(case, dealt(case[0])).differing(steps) == 0
 
 
-@pytest.mark.parametrize("left_out", range(5))
-def test_no_refresh_may_be_left_out(left_out: int) -> None:
-    assert differing("non-local, bonds break", 40, left_out) > 0
+@pytest.mark.parametrize("name", _LONG)
+def test_ranks_crack_by_the_bits_of_one_process(name: str) -> None:
+    case = _LONG[name]()
+    owner, energies = cuts(case[0]), layers(parts_of(case), energies=True)
+    assert Sides(case, owner).differing(case[2]) == 0
+    sides = Sides(case, owner, given=energies)
+    assert all((~rank.ghosts & ~rank.own).sum() > 60 for rank in sides.ranks.ranks)
+    assert (sides.differing(case[2]), sides.other_energies) == (0, 0)
+    assert len(sides.whole.state.cracks) > 100
+
+
+@pytest.mark.parametrize("given", [(2, 0), (3, 0), (3, 1), (4, 1), (5, 2)])
+def test_fewer_layers_are_wrong_and_more_of_them_change_nothing(given: tuple[int, int]) -> None:
+    case = _LONG["crushed"]()
+    assert (Sides(case, cuts(case[0]), given=given).differing(case[2]) == 0) == (given[0] >= 3)
+
+
+@pytest.mark.parametrize(
+    ("name", "steps", "left_out"),
+    [("non-local, bonds break", 40, place) for place in range(5)]
+    + [("planes", 20, place) for place in range(3 + len(_CRACKS))],
+)
+def test_no_refresh_may_be_left_out(name: str, steps: int, left_out: int) -> None:
+    case = _ALL[name]()
+    assert Sides(case, dealt(case[0]), left_out).differing(steps) > 0
+
+
+def test_plastic_strains_of_ghosts_are_refreshed_for_cells_near_them() -> None:
+    case = _LONG["crushed"]()
+    assert Sides(case, cuts(case[0]), WANTED["crushed"].index("plastic yield_cells")).differing(60) > 0
+
+
+def test_energies_of_cracks_that_part_need_the_bonds_of_ghosts_and_faces_that_part_move_by_them() -> None:
+    case = _ALL["planes"]()
+    motions, energies = (Sides(case, dealt(case[0]), given=given) for given in ((3, 0), (4, 1)))
+    assert [one.differing(40) for one in (motions, energies)] == [0, 0]
+    assert (motions.other_energies > 0, energies.other_energies) == (True, 0)
+    case = _LONG["sliding on a joint"]()
+    assert Sides(case, cuts(case[0]), given=(3, 0)).differing(case[2]) > 0

@@ -13,7 +13,7 @@ def carry_cracks(
 ) -> StepEntry:
     """Sums b⊗f of the cracks of each cell from their forces of the last step, and finds which of them leads.
 
-    Over cracks or their cells, of which threads may share portions. Adds `carried` to elements.
+    Over cracks or their cells, of which threads may share portions. Adds `carried`, `leader` to elements.
     """
     return StepEntry("carry_cracks", (stresses_of_cells, cohesive_cracks, crack_lists))
 

@@ -15,8 +15,9 @@ def leave_cracks(
 ) -> StepEntry:
     """Puts cracks to rest, or parts their faces, as `soften_cracks` has found.
 
-    Over cracks or their cells, of which threads may share portions. Reads `CellDilatation.weight`, `half`,
-    `pose`, `pose.stress` at both ends; adds `CellDilatation.weight`, `base`, `half`, `outdated` to elements.
+    Over cracks or their cells, of which threads may share portions. Reads `pose` at both ends; reads
+    `CellDilatation.weight`, `half`, `pose.stress` at both ends, for the energy of an event; adds
+    `CellDilatation.weight`, `base`, `half`, `outdated` to elements.
     """
     return StepEntry("leave_cracks", (
         moving, elastic_facets, cell_dilatation, cell_slack, cohesive_cracks, crack_lists

@@ -24,8 +24,8 @@ def measure_cracks(
     """Finds faces and halves of the cracks that are treated one by one, and axes of cracks before any loss of
     integrity.
 
-    Over cracks or their cells, of which threads may share portions. Reads `pose`, `tensor` at both ends and at
-    their neighbours; adds `half` to elements.
+    Over cracks or their cells, of which threads may share portions. Reads `leader`, `pose`, `tensor` at both
+    ends and at their neighbours; adds `half` to elements.
     """
     return StepEntry("measure_cracks", (
         moving, elastic_facets, cell_slack, stresses_of_cells, cohesive_cracks, crack_lists
@@ -47,6 +47,6 @@ def relax_outdated_cells(
     """Finds the stresses of cells with cracks that are out of date, and which crack leads those of each.
 
     Over cracks or their cells, of which threads may share portions. Reads `base`, `half`, `weight` of an
-    element; adds `pose.stress`, `outdated` to elements.
+    element; adds `leader`, `pose.stress`, `outdated` to elements.
     """
     return StepEntry("relax_outdated_cells", (moving, cell_dilatation, cohesive_cracks, crack_lists))

@@ -131,6 +131,6 @@ void carry_cracks(const Range &, const StressesOfCells &stresses, const Cohesive
         find_leader(cracks, lists, lists.cell(q));
     }
 }
-BONDEM_PASS(carry_cracks, of_cracks, "adds carried")
+BONDEM_PASS(carry_cracks, of_cracks, "adds carried leader")
 
 }  // namespace bondem

@@ -192,6 +192,6 @@ void leave_cracks(const Range &range, const Moving &all, const ElasticFacets &fa
         }
     }
 }
-BONDEM_PASS(leave_cracks, of_cracks, "ends CellDilatation.weight half pose pose.stress; adds CellDilatation.weight base half outdated")
+BONDEM_PASS(leave_cracks, of_cracks, "ends pose; energy CellDilatation.weight half pose.stress; adds CellDilatation.weight base half outdated")
 
 }  // namespace bondem

@@ -45,7 +45,7 @@ void measure_cracks(const Range &range, const Moving &all, const ElasticFacets &
         });
     });
 }
-BONDEM_PASS(measure_cracks, of_cracks, "around pose tensor; adds half")
+BONDEM_PASS(measure_cracks, of_cracks, "around leader pose tensor; adds half")
 
 // Finds the stresses of all cells with cracks that are treated one by one.
 void relax_cracked_cells(const Range &range, const Moving &all, const CellDilatation &cells,
@@ -79,7 +79,7 @@ void relax_outdated_cells(const Range &range, const Moving &all, const CellDilat
         for (Index n = 0; n < count; n += lanes) relax(CellGroup{outdated + n}, all, cells, lists);
     });
 }
-BONDEM_PASS(relax_outdated_cells, of_cracks, "own base half weight; adds pose.stress outdated")
+BONDEM_PASS(relax_outdated_cells, of_cracks, "own base half weight; adds leader pose.stress outdated")
 
 #endif
 

@@ -51,7 +51,7 @@ void yield_cells(const Range &range, const Moving &all, const FacetStrengths &, 
         });
     flow_together(all, stresses, cells, batch);
 }
-BONDEM_PASS(yield_cells, of_elements, "own pose tensor; ends slipped; adds held plastic; writes judged")
+BONDEM_PASS(yield_cells, of_elements, "own pose tensor; ends slipped; adds held plastic; changes judged")
 
 // Stretches levers of facets with the plastic deformation of their cells, where it has grown.
 void stretch_cells(const Range &range, const ElasticFacets &facets, const FacetsOfCells &of_cells,
