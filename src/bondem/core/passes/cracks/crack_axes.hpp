@@ -2,9 +2,9 @@
 //
 // Cracks with axes of their own block each other: those of neighbouring facets cost 6 to 8 % of the fracture energy at a
 // notch, and those of layers that a crack reaches one after the other, where a body tears by turning, 10 to 22 %. So a crack
-// takes the axes of that crack of its two cells and all their neighbours which has lost most, where one of the three is
-// within 45° of the largest principal stress around it; else the principal directions of that stress, the mean over the
-// same cells.
+// takes the axes of that crack of its two cells which has lost most, where one of the three is within 45° of the largest
+// principal stress around it; else the principal directions of that stress, the mean over both cells and all their
+// neighbours. Cracks of these neighbours do not lead: ahead of a crack that curves the axes behind it no longer fit.
 #pragma once
 #include "../../laws/principal.hpp"
 #include "single_cracks.hpp"
@@ -37,17 +37,15 @@ inline void find_leader(const CohesiveCracks &cracks, const CrackLists &lists, I
     lists.leader(p) = int32_t(leader.facet);
 }
 
-// Some cells: Σ V σ [J], Σ V [m³], and the crack that leads them.
-struct CellsAround {
+// Some cells: Σ V σ [J] and Σ V [m³].
+struct StressAround {
     Symmetric3<double> sum = {};
     double volume = 0.0;
-    LeadingCrack leader;
 
-    void add(const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists, Index p) {
+    void add(const StressesOfCells &stresses, Index p) {
         const double v = stresses.volume(p);
         sum = sum + v * tensor_of(stresses, p);
         volume += v;
-        if (lists.leader(p) >= 0) leader.add(cracks, lists.leader(p));
     }
 };
 
@@ -56,9 +54,11 @@ struct CellsAround {
 inline void choose_axes(const Moving &all, const ElasticFacets &facets, const CellSlack &of,
                         const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists, Index k) {
     const Short cells[2] = {facets.i(k), facets.j(k)};
-    CellsAround around;
-    const auto add = [&](Index p) { around.add(stresses, cracks, lists, p); };
+    StressAround around;
+    LeadingCrack leading;
+    const auto add = [&](Index p) { around.add(stresses, p); };
     for (const Short p : cells) {
+        if (lists.leader(p) >= 0) leading.add(cracks, lists.leader(p));
         add(p);
         for (Index h = of.in_start(p); h < of.in_start(p + 1); h++) add(facets.i(h));
         for (Index e = of.out_start(p); e < of.out_start(p + 1); e++) add(facets.j(of.in_start(0) + Index(of.out_bond(e))));
@@ -68,7 +68,7 @@ inline void choose_axes(const Moving &all, const ElasticFacets &facets, const Ce
     for (int d = 1; d < 3; d++)
         if (here.stress[d] > here.stress[first]) first = d;
     CrackAxes<double> axes = {{here.direction[first], here.direction[(first + 1) % 3], here.direction[(first + 2) % 3]}};
-    const Index leader = around.leader.facet;
+    const Index leader = leading.facet;
     if (leader >= 0) {
         const Quaternion<double> turn = orientation(gather(all.pose.data, facets.i(leader)));
         const CrackAxes<double> other = axes_of(turn, quaternion_of(frame_of(cracks, leader).axes));
