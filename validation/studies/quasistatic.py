@@ -11,7 +11,7 @@ from bondem._checks import count, number
 from bondem.interactions.beams.bond_law import BondLaw
 from bondem.observables.energy import EnergyParts
 from validation.figures.energy import draw_breakdown, draw_quasistatic, draw_settling
-from validation.frame.files import table, thinned
+from validation.frame.files import thinned
 from validation.frame.study import Row
 from validation.measures.explicit_tension import ExplicitTension, explicit_tension
 from validation.rows.bar import BarStudy, BarTest, CalibratedBar
@@ -29,16 +29,6 @@ _POINTS = 5
 STUDY_RUNS = {"fig 11": _POINTS, "figs 13, 14, 15": _POINTS**2, "fig 16": _POINTS}
 #: What a calibration cannot do without.
 CALIBRATING_RUNS = {"fig 15": _POINTS, "fig 16": _POINTS}
-
-_CAPTIONS = {
-    "quasistatic_energy": """Figure 10. Deformation and kinetic energy of the free specimen while equal and opposite
-        forces grow on its ends, and after. Dashed: kinetic energy of a bar stretched at this rate, ρ S L³ ε̇²/24.""",
-    "quasistatic_breakdown": """Figure 12. Elastic energy of the bonds by kind. Left as the paper splits it, where
-        bending is shear and bending at once; right in four, as shares of the whole.""",
-    "quasistatic_settling": """How far stress over strain still swings about the E of the static solution once the
-        load is full, for runs of different length, each with half of its steps to grow in; and how far off its mean
-        over the last tenth of the steps is.""",
-}
 
 
 @dataclass(frozen=True)
@@ -86,7 +76,6 @@ class QuasiStatic(BarStudy):
     """
 
     name: ClassVar[str] = "quasistatic"
-    captions: ClassVar[Mapping[str, str]] = _CAPTIONS
 
     steps: int = 100_000
     ramp: float = 0.5
@@ -111,10 +100,6 @@ class QuasiStatic(BarStudy):
         _, run = self.first(out)
         return rows[0]["bar"] | _numbers(self, rows, run) | {"curves": _curves(run)}
 
-    def table(self, results: Mapping[str, Any]) -> str:
-        """See `Study`."""
-        return _tables(results)
-
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """Figures 10 and 12, and how runs settle."""
         figures = out / "figures"
@@ -124,14 +109,6 @@ class QuasiStatic(BarStudy):
             figures / "quasistatic_breakdown.png", run.time, run.energy, mark=run.ramp, mark_name="load full"
         )
         draw_settling(figures / "quasistatic_settling.png", [*shorter, run], results["static"]["E"])
-
-    def about(self) -> str:
-        """See `BarStudy`."""
-        return f"André et al. (2012), §5.1.2 and §5.2.1 · {self.count} spheres, {self.steps} steps"
-
-    def verdict(self, results: Mapping[str, Any]) -> str:
-        """See `BarStudy`."""
-        return _verdict(results)
 
 
 def shares(energy: Mapping[str, float]) -> dict[str, float]:
@@ -200,68 +177,3 @@ def _compared(run: ExplicitTension, bar: CalibratedBar) -> dict[str, Any]:
 def _curves(run: ExplicitTension) -> dict[str, Any]:
     named = {name: run.energy[name] for name in (*_PARTS, "translation", "rotation", "work")}
     return {name: thinned(np.asarray(curve)) for name, curve in {"time": run.time, **named}.items()}
-
-
-def _tables(results: Mapping[str, Any]) -> str:
-    rows = [
-        [
-            str(one["steps"]),
-            f"{one['E'] / 1e9:.4f}",
-            f"{one['E_ppm']:+.1f}",
-            f"{one['E_last_ppm']:+.1f}",
-            f"{one['nu']:.5f}",
-            f"{one['nu_ppm']:+.1f}",
-            *(_steps(one["settled_after"][f"{tolerance:g}"]) for tolerance in _TOLERANCES),
-            f"{one['seconds']:.1f}",
-            f"{one['busy_seconds']:.1f}",
-        ]
-        for one in results["explicit"]
-    ]
-    static = results["static"]
-    rows.append(["static", f"{static['E'] / 1e9:.4f}", "", "", f"{static['nu']:.5f}", "", "", "", "", "", ""])
-    moduli = table(
-        "Moduli of explicit runs (mean of the last tenth) and of the static solution",
-        ["steps", "E [GPa]", "from static [ppm]", "last instant [ppm]", "ν", "from static [ppm]",
-         "within 1 % after", "0.1 %", "0.01 %", "time [s]", "of the processor [s]"],
-        rows,
-    )  # fmt: skip
-    names = {
-        "paper_tension": "tension", "paper_bending": "bending (paper: shear + bending)", "shear": "of it shear",
-        "bending": "of it bending", "paper_torsion": "torsion",
-    }  # fmt: skip
-    energy = results["energy"]
-    breakdown = table(
-        "Elastic energy of the bonds at full load, per cent",
-        ["part", "explicit, last step", "static"],
-        [
-            [label, f"{100.0 * energy['shares'][name]:.3f}", f"{100.0 * energy['shares_static'][name]:.3f}"]
-            for name, label in names.items()
-        ],
-    )
-    way = results["paper_way"]
-    runs = table(
-        f"The paper's way: runs its curves need, {way['points_per_curve']} points to a curve assumed",
-        ["figure", "runs", "time, extrapolated from one run [s]"],
-        [
-            *([name, str(count), f"{count * way['seconds_one']:.0f}"] for name, count in way["runs"].items()),
-            ["calibration alone: figs 15, 16", str(way["runs_calibrating"]), f"{way['seconds_calibrating']:.0f}"],
-            ["whole parametric study", str(way["runs_all"]), f"{way['seconds_all']:.0f}"],
-        ],
-    )
-    return "\n".join([moduli, breakdown, runs])
-
-
-def _steps(count: int | None) -> str:
-    return "not" if count is None else str(count)
-
-
-def _verdict(results: Mapping[str, Any]) -> str:
-    energy, run = results["energy"], results["run"]
-    last = results["explicit"][-1]
-    return (
-        f"After {run['steps']} steps the explicit run gives E within {abs(last['E_ppm']):.0f} ppm and ν within"
-        f" {abs(last['nu_ppm']):.0f} ppm of the static solution, in {run['seconds']:.0f} s. Kinetic energy never"
-        f" exceeds {energy['kinetic_over_elastic']:.1e} of the deformation energy. Torsion of the bonds holds"
-        f" {100.0 * energy['shares']['paper_torsion']:.2f} % of it. The time step the paper prints, 3·10⁻⁷ s, is"
-        f" {3e-7 / run['dt']:.0f} times what is stable here."
-    )
