@@ -162,21 +162,14 @@ def bits(**arguments) -> dict:
     return run(**arguments)
 
 
-def close(**arguments) -> dict:
-    from bits.closeness import close
-
-    return close(**arguments)
-
-
 def cases() -> dict:
-    """Names of the cases of `bits`, and of further ones."""
-    from bits.bodies import BODIES
+    """Names of the cases of `bits`."""
     from bits.cases import CASES
 
-    return {"names": list(CASES), "bodies": list(BODIES)}
+    return {"names": list(CASES)}
 
 
-TASKS = {task.__name__: task for task in (source, specimen, load, go, counts, first_run, bits, close, cases)}
+TASKS = {task.__name__: task for task in (source, specimen, load, go, counts, first_run, bits, cases)}
 
 
 def main() -> None:
