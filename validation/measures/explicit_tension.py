@@ -1,6 +1,5 @@
 """Tension of a free specimen by explicit dynamics: loads grow slowly, and the scheme damps (André et al. 2012)."""
 
-import math
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
@@ -65,16 +64,6 @@ class ExplicitTension:
         return -float(self._tail[:, 1].mean() / self._tail[:, 0].mean())
 
     @property
-    def E_last(self) -> float:
-        """Young's modulus from the last instant alone [Pa]."""
-        return self.stress / float(self.strain[-1, 0])
-
-    @property
-    def nu_last(self) -> float:
-        """Poisson's ratio from the last instant alone [-]."""
-        return -float(self.strain[-1, 1] / self.strain[-1, 0])
-
-    @property
     def kinetic(self) -> Floats:
         """Kinetic energy [J], (s,)."""
         return self.energy["translation"] + self.energy["rotation"]
@@ -83,13 +72,6 @@ class ExplicitTension:
     def elastic(self) -> Floats:
         """Elastic energy of the bonds [J], (s,)."""
         return sum((self.energy[name] for name in ("normal", "shear", "bending", "twisting")), np.zeros(1))
-
-    def settling(self, E: float, tolerance: float) -> int | None:
-        """Steps after which stress over strain stays within `tolerance` of E [Pa]; None where it never does."""
-        moving = np.abs(self.stress / E / np.where(self.strain[:, 0] == 0.0, math.inf, self.strain[:, 0]) - 1.0)
-        late = np.flatnonzero((moving > tolerance) | (self.time < self.ramp))
-        first = int(late[-1]) + 1 if len(late) else 0
-        return round(float(self.time[first]) / self.dt) if first < len(self.time) else None
 
     @property
     def _tail(self) -> Floats:

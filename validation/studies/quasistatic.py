@@ -5,13 +5,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
 
-import numpy as np
-
 from bondem._checks import count, number
 from bondem.interactions.beams.bond_law import BondLaw
 from bondem.observables.energy import EnergyParts
 from validation.figures.energy import draw_breakdown, draw_quasistatic, draw_settling
-from validation.frame.files import thinned
 from validation.frame.study import Row
 from validation.measures.explicit_tension import ExplicitTension, explicit_tension
 from validation.rows.bar import BarStudy, BarTest, CalibratedBar
@@ -19,16 +16,8 @@ from validation.rows.packings import PackingRequest
 
 # Shorter runs beside the one asked for: what steps buy.
 _SHORTER = (0.1, 0.3)
-_TOLERANCES = (1e-2, 1e-3, 1e-4)
 _PARTS = ("normal", "shear", "bending", "twisting")
 
-# How many points a curve of the paper has is not printed; fewer than five show no curve.
-_POINTS = 5
-#: Runs behind the parametric study of the paper: fig. 11 is one curve over ν_μ, figs 13 and 14 one grid of E_μ × r̃,
-#: off which fig. 15 can be read, fig. 16 one curve over E_μ at the r̃ found.
-STUDY_RUNS = {"fig 11": _POINTS, "figs 13, 14, 15": _POINTS**2, "fig 16": _POINTS}
-#: What a calibration cannot do without.
-CALIBRATING_RUNS = {"fig 15": _POINTS, "fig 16": _POINTS}
 
 
 @dataclass(frozen=True)
@@ -98,7 +87,7 @@ class QuasiStatic(BarStudy):
     def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:
         """See `Study`."""
         _, run = self.first(out)
-        return rows[0]["bar"] | _numbers(self, rows, run) | {"curves": _curves(run)}
+        return rows[0]["bar"] | _numbers(self, rows, run)
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """Figures 10 and 12, and how runs settle."""
@@ -126,30 +115,18 @@ def _numbers(study: QuasiStatic, rows: Sequence[Row], run: ExplicitTension) -> d
     static = rows[0]["bar"]["macro"]
     speed = (static["E"] / static["rho"]) ** 0.5
     elastic = float(run.elastic[-1])
-    growing = (run.time > 0.2 * run.ramp) & (run.time < run.ramp)
-    total, few = sum(STUDY_RUNS.values()), sum(CALIBRATING_RUNS.values())
     return {
         "run": {
-            "steps": run.steps, "ramp_steps": round(run.ramp / run.dt), "dt": run.dt, "duration": run.time[-1],
-            "phi": study.phi, "stress": run.stress, "seconds": run.seconds, "busy_seconds": run.busy,
-            "paper_dt": 3e-7, "paper_steps": 100_000,
+            "steps": run.steps, "ramp_steps": round(run.ramp / run.dt), "dt": run.dt, "phi": study.phi,
+            "stress": run.stress, "seconds": run.seconds,
         },
         "static": {"E": static["E"], "nu": static["nu"]},
         "explicit": sorted(map(_bare, rows), key=lambda row: row["steps"]),
         "energy": {
-            "elastic_final": elastic,
-            "kinetic_ramp": float(run.kinetic[growing].mean()),
             "kinetic_theory": (rows[0]["length"] / (speed * run.ramp)) ** 2 / 12.0 * elastic,
-            "kinetic_largest": float(run.kinetic.max()),
             "kinetic_over_elastic": float(run.kinetic.max()) / elastic,
-            "kinetic_final_over_elastic": float(run.kinetic[-1]) / elastic,
             "shares": shares({name: float(run.energy[name][-1]) for name in _PARTS}),
             "shares_static": rows[0]["shares_static"],
-        },
-        "paper_way": {
-            "runs": dict(STUDY_RUNS), "points_per_curve": _POINTS, "runs_all": total, "runs_calibrating": few,
-            "seconds_one": run.seconds, "busy_seconds_one": run.busy,
-            "seconds_all": total * run.seconds, "seconds_calibrating": few * run.seconds,
         },
     }  # fmt: skip
 
@@ -163,17 +140,8 @@ def _compared(run: ExplicitTension, bar: CalibratedBar) -> dict[str, Any]:
     return {
         "steps": run.steps,
         "seconds": run.seconds,
-        "busy_seconds": run.busy,
         "E": run.E,
         "nu": run.nu,
         "E_ppm": 1e6 * (run.E / static.E - 1.0),
         "nu_ppm": 1e6 * (run.nu / static.nu - 1.0),
-        "E_last_ppm": 1e6 * (run.E_last / static.E - 1.0),
-        "nu_last_ppm": 1e6 * (run.nu_last / static.nu - 1.0),
-        "settled_after": {f"{tolerance:g}": run.settling(static.E, tolerance) for tolerance in _TOLERANCES},
     }
-
-
-def _curves(run: ExplicitTension) -> dict[str, Any]:
-    named = {name: run.energy[name] for name in (*_PARTS, "translation", "rotation", "work")}
-    return {name: thinned(np.asarray(curve)) for name, curve in {"time": run.time, **named}.items()}

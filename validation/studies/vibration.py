@@ -15,7 +15,7 @@ from bondem.labtests.vibration import FreeVibration
 from bondem.model.model import Model
 from bondem.specimen.materials import fused_silica
 from validation.figures.energy import draw_breakdown, draw_inertia, draw_vibration_energy
-from validation.frame.files import mean_and_scatter, thinned
+from validation.frame.files import mean_and_scatter
 from validation.frame.study import Row
 from validation.measures.inertia import inertia_excess, stiffness_effect
 from validation.measures.ramped_vibration import ramped_vibration
@@ -25,7 +25,6 @@ from validation.studies.quasistatic import shares
 
 _KINDS = ("tension", "bending", "torsion")
 _PARTS = ("normal", "shear", "bending", "twisting")
-_MOVING = ("translation", "rotation", "work")
 # The share of mass that decides which mode is which: along x, along y, about x.
 _COLUMN = {"tension": 0, "bending": 1, "torsion": 3}
 
@@ -89,13 +88,7 @@ class Vibration(BarStudy):
 
     def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:
         """See `Study`."""
-        _, run = self.first(out)
-        curves = {"time": run.time, **{name: run.energy[name] for name in (*_PARTS, *_MOVING)}}
-        return rows[0]["bar"] | {
-            "run": rows[0]["run"],
-            "summary": _summary(rows),
-            "curves": {name: thinned(np.asarray(curve)) for name, curve in curves.items()},
-        }
+        return rows[0]["bar"] | {"run": rows[0]["run"], "summary": _summary(rows)}
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """Figure 19, the energies of the motion, and inertia."""

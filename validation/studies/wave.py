@@ -10,7 +10,7 @@ from bondem.interactions.beams.bond_law import BondLaw
 from bondem.labtests.cantilever import Cantilever
 from bondem.labtests.wave import Wave, first_passage, strike
 from validation.figures.wave import draw_arrival, draw_faces, draw_snapshots, draw_travel
-from validation.frame.files import mean_and_scatter, thinned
+from validation.frame.files import mean_and_scatter
 from validation.frame.study import Row
 from validation.rows.bar import BarStudy, BarTest, CalibratedBar
 from validation.rows.packings import PackingRequest, kept_lattice
@@ -87,10 +87,6 @@ class WaveStudy(BarStudy):
             "levels": list(LEVELS),
             "criterion": _CRITERION,
             "summary": _summary(rows),
-            "curves": {
-                way: {"time": thinned(wave.time), "near": thinned(wave.near), "far": thinned(wave.far)}
-                for way, wave in self.first(out)[1].items()
-            },
         }
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
