@@ -3,13 +3,12 @@
     python benchmarks/against.py bits  [--revision c790c8a] [--cases alike grains ...] [--elements 500 3000 9000]
                                        [--threads 1 2 4] [--steps 300]
     python benchmarks/against.py speed [--revision c790c8a] [--kinds beams cells ...]
-                                       [--elements 10000 100000 1000000] [--threads 1 2] [--repeat 7] [--no-compile]
+                                       [--elements 10000 100000 1000000] [--threads 1 2] [--repeat 7]
 
 `bits` runs every kind of bond, load, damping, rotation and contact in both, paused in several ways, and compares
 all that a run leaves by bytes; its exit status is 1 where anything differs. `speed` runs the specimen of
-`bond_steps.py` in turns, times first runs with and without compiled code, and writes
-benchmarks/results/against.json, in which each kind of processor has its place. A revision that needs other packages
-runs in its own interpreter: --python.
+`bond_steps.py` in turns, and writes benchmarks/results/against.json, in which each kind of processor has its place.
+A revision that needs other packages runs in its own interpreter: --python.
 """
 
 import argparse
@@ -147,36 +146,13 @@ def scaling(rows: list[dict], names: tuple[str, str]) -> str:
     )
 
 
-def first_runs(options: argparse.Namespace, old_source: Path) -> list[dict]:
-    """Seconds of a first run without compiled code, and of one in the next process."""
-    rows = []
-    print(f"\n{'first run, seconds':<22}{'import':>8}{'compiling':>11}{'cpu':>8}{'import':>8}{'warm':>8}{'cpu':>8}")
-    for contacts in (False, True):
-        for name, source, python in ((options.revision, old_source, options.python), ("now", SOURCE, None)):
-            with tempfile.TemporaryDirectory() as folder:
-                told = []
-                for _ in range(2):
-                    with Worker(source, cores=os.cpu_count() or 1, cache=Path(folder), python=python) as worker:
-                        told.append(worker.ask("first_run", contacts=contacts))
-            cold, warm = told
-            kind = f"{name}, {'contacts' if contacts else 'bonds'}"
-            cells = [(run['import'], run['run'], run['cpu']) for run in (cold, warm)]
-            seconds = [f"{a:8.2f}{b:{width}.2f}{c:8.2f}" for (a, b, c), width in zip(cells, (11, 8), strict=True)]
-            print(f"{kind:<22}{''.join(seconds)}", flush=True)
-            rows.append({"source": name, "contacts": contacts, "compiling": cold, "warm": warm})
-    return rows
-
-
 def speed(options: argparse.Namespace) -> int:
-    """Rates and first runs, printed and written."""
+    """Rates, printed and written."""
     begun = origin()
     here = begun["machine"]
     print(", ".join(f"{key}: {value}" for key, value in here.items()))
     old_source = extracted(options.revision)
-    entry: dict = {"unit": "million bond-steps a second"}
-    entry["rates"] = rates(options, old_source)
-    if options.compile:
-        entry["first runs"] = first_runs(options, old_source)
+    entry = {"unit": "million bond-steps a second", "rates": rates(options, old_source)}
     here["load at the end"] = round(os.getloadavg()[0], 2)
     _kept(options, begun, entry)
     return 0
@@ -194,7 +170,6 @@ def main() -> None:
     parser.add_argument("--repeat", type=int, default=7, help="speed: pairs [7]")
     parser.add_argument("--kinds", nargs="+", default=["beams"], help="speed: of `paired_kinds.py` [beams]")
     parser.add_argument("--steps-timed", type=int, help="speed: of a sample [a second or so]")
-    parser.add_argument("--no-compile", dest="compile", action="store_false", help="speed: without first runs")
     parser.add_argument("--output", type=Path, default=RESULTS, help="speed: [benchmarks/results/against.json]")
     options = parser.parse_args()
     sys.exit({"bits": bits, "speed": speed}[options.what](options))

@@ -68,7 +68,7 @@ def tables(results: Mapping[str, Any]) -> str:
         results: as `results.json` has them; rows, curves and profiles are left out.
     """
     single = list(_values({name: part for name, part in results.items() if name not in _LEFT_OUT}))
-    groups = {name: part for name, part in single if isinstance(part, list) and part and isinstance(part[0], dict)}
+    groups = {name: part for name, part in single if isinstance(part, list) and part and _has_names(part[0])}
     found = [_table("Results", ("quantity", "value"), [(name, _cell(part)) for name, part in single
                                                       if name not in groups])]  # fmt: skip
     for name, members in groups.items():
@@ -81,10 +81,14 @@ def tables(results: Mapping[str, Any]) -> str:
 def _values(part: Mapping[str, Any], path: str = "") -> Iterator[tuple[str, Any]]:
     """Values of nested dictionaries with their paths; a mean and its scatter are one value."""
     for name, value in part.items():
-        if isinstance(value, dict) and set(value) != {"mean", "std"}:
+        if _has_names(value):
             yield from _values(value, f"{path}{name}.")
         else:
             yield f"{path}{name}", value
+
+
+def _has_names(value: Any) -> bool:
+    return isinstance(value, dict) and set(value) != {"mean", "std"}
 
 
 def _table(caption: str, head: Sequence[str], lines: Sequence[Sequence[str]]) -> str:

@@ -152,5 +152,3 @@ def measure(record: Record) -> None:
     """Split discs and bend beams of several sizes."""
     beams = [{"share": one, "strength": beam(one), "Planas": 1.0 + 1.0 / (0.85 + 2.3 * one)} for one in BEAMS]
     record.keep(beams=beams, discs=[disc(share, *mesh) for share in DISCS for mesh in MESHES])
-    for row in (*beams, *record.rows("discs")):
-        print(row, flush=True)
