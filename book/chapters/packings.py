@@ -116,13 +116,6 @@ def _refinement() -> Section:
     rows = [
         Row(case="φ, cube, limit in N at z = 6.2", source="fig. 8a", paper=0.635, printed="0.635",
             ours=_limit("contacts", "volume_fraction"), form=DENSITY, tolerance=Near(absolute=0.008), reason=ended),
-        Row(case="φ at z = 6.2 without walls", ours=_free("contacts", "volume_fraction"), form=DENSITY),
-        Row(case="φ, cube, limit in N at jamming", ours=_limit("jamming", "volume_fraction"), form=DENSITY),
-        Row(case="φ at jamming without walls", ours=_free("jamming", "volume_fraction"), form=DENSITY),
-        Row(case="z, cube, limit in N at jamming, with rattlers", ours=_limit("jamming", "coordination_number"),
-            form=CONTACTS),
-        Row(case="z at jamming without walls, with rattlers", ours=_free("jamming", "coordination_number"),
-            form=CONTACTS),
     ]  # fmt: skip
     rows += [
         Row(case=f"{symbol}, {words}: limit less that without walls, in standard errors",
@@ -173,10 +166,6 @@ def _dispersion() -> Section:
     at = "summary", {"spread": 0.4}, "core_rms_excess"
     rows.append(Row(case="order at κ = 40 %, seeds 1 to 3: rms excess of the core", source="fig. 7", paper="none",
         ours=WIDE.number(*at, "mean", scatter=(*at, "std")), form=EXCESS, tolerance=AtMost(0.3)))
-    errors = {spread: DISPERSION.at("summary", {"spread": spread}, "isotropy_error", "mean") for spread in (0.15,
-        0.2)}
-    rows.append(Row(case="e at κ = 15 % over e at κ = 20 %", ours=DISPERSION.of(errors[0.15] / errors[0.2]),
-        form=Form(style=".1f")))
     return Section(
         title="Dispersion of the radii: figures 5 to 7",
         before=(
