@@ -7,7 +7,7 @@
 
 `bits` runs every kind of bond, load, damping, rotation and contact in both, paused in several ways, and compares
 all that a run leaves by bytes; its exit status is 1 where anything differs. `speed` runs the specimen of
-`bond_steps.py` in turns, and writes benchmarks/results/against.json, in which each kind of processor has its place.
+`tiled.py` in turns, and writes benchmarks/results/against.json, in which each kind of processor has its place.
 A revision that needs other packages runs in its own interpreter: --python.
 """
 

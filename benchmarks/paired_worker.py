@@ -25,7 +25,7 @@ def source() -> dict:
 
 
 def specimen(elements: int, largest: int, path: str) -> dict:
-    """Pack the specimen of `bond_steps.py` and keep it."""
+    """Pack the specimen of `tiled.py` and keep it."""
     from tiled import specimen
 
     lattice = specimen(elements, largest=largest)

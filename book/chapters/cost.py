@@ -20,14 +20,13 @@ KRATOS = Measurement(
 )
 AGAINST = Measurement("against", "python benchmarks/against.py speed", "20 min")
 FIRST = Measurement("first_runs", "python benchmarks/first_runs.py", "3 min")
-STEPS = Measurement("bond_steps", "python benchmarks/bond_steps.py --threads 1 --repeat 3 --largest 20000", "1 min")
 CALLBACK = Measurement("callback", "python benchmarks/callback.py", "1 min")
 FAILING = Measurement("breaking_cells", "python benchmarks/breaking.py --cells", "2 min")
 TOUCHING = Measurement("breaking_contact", "python benchmarks/breaking.py --contact", "2 min")
 TOUCHING_CELLS = Measurement(
     "breaking_cells_contact", "python benchmarks/breaking.py --cells --contact --elements 5000", "4 min"
 )
-MEASUREMENTS = (PEERS, KRATOS, AGAINST, FIRST, STEPS, CALLBACK, TIMES, FAILING, TOUCHING, TOUCHING_CELLS)
+MEASUREMENTS = (PEERS, KRATOS, AGAINST, FIRST, CALLBACK, TIMES, FAILING, TOUCHING, TOUCHING_CELLS)
 
 RATE = Form("M/s", 1e6, ".0f")
 RATIO = Form(style=".1f")

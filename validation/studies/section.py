@@ -127,15 +127,7 @@ def _measured(bar: CalibratedBar) -> dict[str, Any]:
         }
         errors[name] = {test: value - 1.0 for test, value in ratio.items()}
     radii = SectionRadii.of(bar.lattice, force=bar.tension.gyration, mass=mass_gyration(bar.lattice))
-    return {"radius": vars(radii), "errors": errors, "carried_over": carried_over(radii)}
-
-
-def carried_over(radii: SectionRadii) -> dict[str, float]:
-    """What two readings of the effective section make of the paper's own error with the max section, −6.63 % [-]."""
-    return {
-        name: (1.0 - PAPER["walls"]) * radii.paper / radius - 1.0
-        for name, radius in (("effective", radii.centres), ("force", radii.force))
-    }
+    return {"radius": vars(radii), "errors": errors}
 
 
 def _summary(rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
@@ -145,9 +137,6 @@ def _summary(rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
         "error": {
             section: {test: mean_and_scatter([row["errors"][section][test] for row in rows]) for test in TESTS}
             for section in SECTIONS
-        },
-        "carried_over": {
-            name: mean_and_scatter([row["carried_over"][name] for row in rows]) for name in rows[0]["carried_over"]
         },
     }
 

@@ -116,7 +116,6 @@ def _numbers(run: FreeVibration, modes: NaturalFrequencies) -> dict[str, Any]:
         "released": run.released,
         "work": float(energy["work"].max()),
         "shares": shares({name: float(energy[name][free].mean()) for name in _PARTS}),
-        "shares_loaded": shares({name: float(energy[name][free][0]) for name in _PARTS}),
         "rotational_share_mean": float(energy["rotation"][free].sum() / kinetic[free].sum()),
         "rotational_share_largest": float(share.max()),
         "energy_error": run.energy_error,
@@ -139,12 +138,8 @@ def _weighed(bar: CalibratedBar, found: NaturalFrequencies) -> dict[str, Any]:
     return {
         "mass": weighed.mass,
         "mass_excess": weighed.mass / (fused_silica.rho * bar.lattice.particles.envelope.volume) - 1.0,
-        "rattler_share": float(1.0 - bar.lattice.connected.mean()),
-        "centre": list(weighed.centre),
         "axial_excess": weighed.axial_excess,
         "lateral_excess": weighed.lateral_excess,
-        "own_share": weighed.own_share,
-        "own_factor": 1.0 - weighed.axial_excess / (1.0 + weighed.axial_excess) / weighed.own_share,
         "frequency": {
             kind: {
                 "mass": weighed.frequency[kind],
@@ -168,9 +163,8 @@ def rotational_share(bar: CalibratedBar, found: NaturalFrequencies, kind: str) -
 
 
 def _summary(rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
-    scalars = ("mass_excess", "axial_excess", "lateral_excess", "own_share", "own_factor", "rattler_share")
+    scalars = ("mass_excess", "axial_excess", "lateral_excess")
     found: dict[str, Any] = {name: mean_and_scatter([row[name] for row in rows]) for name in scalars}
-    found["centre"] = mean_and_scatter([float(np.linalg.norm(row["centre"])) for row in rows])
     found["frequency"] = {
         kind: {
             part: mean_and_scatter([row["frequency"][kind][part] for row in rows])
