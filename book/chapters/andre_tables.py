@@ -218,10 +218,10 @@ def _continuum() -> Section:
     rows = []
     for table, entries in (("Table 3", STATIC), ("Table 4", DYNAMIC)):
         for name, words, paper, *_ in entries:
-            rows += [
+            rows.append(
                 Row(case=f"{words}: specimen less continuum", source=table, ours=beyond(name), form=SIGNED,
-                    paper=f"{PERCENT.text(paper)} off theory", tolerance=AtMost(NEAR)),
-            ]  # fmt: skip
+                    paper=f"{PERCENT.text(paper)} off theory", tolerance=AtMost(NEAR))
+            )  # fmt: skip
     return Section(
         title="The same bar as a continuum",
         before=(

@@ -1,6 +1,5 @@
 """The same bonds in other shapes: cube, slender beam and bracket of five materials against finite elements."""
 
-
 from book.chapter import Chapter, Figure, Section
 from book.forms import COUNT
 from book.results import Measurement, record

@@ -45,10 +45,10 @@ def _coverage() -> Section:
     rows = []
     for name, symbol in SYMBOLS.items():
         found = COVERAGE.at("quantities", name)
-        rows += [
+        rows.append(
             Row(case=f"{symbol}: unseen packings in the 95 % prediction interval, of {unseen}", form=COUNT,
-                ours=COVERAGE.of(found["covered"]), tolerance=AtLeast(35.0)),
-        ]  # fmt: skip
+                ours=COVERAGE.of(found["covered"]), tolerance=AtLeast(35.0))
+        )  # fmt: skip
         for size, share in found["coverage"].items():
             rows.append(Row(case=f"{symbol}, calibrated on {size}: share of unseen packings covered", form=PERCENT,
                             ours=COVERAGE.of(share["mean"]), tolerance=AtLeast(35.0 / 40.0)))  # fmt: skip
@@ -81,11 +81,11 @@ def _times() -> Section:
         ("figs 15 and 16", "the curves of figs 15 and 16"), ("whole study", "all its curves, figs 11 to 16"),
     ):  # fmt: skip
         found = TIMES.at("paper_way_extrapolated", name)
-        rows += [
+        rows.append(
             Row(case=f"the paper's way, {words}: its time over the calibration of one cylinder", form=RATIO,
                 ours=TIMES.of(found["ratio"]),
-                tolerance=AtLeast(100.0)),
-        ]  # fmt: skip
+                tolerance=AtLeast(100.0))
+        )  # fmt: skip
     nothing = TIMES.at("from_nothing", "1 cylinder", "median")
     before = nothing - TIMES.at("warm", "1 cylinder", "median")
     whole = TIMES.at("paper_way_extrapolated", "whole study", "seconds")

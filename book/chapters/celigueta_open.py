@@ -81,11 +81,11 @@ def _forces() -> Section:
             f"{test}, local damping {damping:g}, {'both plates move' if both else 'one plate moves'},"
             f" {some[0]['count']} elements, {seeds}"
         )
-        rows += [
+        rows.append(
             Row(case=f"{words}: force on the other plate over that at the peak", form=SHARE,
                 ours=FORCES.of(*(one["at_peak"] for one in some)),
-                tolerance=Near(absolute=OF_PLATES, target=1.0)),
-        ]  # fmt: skip
+                tolerance=Near(absolute=OF_PLATES, target=1.0))
+        )  # fmt: skip
     return Section(
         title="Forces of both plates",
         before=(

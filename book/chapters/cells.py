@@ -1,6 +1,5 @@
 """Bodies of cells: E, ν, waves, bodies of other shapes and the stress at a hole, with nothing calibrated."""
 
-
 from book.chapter import Chapter, Figure, Section
 from book.forms import PERCENT, PLAIN, SIGNED, Form
 from book.results import record

@@ -66,10 +66,10 @@ def _table_4() -> Section:
             )  # fmt: skip
     ten = UNBONDED.at("static", {"case": "3", "parameter": 10})["shear"]
     shear = Form("GN/m", 1e9, ".2f")
-    rows += [
+    rows.append(
         Row(case="10 bonds: shear stiffness, bond alone", source="Table 5", paper=24.17e9, form=shear,
-            ours=UNBONDED.of(ten["bonded"]), tolerance=Near(absolute=0.01e9)),
-    ]  # fmt: skip
+            ours=UNBONDED.of(ten["bonded"]), tolerance=Near(absolute=0.01e9))
+    )  # fmt: skip
     return Section(
         title="Tables 4 and 5 with the component and without",
         before=(
@@ -174,10 +174,10 @@ def _eta() -> Section:
         rows.append(Row(case=f"{name}: {eta}", ours=DAMPING.of(one["rate"]), form=RATE,
                         tolerance=AtMost(0.05) if idle else Near(target=one["theory"], relative=0.05)))  # fmt: skip
     printed = DAMPING.at("bonds", {"component": "printed"})
-    rows += [
+    rows.append(
         Row(case="case 1, as printed with η_b = 0.5: tip at rest against static",
-            ours=DAMPING.of(printed["error"]), form=ROUNDING, tolerance=AtMost(1e-4)),
-    ]  # fmt: skip
+            ours=DAMPING.of(printed["error"]), form=ROUNDING, tolerance=AtMost(1e-4))
+    )  # fmt: skip
     return Section(
         title="η of the bonds, one coefficient per component",
         before=(

@@ -139,10 +139,10 @@ def _brazilian() -> Section:
             off = _of(ones, lambda one: abs(one["centre"] / one["factor"] - 1.0))
             degrees = f"{math.degrees(ones[0]['half_angle']):.1f}°"
             strips = f"strips of α = {degrees}{name}"
-            rows += [
+            rows.append(
                 Row(case=f"{strips}, {told}: elastic stress at the centre off that under stamps", ours=off,
-                    form=PERCENT, tolerance=AtMost(ELASTIC)),
-            ]  # fmt: skip
+                    form=PERCENT, tolerance=AtMost(ELASTIC))
+            )  # fmt: skip
     return Section(
         title="Brazilian test",
         before=(
@@ -191,10 +191,10 @@ def _work() -> Section:
     for (count, ripple, together), ones in sorted(groups.items()):
         told = f"{count} cells, seeds {', '.join(str(one['seed']) for one in ones)}, band of {ripple:g}, {together:g}"
         told += " together"
-        rows += [
+        rows.append(
             Row(case=f"{told}: work over the ligament and G_f", ours=_mean(ones, lambda one: one["work"]), form=RATIO,
-                tolerance=Near(absolute=2.0 * LIMIT, target=1.0)),
-        ]  # fmt: skip
+                tolerance=Near(absolute=2.0 * LIMIT, target=1.0))
+        )  # fmt: skip
         if count >= 10_000:
             rows.append(Row(case=f"to a twentieth of the peak, one core: {told}", form=Form(unit="s", style=".0f"),
                             ours=_mean(ones, lambda one: one["seconds"]), tolerance=AtMost(600.0)))  # fmt: skip
@@ -228,11 +228,11 @@ def _mean(ones: _Ones, value: Callable[[dict], float]) -> Measured:
 def _shear() -> Section:
     rows: list[Row] = []
     for told, ones in _groups("shear"):
-        rows += [
+        rows.append(
             Row(case=f"E of the elastic body of equal stiffness over that entered: {told}",
                 ours=_of(ones, lambda one: one["E"]),
-                form=RATIO, tolerance=Near(absolute=LIMIT, target=1.0)),
-        ]  # fmt: skip
+                form=RATIO, tolerance=Near(absolute=LIMIT, target=1.0))
+        )  # fmt: skip
     return Section(
         title="Shear test",
         before=(

@@ -196,10 +196,10 @@ def _peers() -> Section:
         for elements in (10_000, 100_000):
             found = PEERS.at("specimens", {"elements": elements}, "codes", code)
             many = _many(elements)
-            rows += [
+            rows.append(
                 Row(case=f"bondem over {NAMES[code]}, one thread each, {many} elements", form=RATIO,
-                    tolerance=AtLeast(factor), ours=PEERS.of(found["ratio_median"])),
-            ]  # fmt: skip
+                    tolerance=AtLeast(factor), ours=PEERS.of(found["ratio_median"]))
+            )  # fmt: skip
     found = KRATOS.at("specimens", 0, "codes", "kratos")
     own = KRATOS.at("specimens", 0, "codes", "non-local")
     rows += [

@@ -1,6 +1,5 @@
 """André et al. (2012), figures 10, 12 and 19 to 22: energies, inertia, waves, the effective section."""
 
-
 from book.chapter import Chapter, Figure, Section
 from book.chapters.andre_tables import CONSISTENCY
 from book.forms import PERCENT, ROUNDING, SIGNED, Form
@@ -121,11 +120,11 @@ def _inertia() -> Section:
             ours=summary(VIBRATION, "frequency", kind, "mass"))
         for kind in ("tension", "bending", "torsion")
     ]  # fmt: skip
-    rows += [
+    rows.append(
         Row(case="mass of the specimen, less the continuum's", source="eq (19)", paper="equal", form=SIGNED,
             tolerance=AtMost(NEGLIGIBLE), ours=summary(VIBRATION, "mass_excess"),
-            note="eq (19) holds for the calibrating packing; others differ by their volume fraction"),
-    ]  # fmt: skip
+            note="eq (19) holds for the calibrating packing; others differ by their volume fraction")
+    )  # fmt: skip
     return Section(
         title="Inertia after eq (19)",
         before=(

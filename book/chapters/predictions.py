@@ -120,10 +120,10 @@ def _beams() -> Section:
     for depth in sorted({one["depth"] for one in beams}):
         ones = [one for one in beams if one["depth"] == depth]
         told = f"D = {1e3 * depth:g} mm; {_told(ones)}"
-        rows += [
+        rows.append(
             Row(case=f"over a continuum with a cohesive crack, {told}", form=_RATIO,
-                ours=BEAMS.of(*(one["over_continuum"] for one in ones)), tolerance=Near(relative=_CLOSE, target=1.0)),
-        ]  # fmt: skip
+                ours=BEAMS.of(*(one["over_continuum"] for one in ones)), tolerance=Near(relative=_CLOSE, target=1.0))
+        )  # fmt: skip
     law = BEAMS.at("law")
     return Section(
         title="The concrete in bending: four sizes",

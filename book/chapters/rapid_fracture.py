@@ -121,10 +121,10 @@ def _losses() -> Section:
     for shape in dict.fromkeys(one["shape"] for one in bars):
         some = [one for one in bars if one["shape"] == shape]
         which = f"{shape} bars of {' and '.join(str(n) for n in dict.fromkeys(one['count'] for one in some))} cells"
-        rows += [
+        rows.append(
             Row(case=f"{which}, {_seeds(some)}: crushing over fracture", ours=_of(LOSSES, some, "crushing"),
-                form=Form(style=".3f"), tolerance=AtMost(0.02)),
-        ]  # fmt: skip
+                form=Form(style=".3f"), tolerance=AtMost(0.02))
+        )  # fmt: skip
     return Section(
         title="Fracture and crushing",
         before=(

@@ -86,10 +86,10 @@ def _fuzzed() -> Section:
     rows = []
     for key, words in (("study", "studies, as text"), ("run", "run files, as bytes")):
         found = FUZZING.at(key)
-        rows += [
+        rows.append(
             Row(case=f"{words}: tracebacks, hangs, crashes, wrong numbers accepted", ours=FUZZING.of(found["bad"]),
-                form=COUNT, tolerance=AtMost(0.0)),
-        ]  # fmt: skip
+                form=COUNT, tolerance=AtMost(0.0))
+        )  # fmt: skip
     return Section(
         title="Fuzzing",
         before=(
@@ -107,10 +107,10 @@ def _output() -> Section:
     walls = " and ".join(f"{100.0 * float(one['cost by the wall']):.1f} %" for one in OUTPUT.at("cases"))
     for one in OUTPUT.at("cases"):
         told = f"{one['elements']} {'cells' if one['kind'] == 'cells' else 'spheres with beams'}"
-        rows += [
+        rows.append(
             Row(case=f"{told}: a hundred snapshots over a run of {OUTPUT.at('long')} steps", form=PERCENT,
-                ours=OUTPUT.of(one["cost"]), tolerance=AtMost(0.05)),
-        ]  # fmt: skip
+                ours=OUTPUT.of(one["cost"]), tolerance=AtMost(0.05))
+        )  # fmt: skip
     return Section(
         title="Output",
         before=(

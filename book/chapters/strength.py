@@ -169,10 +169,10 @@ def _still() -> Section:
                 continue
             steps = f"band of ± {', '.join(format(100.0 * one['ripple'], 'g') for one in some)} %"
             off = FACTORS.of(*(abs(one["over explicit"] - 1.0) for one in some))
-            rows += [
+            rows.append(
                 Row(case=f"{of}, {steps}: peak off that of an explicit run", ours=off, form=PERCENT,
-                    tolerance=AtMost(0.01)),
-            ]  # fmt: skip
+                    tolerance=AtMost(0.01))
+            )  # fmt: skip
         (grown,) = case["displacements"]
         rows.append(
             Row(case=f"{of}, displacement steps of 1 %: peak off that of an explicit run", form=PERCENT,

@@ -1,6 +1,5 @@
 """Free vibration of a clamped specimen after a slow ramp of its loads (André et al. 2012)."""
 
-
 import numpy as np
 
 from bondem.boundary.conditions import Fix

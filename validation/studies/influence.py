@@ -35,7 +35,6 @@ _SHOWN = _RADII[1::2]
 _JUDGED = (0.2, 0.9)
 
 
-
 @dataclass(frozen=True)
 class Influence(Study):
     """E and ν over ν_μ, E_μ and r̃: figures 11, 13 and 14 of André et al. (2012).

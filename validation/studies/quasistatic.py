@@ -19,7 +19,6 @@ _SHORTER = (0.1, 0.3)
 _PARTS = ("normal", "shear", "bending", "twisting")
 
 
-
 @dataclass(frozen=True)
 class SlowTension(BarTest):
     """A slow tensile test of a bar.
