@@ -32,7 +32,7 @@ class Request(ABC):
     @property
     def readable(self) -> str:
         """What its files are called, before the hash: its class, and what was asked for."""
-        words = [name if value is True else f"{value:g}" if isinstance(value, float) else str(value)
+        words = [name if value is True else value if isinstance(value, str) else f"{name}{value:g}"
                  for name, value in self.asked.items() if value is not None and value is not False]  # fmt: skip
         return re.sub(r"[^\w.+-]+", "-", "_".join([type(self).__name__, *words]))
 
