@@ -2,18 +2,13 @@
 
     python benchmarks/against.py bits  [--revision c790c8a] [--cases alike grains ...] [--elements 500 3000 9000]
                                        [--threads 1 2 4] [--steps 300]
-    python benchmarks/against.py close [--revision c790c8a] [--cases alike grains ...] [--elements 500]
-                                       [--steps 1000] [--within 1e-10]
     python benchmarks/against.py speed [--revision c790c8a] [--kinds beams cells ...]
-                                       [--elements 10000 100000 1000000] [--threads 1 2] [--repeat 7] [--no-compile]
+                                       [--elements 10000 100000 1000000] [--threads 1 2] [--repeat 7]
 
 `bits` runs every kind of bond, load, damping, rotation and contact in both, paused in several ways, and compares
-all that a run leaves by bytes; its exit status is 1 where anything differs. `close` compares positions, velocities
-and energies, also of cells, the non-local law and bodies that fail, and shows where the motion itself amplifies a
-rounding (`bits/closeness.py`). `speed` runs the specimen of
-`bond_steps.py` in turns, times first runs with and without compiled code, and writes
-benchmarks/results/against.json, in which each kind of processor has its place. A revision that needs other packages
-runs in its own interpreter: --python.
+all that a run leaves by bytes; its exit status is 1 where anything differs. `speed` runs the specimen of
+`tiled.py` in turns, and writes benchmarks/results/against.json, in which each kind of processor has its place.
+A revision that needs other packages runs in its own interpreter: --python.
 """
 
 import argparse
@@ -25,7 +20,6 @@ import time
 from pathlib import Path
 
 from bits.compare import Difference, differing
-from bits.distance import QUANTITIES, apart
 from kept import origin
 from paired import ROOT, SOURCE, Worker, extracted, head, in_turns, specimen_file, steps_of
 
@@ -100,100 +94,15 @@ def bits(options: argparse.Namespace) -> int:
     return 1 if bad else 0
 
 
-# ---- closeness
-
-# Steps of the cases of `bits`: where more steps at the same time step pull a body apart, the time step is smaller.
-_MADE_FOR = 300
-# A difference that is not larger than so many times that of a run whose start is disturbed by a rounding.
-_AMPLIFIED = 100.0
-
-
-def distances(old: Worker, new: Worker, name: str, size: int, marks: list[int], within: float) -> dict:
-    """What a case was, relative differences after each number of steps, and where they matter of a disturbed run."""
-    with tempfile.TemporaryDirectory() as folder:
-
-        def ran(worker: Worker, side: str, **options: object) -> dict:
-            (Path(folder) / side).mkdir(exist_ok=True)
-            return worker.ask(
-                "close", name=name, size=size, marks=marks, folder=str(Path(folder) / side), **options
-            )
-
-        def between(side: str) -> dict[int, dict[str, float]]:
-            return {mark: apart(*(Path(folder) / name / f"{mark}.npz" for name in ("old", side))) for mark in marks}
-
-        was, share = ran(old, "old"), 1.0
-        if was["status"] != "COMPLETED":
-            share = _MADE_FOR / marks[-1]
-            was = ran(old, "old", share=share)
-        now = ran(new, "new", dt=was["dt"])
-        found = was | {"share": share, "now": now["status"], "apart": between("new"), "disturbed": None}
-        found["dt apart"] = abs(now["chosen"] / was["chosen"] - 1.0)
-        if max(found["apart"][marks[-1]][quantity] for quantity in QUANTITIES) > within:
-            ran(old, "disturbed", dt=was["dt"], seed=1)
-            found["disturbed"] = between("disturbed")
-    return found
-
-
-def _verdict(row: dict, within: float) -> str:
-    far = {quantity: list(row["apart"].values())[-1][quantity] for quantity in QUANTITIES}
-    if max(row["dt apart"], *far.values()) <= within:
-        return "within"
-    if row["now"] != row["status"] or row["disturbed"] is None:
-        return "DIFFERS"
-    marks = [
-        (row["apart"][mark][quantity], row["disturbed"][mark][quantity]) for mark in row["apart"] for quantity in far
-    ]
-    grown = all(distance <= max(within, _AMPLIFIED * disturbed) for distance, disturbed in marks)
-    return "rounding grows" if grown else "DIFFERS"
-
-
-def close(options: argparse.Namespace) -> int:
-    """The table of cases over quantities, kept; whether anything differs by more than grown roundings."""
-    begun, old_source = origin(), extracted(options.revision)
-    marks = [mark for mark in (10, 30, 100, 300, 1000, 3000) if mark < options.steps] + [options.steps]
-    rows: dict[str, dict] = {}
-    with (
-        Worker(old_source, cores=1, cache=old_source.parent, python=options.python) as old,
-        Worker(SOURCE, cores=1) as new,
-    ):
-        known = new.ask("cases")
-        for size in options.elements or SIZES[:1]:
-            columns = "".join(f"{quantity:>14}" for quantity in QUANTITIES)
-            print(f"\n{f'about {size} elements':<26}{'failed':>7}{'touch':>7}{'dt':>5}{columns}")
-            for name in options.cases or known["names"] + known["bodies"]:
-                row = rows[f"{name} {size}"] = distances(old, new, name, size, marks, options.within)
-                row["verdict"] = _verdict(row, options.within)
-                counts = f"{row['failed']:>7}{row['touching']:>7}{row['share']:>5.1f}"
-                print(f"{name:<26}{counts}", _line(row, "apart", -1), row["verdict"], flush=True)
-                if row["verdict"] != "within":
-                    for k, mark in enumerate(marks):
-                        print(f"{mark:>39} steps{_line(row, 'apart', k)[6:]}")
-                        if row["disturbed"]:
-                            print(f"{'disturbed':>45}{_line(row, 'disturbed', k)[6:]}")
-    _kept(options, begun, {"close": {"steps": options.steps, "within": options.within, "cases": rows}})
-    bad = [name for name, row in rows.items() if row["verdict"] == "DIFFERS"]
-    print(f"\n{len(bad)} cases differ: {', '.join(bad)}" if bad else "\nnothing differs by more than grown roundings")
-    return 1 if bad else 0
-
-
-def _line(row: dict, what: str, k: int) -> str:
-    values = list(row[what].values())[k]
-    return " ".join(f"{values[quantity]:13.1e}" for quantity in QUANTITIES)
+# ---- speed
 
 
 def _kept(options: argparse.Namespace, begun: dict, found: dict) -> None:
-    """Write an entry for this processor and revision; what it has of the other kinds of comparison stays."""
+    """Write an entry for this processor and revision."""
     here = begun["machine"]
-    output = options.output or RESULTS
-    kept = json.loads(output.read_text()) if output.exists() else {}
-    name = f"{here['processor']}, {here['vector']}"
-    before = kept.get(name, {})
-    same = before if before.get("revision") == options.revision else {}
-    kept[name] = same | begun | {"revision": options.revision} | found
-    output.write_text(json.dumps(kept, indent=1) + "\n")
-
-
-# ---- speed
+    kept = json.loads(options.output.read_text()) if options.output.exists() else {}
+    kept[f"{here['processor']}, {here['vector']}"] = begun | {"revision": options.revision} | found
+    options.output.write_text(json.dumps(kept, indent=1) + "\n")
 
 
 def rates(options: argparse.Namespace, old_source: Path) -> list[dict]:
@@ -237,36 +146,13 @@ def scaling(rows: list[dict], names: tuple[str, str]) -> str:
     )
 
 
-def first_runs(options: argparse.Namespace, old_source: Path) -> list[dict]:
-    """Seconds of a first run without compiled code, and of one in the next process."""
-    rows = []
-    print(f"\n{'first run, seconds':<22}{'import':>8}{'compiling':>11}{'cpu':>8}{'import':>8}{'warm':>8}{'cpu':>8}")
-    for contacts in (False, True):
-        for name, source, python in ((options.revision, old_source, options.python), ("now", SOURCE, None)):
-            with tempfile.TemporaryDirectory() as folder:
-                told = []
-                for _ in range(2):
-                    with Worker(source, cores=os.cpu_count() or 1, cache=Path(folder), python=python) as worker:
-                        told.append(worker.ask("first_run", contacts=contacts))
-            cold, warm = told
-            kind = f"{name}, {'contacts' if contacts else 'bonds'}"
-            cells = [(run['import'], run['run'], run['cpu']) for run in (cold, warm)]
-            seconds = [f"{a:8.2f}{b:{width}.2f}{c:8.2f}" for (a, b, c), width in zip(cells, (11, 8), strict=True)]
-            print(f"{kind:<22}{''.join(seconds)}", flush=True)
-            rows.append({"source": name, "contacts": contacts, "compiling": cold, "warm": warm})
-    return rows
-
-
 def speed(options: argparse.Namespace) -> int:
-    """Rates and first runs, printed and written."""
+    """Rates, printed and written."""
     begun = origin()
     here = begun["machine"]
     print(", ".join(f"{key}: {value}" for key, value in here.items()))
     old_source = extracted(options.revision)
-    entry: dict = {"unit": "million bond-steps a second"}
-    entry["rates"] = rates(options, old_source)
-    if options.compile:
-        entry["first runs"] = first_runs(options, old_source)
+    entry = {"unit": "million bond-steps a second", "rates": rates(options, old_source)}
     here["load at the end"] = round(os.getloadavg()[0], 2)
     _kept(options, begun, entry)
     return 0
@@ -274,22 +160,19 @@ def speed(options: argparse.Namespace) -> int:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", choices=("bits", "close", "speed"))
+    parser.add_argument("what", choices=("bits", "speed"))
     parser.add_argument("--revision", default="c790c8a", help="what to compare with [c790c8a]")
     parser.add_argument("--elements", type=int, nargs="+", help="[500 3000 9000; 10000 100000 1000000 for speed]")
     parser.add_argument("--threads", type=int, nargs="+", help="[1 2 4; 1 2 for speed]")
-    parser.add_argument("--cases", nargs="+", help="bits, close: some of the cases only")
-    parser.add_argument("--steps", type=int, help="of each run, whole hundreds [300; 1000 for close]")
-    parser.add_argument("--within", type=float, default=1e-10, help="close: largest relative difference [1e-10]")
+    parser.add_argument("--cases", nargs="+", help="bits: some of the cases only")
+    parser.add_argument("--steps", type=int, default=300, help="bits: of each run, whole hundreds [300]")
     parser.add_argument("--python", help="interpreter of the old revision [the present one]")
     parser.add_argument("--repeat", type=int, default=7, help="speed: pairs [7]")
     parser.add_argument("--kinds", nargs="+", default=["beams"], help="speed: of `paired_kinds.py` [beams]")
     parser.add_argument("--steps-timed", type=int, help="speed: of a sample [a second or so]")
-    parser.add_argument("--no-compile", dest="compile", action="store_false", help="speed: without first runs")
-    parser.add_argument("--output", type=Path, help="close and speed: [benchmarks/results/against.json]")
+    parser.add_argument("--output", type=Path, default=RESULTS, help="speed: [benchmarks/results/against.json]")
     options = parser.parse_args()
-    options.steps = options.steps or (1000 if options.what == "close" else 300)
-    sys.exit({"bits": bits, "close": close, "speed": speed}[options.what](options))
+    sys.exit({"bits": bits, "speed": speed}[options.what](options))
 
 
 if __name__ == "__main__":

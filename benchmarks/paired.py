@@ -97,7 +97,7 @@ class Worker:
 
 
 def specimen_file(worker: Worker, elements: int, *, largest: int = 100_000) -> Path:
-    """The specimen of `bond_steps.py`, made once by one side and read by both."""
+    """The specimen of `tiled.py`, made once by one side and read by both."""
     path = Path(tempfile.gettempdir()) / f"bondem-specimen-{elements}-{largest}.npz"
     if not path.exists():
         print(f"packing {elements} elements ...", file=sys.stderr, flush=True)

@@ -25,7 +25,7 @@ def source() -> dict:
 
 
 def specimen(elements: int, largest: int, path: str) -> dict:
-    """Pack the specimen of `bond_steps.py` and keep it."""
+    """Pack the specimen of `tiled.py` and keep it."""
     from tiled import specimen
 
     lattice = specimen(elements, largest=largest)
@@ -136,47 +136,20 @@ def go(threads: int, steps: int) -> dict:
     return _loaded["now"].go(threads, steps)
 
 
-def first_run(contacts: bool) -> dict:
-    """How long the first run of this process takes [s]: the imports, and the run of a small specimen.
-
-    What is compiled does not depend on the size. On a busy machine look at the processor time of the run.
-    """
-    start = time.perf_counter()
-    import bondem.run  # noqa: F401
-
-    imported = time.perf_counter()
-    position = np.indices((3, 3, 3)).reshape(3, -1).T.astype(float)
-    lattice = bd.connect(bd.Particles(position, np.full(27, 0.5)), tolerance=0.01)
-    law = bd.LinearContact(E=1e9, friction=0.3) if contacts else None
-    bonds = bd.EulerBernoulli(E=1e9, nu=0.3, radius_ratio=0.7)
-    model = bd.Model(lattice, bonds, density=1000.0, contact=law, boundary=[bd.Fix(bd.Face("x_min"))])
-    made, cpu = time.perf_counter(), time.process_time()
-    bd.solve_explicit(model, duration=1e-2, every=10)
-    run = {"run": time.perf_counter() - made, "cpu": time.process_time() - cpu}
-    return {"import": imported - start, "model": made - imported, **run}
-
-
 def bits(**arguments) -> dict:
     from bits.runs import run
 
     return run(**arguments)
 
 
-def close(**arguments) -> dict:
-    from bits.closeness import close
-
-    return close(**arguments)
-
-
 def cases() -> dict:
-    """Names of the cases of `bits`, and of further ones."""
-    from bits.bodies import BODIES
+    """Names of the cases of `bits`."""
     from bits.cases import CASES
 
-    return {"names": list(CASES), "bodies": list(BODIES)}
+    return {"names": list(CASES)}
 
 
-TASKS = {task.__name__: task for task in (source, specimen, load, go, counts, first_run, bits, close, cases)}
+TASKS = {task.__name__: task for task in (source, specimen, load, go, counts, bits, cases)}
 
 
 def main() -> None:

@@ -7,7 +7,7 @@ from book.claims import CLAIMS, Claim
 from book.markdown import GENERATED, address, counts, mark, notes, required, sentence
 from book.questions import QUESTIONS, by_question
 from book.row import Row, Verdict, tally
-from book.shown import left_out, shown
+from book.shown import shown
 
 _INTRODUCTION = """# Validation
 
@@ -133,8 +133,7 @@ def _contents(chapters: Sequence[Chapter]) -> str:
     rows = [row for chapter in chapters for row in chapter.rows]
     lines.append(_line("**all**", rows))
     printed = sum(len(shown(section.rows)) for chapter in chapters for section in chapter.sections)
-    lines += ["", f"The pages print these comparisons in {printed} rows;"
-              f" {len(left_out(rows))} further numbers have no reference value."]  # fmt: skip
+    lines += ["", f"The pages print these comparisons in {printed} rows."]
     # the chapters, and pages of theory beside them, stand below this page in the contents
     names = [f"validation/{chapter.name}" for chapter in chapters]
     lines += ["", "```{toctree}", ":hidden:", ":glob:", "", *names, "validation/*", "```"]

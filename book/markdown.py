@@ -5,17 +5,18 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 
 from book.chapter import Chapter, Figure, Section
+from book.results import Measurement
 from book.row import Origin, Row, Verdict, tally
-from book.shown import Line, left_out, shown
+from book.shown import Line, shown
 
 GENERATED = "<!-- Written by `python -m book`; edit book/, not this file. -->\n"
 _SENTENCE = re.compile(r"(?<! al\.)(?<!figs\.)(?<!fig\.)(?<!ref\.)(?<=[.!?]) (?=[A-ZΑ-Ω`\[(])")
 _LINK = re.compile(r"(\]\()([^)#:\s]+)(\)|#)")
 
 
-def page(chapter: Chapter) -> str:
-    """`docs/validation/NAME.md`."""
-    text = f"{GENERATED}[Validation](validation.md)\n\n{_body(chapter, '#')}\n"
+def page(chapter: Chapter, measurements: Sequence[Measurement] = ()) -> str:
+    """`docs/validation/NAME.md`: the chapter, and the commands of its rows and of all its measurements."""
+    text = f"{GENERATED}[Validation](validation.md)\n\n{_body(chapter, measurements, '#')}\n"
     return moved(text, "validation")
 
 
@@ -96,9 +97,10 @@ def _letter(k: int) -> str:
     return chr(ord("a") + k)
 
 
-def _body(chapter: Chapter, level: str) -> str:
+def _body(chapter: Chapter, measurements: Sequence[Measurement], level: str) -> str:
     rows = list(chapter.rows)
-    commands = list(dict.fromkeys(row.ours.origin for row in rows))
+    origins = [*(row.ours.origin for row in rows), *(one.origin for one in measurements)]
+    commands = list(dict.fromkeys(origins))
     lines = [f"{level} {chapter.title}", _lines(chapter.summary)]
     if rows:
         lines.append(f"*{sentence(counts(rows))}*")
@@ -116,21 +118,8 @@ def _section(section: Section, level: str, commands: Sequence[Origin]) -> list[s
         table(section.rows, commands) if shown(section.rows) else "",
         _lines(section.after),
         *map(_figure, section.figures),
-        _left_out(section),
     ]
     return [f"{level} {section.title}", *parts] if any(parts) else []
-
-
-def _left_out(section: Section) -> str:
-    """How many numbers have no reference value, and the files that hold them."""
-    rows = left_out(section.rows)
-    if not rows:
-        return ""
-    files = sorted({row.ours.origin.kept for row in rows})
-    links = ", ".join(f"[{posixpath.basename(kept)}](../{kept})" for kept in files)
-    many = "One more number" if len(rows) == 1 else f"{len(rows)} more numbers"
-    has, it = ("has", "it is") if len(rows) == 1 else ("have", "they are")
-    return f"*{many} of this section {has} no reference value; {it} in {links}.*"
 
 
 def _lines(text: str) -> str:

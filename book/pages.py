@@ -39,7 +39,8 @@ def chapters() -> list[Chapter]:
 def rendered(book: list[Chapter]) -> dict[Path, str]:
     """Every page that the book writes, and its text."""
     pages = {DOCS / "validation.md": front(book, older(book)), DOCS / "studies.md": filled(DOCS / "studies.md")}
-    pages |= {DOCS / "validation" / f"{one.name}.md": page(one) for one in book}
+    pages |= {DOCS / "validation" / f"{one.name}.md": page(one, file.MEASUREMENTS)
+              for one, file in zip(book, FILES, strict=True)}  # fmt: skip
     return _prose(book) | pages | {DOCS / "figures" / "tolerances.svg": chart(book)}
 
 

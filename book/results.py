@@ -110,8 +110,9 @@ class Measurement:
 
 
 def study(
-    name: str, figures: Mapping[str, str], *, options: str = "", kept: str = "", without: Sequence[str] = ()
-) -> Measurement:
+    name: str, figures: Mapping[str, str], *, options: str = "", kept: str = "", without: Sequence[str] = (),
+    takes: str = "",
+) -> Measurement:  # fmt: skip
     """A study of `validation`: its results without curves and rows, and some of its figures.
 
     Args:
@@ -120,6 +121,7 @@ def study(
         options: of its command.
         kept: name of what is kept, where it is not that of the study.
         without: what else of its results is not kept.
+        takes: how long, in words.
     """
 
     def keep(folder: Path) -> dict[str, Any]:
@@ -130,7 +132,7 @@ def study(
 
     drawn = {f"figures/{one}.png": f"{target}.png" for one, target in figures.items()}
     command = f"python -m validation {name} --out BUILD/{kept or name} {options}".rstrip()
-    return Measurement(kept or name, command, condense=keep, figures=drawn)
+    return Measurement(kept or name, command, takes, keep, drawn)
 
 
 def record(study: str, *runs: str, kept: str = "", drawn: bool = False, takes: str = "") -> Measurement:

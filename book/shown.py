@@ -69,11 +69,6 @@ def shown(rows: Iterable[Row]) -> list[Line]:
     return [Line(tuple(line)) for line in lines]
 
 
-def left_out(rows: Iterable[Row]) -> list[Row]:
-    """The rows that a page leaves to `benchmarks/results`: numbers without a value to compare with."""
-    return [row for row in rows if row.verdict is Verdict.NO_PAPER]
-
-
 def _alike(one: Row, other: Row) -> bool:
     """Whether two rows share a line: one requirement, and cases that end alike, or begin and are built alike."""
     mine, others = _clauses(one.case), _clauses(other.case)

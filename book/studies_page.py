@@ -1,11 +1,41 @@
 """The tables of `docs/studies.md`, between `<!-- NAME -->` and `<!-- end -->`: from the results of studies."""
 
 import re
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from book.chapters.packings import DISPERSION, REFINEMENT
 from book.errors import BookError
+from validation.figures.packing_curves import NAMES
+
+#: Column of a table: name of the quantity, how to print it, and a factor on it.
+Column = tuple[str, str, float]
+
+# Of both studies, behind the columns that name a packing; digits of e are for the second.
+_DENSITY: dict[str, Column] = {
+    "φ": ("volume_fraction", "{:.4f}", 1), "φ of the core": ("core_volume_fraction", "{:.4f}", 1),
+    "z": ("coordination_number", "{:.3f}", 1),
+}  # fmt: skip
+_LAST: dict[str, Column] = {"largest overlap / R̄": ("largest_overlap", "{:.1e}", 1)}
+_EXCESS: dict[str, Column] = {
+    "rms excess": ("rms_excess", "{:.3f}", 1), "of the core": ("core_rms_excess", "{:.3f}", 1),
+}  # fmt: skip
+_SECONDS: dict[str, Column] = {"time [s]": ("seconds", "{:.1f}", 1)}
+COLUMNS: dict[str, dict[str, Column]] = {
+    "dispersion": {
+        "κ": ("spread", "{:.0f} %", 100.0), **_DENSITY,
+        "z without rattlers": ("backbone_coordination_number", "{:.3f}", 1),
+        "e (11), 1e-6": ("isotropy_error", "{:.2f}", 1e6), "e random, 1e-6": ("isotropy_error_random", "{:.2f}", 1e6),
+        "χ²/dof": ("chi2_per_dof", "{:.1f}", 1), **_EXCESS, "stretch of the core": ("core_stretch", "{:.3f}", 1),
+        **_LAST, "passed": ("passed", "{:d}", 1), "of": ("packings", "{:d}", 1), **_SECONDS,
+    },
+    "refinement": {
+        "elements": ("count", "{:d}", 1), **_DENSITY, "z of the core": ("core_coordination_number", "{:.3f}", 1),
+        "e (11), 1e-6": ("isotropy_error", "{:.3f}", 1e6), "e random, 1e-6": ("isotropy_error_random", "{:.3f}", 1e6),
+        **_EXCESS, **_LAST, **_SECONDS,
+    },
+}  # fmt: skip
 
 
 def filled(page: Path) -> str:
@@ -22,9 +52,11 @@ def filled(page: Path) -> str:
 
 
 def _block(name: str, results: dict[str, Any]) -> str:
-    counts = f'{results["made"]} packings, {results["failed"]} failed, method "{results["method"]}"'
-    parts = [f"<!-- {name} -->", f"{counts}, bondem {results['version']}.", _limits(results), results["table"],
-        "<!-- end -->"]
+    groups = results["summary"]
+    made = sum(one["packings"] for one in groups)
+    counts = f'{made} packings, {results["failed"]} failed, method "{results["method"]}"'
+    tables = _by_target(groups) if name == "refinement" else [_table(name, groups)]
+    parts = [f"<!-- {name} -->", f"{counts}, bondem {results['version']}.", _limits(results), *tables, "<!-- end -->"]
     return "\n\n".join(part.strip() for part in parts if part)
 
 
@@ -42,3 +74,31 @@ def _limits(results: dict[str, Any]) -> str:
                 f" | {fit['walls']:+.3f} | {fit['edges']:+.3f} | {fit['misfit']:.1f} |"
             )
     return "\n".join(lines) if len(lines) > 2 else ""
+
+
+def _by_target(groups: Sequence[Mapping[str, Any]]) -> Iterator[str]:
+    """Tables of packings of each target, between walls and without."""
+    for target in dict.fromkeys(one["target"] for one in groups):
+        for periodic, where in ((False, "cube"), (True, "periodic cell, no walls")):
+            chosen = [one for one in groups if one["target"] == target and one["periodic"] is periodic]
+            if chosen:
+                yield f"{NAMES[target].capitalize()}, {where}\n\n{_table('refinement', chosen)}"
+
+
+def _table(name: str, groups: Sequence[Mapping[str, Any]]) -> str:
+    """A table of the means of a study: mean ± standard deviation."""
+    columns = COLUMNS[name]
+    lines = [f"| {' | '.join(columns)} |", f"|{'---|' * len(columns)}"]
+    lines += [f"| {' | '.join(_cell(group, column) for column in columns.values())} |" for group in groups]
+    return "\n".join(lines)
+
+
+def _cell(group: Mapping[str, Any], column: Column) -> str:
+    name, pattern, factor = column
+    value = group[name]
+    if not isinstance(value, Mapping):
+        return pattern.format(factor * value)
+    if value["mean"] is None:
+        return "–"
+    mean = pattern.format(factor * value["mean"])
+    return mean if value["std"] is None else f"{mean} ± {pattern.format(factor * value['std'])}"

@@ -150,7 +150,6 @@ def _shear() -> Section:
     rows = []
     for kept, one in ((source, case) for source in (SHEAR, CONE, SMALLER) for case in source.at("cases")):
         words = f"{one['failure']}, {one['count'][0]} elements, {packings(one)}"
-        rows.append(Row(case=f"{words}: mean shear stress at the peak", form=STRESS, ours=kept.of(*one["peak"])))
         rows.append(Row(case=f"{words}: force on the other plate over that at the peak", ours=kept.of(*one["other"]),
                         form=SHARE, tolerance=Near(absolute=OF_PLATES, target=1.0)))  # fmt: skip
         if kept is not SMALLER:

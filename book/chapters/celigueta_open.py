@@ -81,14 +81,11 @@ def _forces() -> Section:
             f"{test}, local damping {damping:g}, {'both plates move' if both else 'one plate moves'},"
             f" {some[0]['count']} elements, {seeds}"
         )
-        rows += [
+        rows.append(
             Row(case=f"{words}: force on the other plate over that at the peak", form=SHARE,
                 ours=FORCES.of(*(one["at_peak"] for one in some)),
-                tolerance=Near(absolute=OF_PLATES, target=1.0)),
-            Row(case=f"{words}: impulses of both, up to the peak", form=SHARE,
-                ours=FORCES.of(*(one["impulses"] for one in some))),
-            Row(case=f"{words}: peak", form=STRESS, ours=FORCES.of(*(one["peak"] for one in some))),
-        ]  # fmt: skip
+                tolerance=Near(absolute=OF_PLATES, target=1.0))
+        )  # fmt: skip
     return Section(
         title="Forces of both plates",
         before=(
@@ -106,11 +103,6 @@ def _forces() -> Section:
 
 def _platens() -> Section:
     """Friction of the plates alone."""
-    rows = [
-        Row(case=f"{one['test']}, plates of friction {one['friction']:g}, elements 0.1: peak, {packings(one)}",
-            ours=PLATENS.of(*one["peak"]), form=STRESS)
-        for one in PLATENS.at("cases")
-    ]  # fmt: skip
     return Section(
         title="Friction of the plates",
         before=(
@@ -118,22 +110,11 @@ def _platens() -> Section:
             "between elements is 0.1. Smooth plates lower the compressive strength by a fifth, friction above 0.1 "
             "adds nothing, and the splitting strength does not depend on it."
         ),
-        rows=tuple(rows),
     )
 
 
 def _noise() -> Section:
     """Why a Rankine criterion breaks what is pressed."""
-    rows = []
-    for areas, words in AREAS.items():
-        ones = [one for one in NOISE.at("cases") if one["areas"] == areas]
-        told = f"{words}, {ones[0]['count']} elements, {packings({'seed': [one['seed'] for one in ones]})}"
-        rows += [
-            Row(case=f"{told}: σ1 over the stress of the plates that {name} of the bonds stay below", form=SHARE,
-                ours=NOISE.of(*(one["quantiles"][key] for one in ones)))
-            for key, name in (("0.5", "half"), ("0.99", "99 %"), ("0.999", "99.9 %"))
-        ] + [Row(case=f"{told}: bonds above 6 / 55", ours=NOISE.of(*(one["above"] for one in ones)),
-                 form=Form("%", 1e-2, ".2f"))]  # fmt: skip
     return Section(
         title="Scatter of stresses and Rankine's criterion in compression",
         before=(
@@ -145,7 +126,6 @@ def _noise() -> Section:
             "Rankine's criterion therefore follows from the scatter of its stresses, and the ratio of both "
             "strengths is a property of the construction."
         ),
-        rows=tuple(rows),
     )
 
 
@@ -164,34 +144,8 @@ def _reach() -> Section:
         lines.append("| " + " | ".join(cells) + " |")
     numbers = sorted({one["seed"] for one in cases})
     seeds = ", ".join(map(str, numbers))
-
-    def ratios(above: tuple[int, float], below: tuple[int, float]) -> list[float]:
-        peaks = {(one["count"], one["reach"], one["seed"]): one["peak"] for one in cases}
-        return [peaks[*above, seed] / peaks[*below, seed] for seed in numbers]
-
-    rows = [
-        Row(case=f"{count} elements: peak with a reach of {reaches[-1]:g} over that with {reaches[0]:g}", form=RATIO,
-            ours=REACH.of(*ratios((count, reaches[-1]), (count, reaches[0]))))
-        for count in counts
-    ] + [
-        Row(case=f"reach of {reach:g}: peak of {counts[-1]} elements over that of {counts[0]}", form=RATIO,
-            ours=REACH.of(*ratios((counts[-1], reach), (counts[0], reach))))
-        for reach in reaches
-    ]  # fmt: skip
-    cones = [one for one in every if one["failure"] == "Mohr-Coulomb"]
-    for reach in sorted({one["reach"] for one in cones}):
-        some = [one for one in cones if one["reach"] == reach]
-        words = f"{some[0]['count']} elements, reach of {reach:g}, Mohr and Coulomb"
-        alike = [one for one in cases if (one["count"], one["reach"]) == (some[0]["count"], reach)]
-        other = {one["seed"]: one["peak"] for one in alike}
-        rows += [
-            Row(case=f"{words}: peak", ours=REACH.of(*(one["peak"] for one in some)), form=STRESS),
-            Row(case=f"{words}: peak over that of Rankine", form=RATIO,
-                ours=REACH.of(*(one["peak"] / other[one["seed"]] for one in some))),
-        ]  # fmt: skip
     return Section(
         title="Sizes of packings and gaps of bonds",
-        rows=tuple(rows),
         before=(
             "The tests are compression with Rankine (6 MPa) and the authors' areas. Spheres are bonded up to a"
             " distance of reach × (R1 + R2), and z is the coordination number; entries are packings"

@@ -1,7 +1,5 @@
 """Bodies of cells: E, ν, waves, bodies of other shapes and the stress at a hole, with nothing calibrated."""
 
-from typing import Any
-
 from book.chapter import Chapter, Figure, Section
 from book.forms import PERCENT, PLAIN, SIGNED, Form
 from book.results import record
@@ -25,10 +23,6 @@ UNIFORM_LIMIT = 1e-6
 LONG, LONG_CORRECTED, LONG_RAYLEIGH = 20.0, 10.0, 10.0
 #: Bodies of so many elements or more are shown; those of FINE have a limit of their own.
 COARSE, FINE, FINE_LIMIT = 10_000, 40_000, 5e-3
-_QUANTITIES = {
-    "E": ["E"], "frequencies": [f"f{k}" for k in range(1, 7)],
-    "tension, bending and torsion, clamped": ["tension", "bending", "torsion"],
-}  # fmt: skip
 SMALL = Form(style="+.0e")
 RATIO = Form(style=".3f")
 
@@ -153,11 +147,6 @@ def _bodies() -> tuple[Section, ...]:
                 f" error of {len(mine)} bodies", form=PERCENT, tolerance=_if(limit is not None, limit or 0.0),
                 ours=BODIES.of(max(abs(error) for one in mine for error in one["errors"].values())))
         )  # fmt: skip
-        for words, keys in _QUANTITIES.items():
-            errors = [one["errors"][key] for one in mine for key in keys if key in one["errors"]]
-            if errors:
-                rows.append(Row(case=f"{shape.replace('_', ' ')}, {_spaced(count)} elements: errors of {words}",
-                                form=SIGNED, ours=BODIES.of(*errors)))  # fmt: skip
     if not rows:
         return ()
     return (
@@ -175,27 +164,7 @@ def _bodies() -> tuple[Section, ...]:
 
 def _beams() -> Section:
     """Beam bonds in the same shapes, each beside the cells of the same packing and the same Poisson's ratios."""
-    found, rows = BEAMS.at("cases"), []
-    for shape, count, seed in dict.fromkeys((one["shape"], one["count"], one["seed"]) for one in found):
-        mine = [one for one in found if one["shape"] == shape]
-        nus = {one["nu"] for one in mine}
-        cells = [
-            one["errors"] for one in BODIES.at("cases")
-            if (one["shape"], one["count"], one["seed"]) == (shape, count, seed) and one["nu"] in nus
-        ]  # fmt: skip
-        ways = {
-            "cells": (BODIES, cells), "beams as calibrated": (BEAMS, [one["calibrated"] for one in mine]),
-            "beams corrected": (BEAMS, [one["corrected"] for one in mine]),
-        }  # fmt: skip
-        for words, (kept, bodies) in ways.items():
-            if bodies:
-                who = f"{shape.replace('_', ' ')}, {words}"
-                worst = max(abs(error) for one in bodies for error in one.values())
-                heard = [one[key] for one in bodies for key in _QUANTITIES["frequencies"]]
-                rows += [
-                    Row(case=f"{who}: worst error of {len(bodies)} bodies", form=PERCENT, ours=kept.of(worst)),
-                    Row(case=f"{who}: errors of frequencies", form=SIGNED, ours=kept.of(*heard)),
-                ]
+    found = BEAMS.at("cases")
     return Section(
         title="Beam bonds in the same shapes",
         before=(
@@ -206,7 +175,6 @@ def _beams() -> Section:
             " The response to loads is compared with the continuum between the centres of the spheres that are held"
             " and loaded, in favour of the beams."
         ),
-        rows=tuple(rows),
     )
 
 
@@ -228,10 +196,6 @@ def _hole() -> Section:
                     ours=HOLE.of(*(one[key] for one in mine)))
                 for key, words in judged
             ]  # fmt: skip
-            rows.append(
-                Row(case=f"{where}, highest stressed cell over the peak at the edge", form=RATIO,
-                    ours=HOLE.of(*(one["hottest"] / HOLE.at("peaks", str(nu), "largest") for one in mine)))
-            )  # fmt: skip
     peaks = ", ".join(f"{one['largest']:.2f} for ν = {nu}" for nu, one in HOLE.at("peaks").items())
     return Section(
         title="Stress at a hole",
@@ -248,20 +212,12 @@ def _hole() -> Section:
 
 
 def _inertia() -> Section:
-    found, rows = INERTIA.at("rows"), []
-    for count in sorted({one["count"] for one in found}):
-        for name in dict.fromkeys(one["inertia"] for one in found):
-            mine = [one for one in found if (one["count"], one["inertia"]) == (count, name)]
-            errors: list[Any] = [error for one in mine for error in one["errors"]]
-            rows.append(Row(case=f"{_spaced(count)} elements, {name}: errors of six frequencies", form=SIGNED,
-                            ours=INERTIA.of(*errors)))  # fmt: skip
     return Section(
         title="Choice of the inertia",
         before=(
             "The first six free frequencies of a beam of 40 × 5 × 5 mm were computed with several inertias of the "
             "cells, for seeds 1 and 2 and ν = 0.2 and 0.4."
         ),
-        rows=tuple(rows),
     )
 
 

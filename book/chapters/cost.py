@@ -20,17 +20,15 @@ KRATOS = Measurement(
 )
 AGAINST = Measurement("against", "python benchmarks/against.py speed", "20 min")
 FIRST = Measurement("first_runs", "python benchmarks/first_runs.py", "3 min")
-STEPS = Measurement("bond_steps", "python benchmarks/bond_steps.py --threads 1 --repeat 3 --largest 20000", "1 min")
 CALLBACK = Measurement("callback", "python benchmarks/callback.py", "1 min")
 FAILING = Measurement("breaking_cells", "python benchmarks/breaking.py --cells", "2 min")
 TOUCHING = Measurement("breaking_contact", "python benchmarks/breaking.py --contact", "2 min")
 TOUCHING_CELLS = Measurement(
     "breaking_cells_contact", "python benchmarks/breaking.py --cells --contact --elements 5000", "4 min"
 )
-MEASUREMENTS = (PEERS, KRATOS, AGAINST, FIRST, STEPS, CALLBACK, TIMES, FAILING, TOUCHING, TOUCHING_CELLS)
+MEASUREMENTS = (PEERS, KRATOS, AGAINST, FIRST, CALLBACK, TIMES, FAILING, TOUCHING, TOUCHING_CELLS)
 
 RATE = Form("M/s", 1e6, ".0f")
-FINE_RATE = Form("M/s", 1e6, ".1f")
 RATIO = Form(style=".1f")
 #: Elements, and bond-steps a second that one core is asked for.
 SIZES = {10_000: None, 100_000: 60e6, 1_000_000: 45e6}
@@ -39,7 +37,7 @@ NAMES = {"lammps": "LAMMPS bpm/rotational", "yade": "Yade CohFrictMat, bonds onl
 
 def chapter() -> Chapter:
     """The chapter."""
-    sections = (_starting(), _step(), _failing(), _peers(), _memory())
+    sections = (_starting(), _step(), _failing(), _peers())
     return Chapter(
         name="cost",
         title="Cost: time, memory, peers",
@@ -198,12 +196,10 @@ def _peers() -> Section:
         for elements in (10_000, 100_000):
             found = PEERS.at("specimens", {"elements": elements}, "codes", code)
             many = _many(elements)
-            rows += [
+            rows.append(
                 Row(case=f"bondem over {NAMES[code]}, one thread each, {many} elements", form=RATIO,
-                    tolerance=AtLeast(factor), ours=PEERS.of(found["ratio_median"])),
-                Row(case=f"{NAMES[code]}, bond-steps, {many} elements", form=FINE_RATE,
-                    ours=PEERS.of(1e6 * found["Mbond_steps_per_s_median"])),
-            ]  # fmt: skip
+                    tolerance=AtLeast(factor), ours=PEERS.of(found["ratio_median"]))
+            )  # fmt: skip
     found = KRATOS.at("specimens", 0, "codes", "kratos")
     own = KRATOS.at("specimens", 0, "codes", "non-local")
     rows += [
@@ -211,12 +207,6 @@ def _peers() -> Section:
             ours=KRATOS.of(found["ratio_median"])),
         Row(case="bondem with the non-local law and Rankine over Kratos DEM_KDEM, the same run", form=RATIO,
             tolerance=AtLeast(20.0), ours=KRATOS.of(found["ratio_median"] / own["ratio_median"])),
-        Row(case="bondem with the non-local law and Rankine, bond-steps, 12 000 elements", form=FINE_RATE,
-            ours=KRATOS.of(1e6 * own["Mbond_steps_per_s_median"])),
-        Row(case="Kratos DEM_KDEM, bond-steps, 12 000 elements", form=FINE_RATE,
-            ours=KRATOS.of(1e6 * found["Mbond_steps_per_s_median"])),
-        Row(case=f"bondem over {NAMES['lammps']}, the same run", form=RATIO,
-            ours=KRATOS.of(KRATOS.at("specimens", 0, "codes", "lammps")["ratio_median"])),
     ]  # fmt: skip
     return Section(
         title="Peers",
@@ -228,13 +218,3 @@ def _peers() -> Section:
             "off)."
         ),
     )
-
-
-def _memory() -> Section:
-    return Section(
-        title="Memory",
-        rows=(
-            Row(case="state and solver arrays, 100 000 elements (tracemalloc peak), an element",
-                ours=STEPS.number("peak bytes/element, state and solver"), form=Form("KB", 1e3, ".1f")),
-        ),
-    )  # fmt: skip

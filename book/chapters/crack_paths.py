@@ -78,7 +78,6 @@ def _rows(one: dict[str, Any]) -> list[Row]:
         if one["name"] in _INTERFACES and quantity != ("parted" if one["name"].endswith("weak") else "beyond"):
             claim = None  # a crack that parts an interface does not cross it: one claim decides
         if claim is None:
-            found.append(Row(case=case, ours=PATHS.of(*known), form=form))
             continue
         high = claim["high"]
         tolerance = AtLeast(claim["low"]) if high is None else Between(claim["low"], high)

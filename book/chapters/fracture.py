@@ -6,7 +6,7 @@ from book.chapter import Chapter, Figure, Section
 from book.chapters import crack_paths, ring, weakest_link
 from book.forms import Form
 from book.results import Measurement, study
-from book.row import Measured, Row
+from book.row import Row
 from book.tolerances import AtMost, Between, Near
 
 #: Cases of the scorecard by name: what a caption says.
@@ -92,26 +92,13 @@ def _rows(measured: Measurement, one: dict[str, Any], size: str) -> list[Row]:
     claim, counts = one["claim"], one["count"]
     cells = f"{min(counts)} cells" if len(counts) == 1 else f"{min(counts)} to {max(counts)} cells"
     seeds, values, form = ", ".join(map(str, one["seeds"])), one["values"], _FORMS[claim["quantity"]]
-    rows = [
+    return [
         Row(
             case=f"{one['title']}: {claim['quantity']}{size}; seed{'s' * (len(values) > 1)} {seeds}, {cells}",
             paper=claim["words"], ours=measured.of(*values), form=form,
             tolerance=Between(claim["low"], claim["high"]),
         )
     ]  # fmt: skip
-    if claim["quantity"] == "work":
-        for what, found in (
-            ("dissipated to the end of the path, with what is stored there, without a tail", one["dissipated"]),
-            ("tail that the work above supposes after its last load of 0.02 of the peak", one["tail"]),
-        ):
-            rows.append(Row(case=f"{one['title']}: {what}{size}", ours=measured.of(*found), form=form))
-    if one["continuum"] is not None:
-        peaks = [peak / one["continuum"] for peak in one["peak"]]
-        rows.append(
-            Row(case=f"{one['title']}: peak{size}, over that of a continuum with a cohesive crack, same input",
-                ours=measured.of(*peaks), form=RATIO)
-        )  # fmt: skip
-    return rows
 
 
 def _case(one: dict[str, Any]) -> Section:
@@ -142,16 +129,6 @@ def _beams() -> Section:
             cracked = Form(f"of {len(values)}", style=".0f")
             rows.append(Row(case=f"{title}: packings whose crack leaves the notch", ours=BEAMS.of(len(known)),
                             form=cracked, paper=float(len(values)), tolerance=Near(relative=0.0)))  # fmt: skip
-        beside = _cells_beside(one)
-        if beside is not None:
-            cells = f"{one['title']}, cells: {one['quantity']}, as in its own section"
-            rows.append(Row(case=cells, ours=beside, form=form))
-        if slow:
-            slower = BEAMS.of(*one["slower"])
-            rows.append(Row(case=f"{title}: peak, four times as slow; seed 1", ours=slower, form=form))
-        for key, given, symbol in (("energy", "given_energy", "G_c"), ("toughness", "given_toughness", "K_Ic")):
-            rows.append(Row(case=f"{title}: {symbol} that bonds imply, over that of the material",
-                            ours=BEAMS.of(one[key] / one[given]), form=Form(style=".2f")))  # fmt: skip
     return Section(
         title="Calibrated beam bonds in the same tests",
         before=(
@@ -193,14 +170,6 @@ def _strengths() -> str:
     return f"{min(found):.3f} to {max(found):.3f}"
 
 
-def _cells_beside(one: dict[str, Any]) -> Measured | None:
-    """What cells had of the same case."""
-    if one["quantity"] == "peak":
-        return FRACTURE.of(*FRACTURE.at("cases", {"name": one["name"]}, "values"))
-    (found,) = [case for case in KALTHOFF.at("cases") if case["tension"] == one["strength"]] or [None]
-    return None if found is None else KALTHOFF.of(*found["angles"])
-
-
 def _toughness() -> Section:
     return Section(
         title="Toughness",
@@ -236,11 +205,6 @@ def _sizes() -> Section:
             " continuum with one cohesive crack of the same curve, and Bažant's law fitted to the cells: B f_t ="
             f" {1e-6 * law['strength']:.2f} MPa, D₀ = {1e3 * law['transition']:.0f} mm, off by at most"
             f" {100 * max(abs(x - 1) for x in law['over']):.1f} %."
-        ),
-        rows=tuple(
-            Row(case=f"D = {1e3 * one['depth']:g} mm, seed {one['seed']}, {one['count']} cells: peak, over that of"
-                     " the continuum", ours=SIZES.of(one["over_continuum"]), form=RATIO)
-            for one in SIZES.at("beams")
         ),
         figures=(Figure("fracture_size_effect.png", "Nominal strength over depth"),),
     )  # fmt: skip

@@ -50,11 +50,7 @@ def _calibrated() -> Section:
         words = f"{one['words']}, {one['count'] or '12 000 and 9000'} elements"
         rows.append(Row(case=f"{words}: runs of two tests each", ours=CALIBRATED.of(len(one["runs"])), form=COUNT,
                         tolerance=AtMost(RUNS) if one["reached"] else None))  # fmt: skip
-        best, first = one["runs"][one["best"] - 1]["measured"], one["runs"][0]["measured"]
-        rows += [
-            Row(case=f"{words}: {name} of packing 1 at the start", ours=CALIBRATED.of(first[test]), form=STRESS)
-            for test, name in _NAMES.items()
-        ]
+        best = one["runs"][one["best"] - 1]["measured"]
         ratios = [run["measured"]["ucs"] / run["measured"]["brazilian"] for run in one["runs"] if not run["failed"]]
         reason = "" if one["reached"] else (
             f"of {len(ratios)} runs UCS is {RATIO.bare(min(ratios))} to {RATIO.bare(max(ratios))} times the Brazilian"
@@ -179,21 +175,6 @@ def _range(pair: list[float] | None) -> str:
 
 def _notched() -> Section:
     """Toughness as a test has it."""
-    cases: list[dict[str, Any]] = NOTCHED.at("cases")
-    groups: dict[tuple[str, int], list[dict[str, Any]]] = {}
-    for one in cases:
-        groups.setdefault((one["words"], one["count"]), []).append(one)
-    rows: list[Row] = []
-    toughness = Form(unit="MPa√m", scale=1e6, style=".3f")
-    for (words, count), ones in groups.items():
-        told = f"{words}, {count} elements, packings {', '.join(str(one['seed']) for one in ones)}"
-        rows += [
-            Row(case=f"K at the largest load: {told}", ours=NOTCHED.of(*(one["K"] for one in ones)), form=toughness),
-            Row(case=f"K_Ic that is implied: {told}", ours=NOTCHED.of(*(one["implied"] for one in ones)),
-                form=toughness),
-            Row(case=f"stress over the ligament: {told}", ours=NOTCHED.of(*(one["net"] for one in ones)),
-                form=STRESS),
-        ]  # fmt: skip
     return Section(
         title="Toughness, measured",
         before=(
@@ -207,5 +188,4 @@ def _notched() -> Section:
             " by up to a sixth (cells), 5 % (parallel bonds) and a fifth (non-local law). Brittle laws are tougher"
             " with larger elements, as expected."
         ),
-        rows=tuple(rows),
     )

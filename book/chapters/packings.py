@@ -1,45 +1,19 @@
 """Packings: figures 5 to 8 of André et al. (2012), and what the literature has."""
 
-import json
 import math
-from pathlib import Path
 from typing import Any
 
 from book.chapter import Chapter, Figure, Section
 from book.forms import COUNT, PLAIN, ROUNDING, SECONDS, Form, Said
 from book.outcomes import TESTS, holds, range_of
-from book.results import Measurement
+from book.results import Measurement, study
 from book.row import Measured, Row
 from book.tolerances import AtLeast, AtMost, Near, So
 
-
-def condense(folder: Path) -> dict[str, Any]:
-    """`results.json` without its row a packing, and the table of means."""
-    results = json.loads((folder / "results.json").read_text(encoding="utf-8"))
-    made = len(results.pop("rows"))
-    return results | {"made": made, "table": (folder / "table.md").read_text(encoding="utf-8")}
-
-
-DISPERSION = Measurement(
-    "dispersion",
-    "python -m validation dispersion --out BUILD/dispersion --spreads 0,0.1,0.15,0.2,0.25,0.3",
-    "18 min",
-    condense,
-    {f"figures/{name}.png": f"study_{name}.png" for name in ("packings", "histograms", "dispersion")},
-)
-WIDE = Measurement(
-    "dispersion_wide",
-    "python -m validation dispersion --out BUILD/dispersion_wide --spreads 0.4 --seeds 3",
-    "25 min",
-    condense,
-)
-REFINEMENT = Measurement(
-    "refinement",
-    "python -m validation refinement --out BUILD/refinement",
-    "20 min",
-    condense,
-    {"figures/refinement.png": "study_refinement.png"},
-)
+_DRAWN = {name: f"study_{name}" for name in ("packings", "histograms", "dispersion")}
+DISPERSION = study("dispersion", _DRAWN, options="--spreads 0,0.1,0.15,0.2,0.25,0.3", takes="18 min")
+WIDE = study("dispersion", {}, options="--spreads 0.4 --seeds 3", kept="dispersion_wide", takes="25 min")
+REFINEMENT = study("refinement", {"refinement": "study_refinement"}, takes="20 min")
 PACKING = Measurement("packing", "python benchmarks/packing.py", "5 min")
 METHODS = Measurement("packing_methods", "python benchmarks/packing.py --methods", "10 min")
 MEASUREMENTS = (DISPERSION, WIDE, REFINEMENT, PACKING, METHODS, TESTS)
@@ -142,13 +116,6 @@ def _refinement() -> Section:
     rows = [
         Row(case="φ, cube, limit in N at z = 6.2", source="fig. 8a", paper=0.635, printed="0.635",
             ours=_limit("contacts", "volume_fraction"), form=DENSITY, tolerance=Near(absolute=0.008), reason=ended),
-        Row(case="φ at z = 6.2 without walls", ours=_free("contacts", "volume_fraction"), form=DENSITY),
-        Row(case="φ, cube, limit in N at jamming", ours=_limit("jamming", "volume_fraction"), form=DENSITY),
-        Row(case="φ at jamming without walls", ours=_free("jamming", "volume_fraction"), form=DENSITY),
-        Row(case="z, cube, limit in N at jamming, with rattlers", ours=_limit("jamming", "coordination_number"),
-            form=CONTACTS),
-        Row(case="z at jamming without walls, with rattlers", ours=_free("jamming", "coordination_number"),
-            form=CONTACTS),
     ]  # fmt: skip
     rows += [
         Row(case=f"{symbol}, {words}: limit less that without walls, in standard errors",
@@ -199,10 +166,6 @@ def _dispersion() -> Section:
     at = "summary", {"spread": 0.4}, "core_rms_excess"
     rows.append(Row(case="order at κ = 40 %, seeds 1 to 3: rms excess of the core", source="fig. 7", paper="none",
         ours=WIDE.number(*at, "mean", scatter=(*at, "std")), form=EXCESS, tolerance=AtMost(0.3)))
-    errors = {spread: DISPERSION.at("summary", {"spread": spread}, "isotropy_error", "mean") for spread in (0.15,
-        0.2)}
-    rows.append(Row(case="e at κ = 15 % over e at κ = 20 %", ours=DISPERSION.of(errors[0.15] / errors[0.2]),
-        form=Form(style=".1f")))
     return Section(
         title="Dispersion of the radii: figures 5 to 7",
         before=(

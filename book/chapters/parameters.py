@@ -21,7 +21,6 @@ EXPONENT = Form(style=".2f")
 POISSON = Form(style=".4f")
 LAWS = {"EulerBernoulli": "Euler–Bernoulli", "Timoshenko": "Timoshenko", "ParallelBond": "parallel",
     "Obermayr": "Obermayr"}
-FREE = {"EulerBernoulli": "r̃", "Timoshenko": "r̃", "ParallelBond": "κ", "Obermayr": "α_s"}
 
 
 def chapter() -> Chapter:
@@ -76,14 +75,6 @@ def _bond_modulus() -> Section:
             Row(case=f"{where}: ν over E_μ, largest change", source="fig. 13b", paper="constant", form=ROUNDING,
                 ours=INFLUENCE.of(found["nu"]), tolerance=AtMost(1e-9)),
         ]  # fmt: skip
-        over = INFLUENCE.at("verdicts", place, "radius_ratio")
-        columns = (over[name] for name in ("values", "stiffness_ratio", "stiffness_ratio_std"))
-        slopes = list(zip(*columns, strict=True))
-        rows += [
-            Row(case=f"{where}: slope of E over E_μ at r̃ = {radius:.1f}", form=Form(style=".5f"),
-                ours=INFLUENCE.of(mean, scatter=std))
-            for radius, mean, std in slopes[1::2]
-        ]  # fmt: skip
     moduli, radii = (INFLUENCE.at(name) for name in ("moduli", "radius_ratios"))
     return Section(
         title="Figure 13: E_μ",
@@ -109,23 +100,11 @@ def _bond_radius() -> Section:
             Row(case=f"{where}: local exponent of E in r̃, 0.2 … 0.9", source="fig. 14a", paper=2.0,
                 printed="quadratic", form=EXPONENT, tolerance=Near(absolute=0.1), reason=stiffer,
                 ours=INFLUENCE.of(found["exponent_low"], found["exponent_high"])),
-            Row(case=f"{where}: exponent of one power for all r̃", form=EXPONENT, ours=INFLUENCE.of(found["power"])),
-            Row(case=f"{where}: E off that power at most", form=PERCENT, ours=INFLUENCE.of(found["power_misfit"])),
             Row(case=f"{where}: E off any parabola in r̃, of the largest E", source="fig. 14a", paper="quadratic",
                 form=PERCENT, tolerance=AtMost(0.02), ours=INFLUENCE.of(found["E_parabola_misfit"])),
-            Row(case=f"{where}: the same, of E itself", form=PERCENT,
-                ours=INFLUENCE.of(found["E_parabola_misfit_relative"])),
             Row(case=f"{where}: ν off a parabola in r̃", source="fig. 14b", paper="quadratic", form=POISSON,
                 tolerance=AtMost(0.005), ours=INFLUENCE.of(found["nu_parabola_misfit"])),
-            Row(case=f"{where}: ν off a straight line", form=POISSON, ours=INFLUENCE.of(found["nu_line_misfit"])),
         ]  # fmt: skip
-    walls = INFLUENCE.at("cylinder_over_cell")
-    rows += [
-        Row(case=f"cylinder over cell: E, at r̃ = {radius:.1f}", form=SIGNED, ours=INFLUENCE.of(walls["E"][k]))
-        for k, radius in ((0, walls["radius_ratio"][0]), (-1, walls["radius_ratio"][-1]))
-    ]  # fmt: skip
-    rows.append(Row(case="cylinder less cell: ν, over all r̃", form=Form(style="+.4f"),
-                    ours=INFLUENCE.of(min(walls["nu"]), max(walls["nu"]))))  # fmt: skip
     return Section(
         title="Figure 14: r̃",
         before=(
@@ -156,13 +135,6 @@ def _abacus() -> Section:
             Row(case=f"{where}: E_μ for E = 72.5 GPa", source="fig. 16", paper=265e9, printed="265 GPa", form=GPA,
                 ours=ABACUS.of(found["E_mu"]), tolerance=Near(relative=0.02), reason=denser),
         ]  # fmt: skip
-        for law, words in LAWS.items():
-            found = ABACUS.at("silica", place, law)
-            rows.append(Row(case=f"{where}, {words}: ν that can be had", form=EXPONENT,
-                            ours=ABACUS.of(found["nu_low"], found["nu_high"])))  # fmt: skip
-            if law != "EulerBernoulli" and found["value"] is not None:
-                rows.append(Row(case=f"{where}, {words}: {FREE[law]} for ν = 0.17", form=Form(style=".3f"),
-                                ours=ABACUS.of(found["value"])))  # fmt: skip
     return Section(
         title="Figures 15 and 16: calibration curves",
         before="The curves are part of bondem as data. Laws without a value for ν = 0.17 cannot have this ν.",
@@ -198,14 +170,6 @@ def _assembly() -> Section:
                     tolerance=Near(target=-0.5, absolute=2.0 * scatter["exponent_error"]),
                     note="± one standard error; within two of −1/2, that of independent parts"),
             ]  # fmt: skip
-            limit = found["limits"][name]
-            if limit is not None:
-                rows.append(Row(case=f"{symbol}, {words}: for ever more elements",
-                    form=GPA if name == "E" else POISSON,
-                                ours=ASSEMBLY.of(limit["value"], scatter=limit["error"])))  # fmt: skip
-            cell = ASSEMBLY.at("summary", {"target": target, "periodic": True})[name]
-            rows.append(Row(case=f"{symbol}, {words}: periodic cell, no walls", form=GPA if name == "E" else POISSON,
-                            ours=ASSEMBLY.of(cell["mean"], scatter=cell["std"])))  # fmt: skip
     return Section(
         title="Figures 17 and 18: the number of elements",
         before=(

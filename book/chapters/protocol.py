@@ -89,8 +89,6 @@ def _tests(method: str) -> Section:
             form=SIGNED, tolerance=AtMost(), ours=_over_packings(method, "errors", name))
         for name, (said, printed) in TESTS.items()
     ]  # fmt: skip
-    rows.append(Row(case=f"bending frequency, Timoshenko's theory: {words.split(',')[0]}", form=SIGNED,
-                    ours=_over_packings(method, "errors", "dynamic_bending_timoshenko")))  # fmt: skip
     figures = (Figure("protocol_errors.png", "Errors by the paper's protocol, on its packings and on ours"),)
     return Section(
         title=f"Tables 3 and 4: {words}",

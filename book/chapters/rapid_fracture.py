@@ -55,10 +55,6 @@ def _branching() -> Section:
             paper=f"below {limit:g} (from memory)", ours=_of(BRANCHING, runs, "over"), form=_RATIO,
             tolerance=AtMost(limit)),
     ]  # fmt: skip
-    for count in counts:
-        some = [one for one in runs if one["count"] == count]
-        which = f"A, {count} cells of {1e3 * some[0]['size']:.2f} mm, {_seeds(some)}"
-        rows += _course(BRANCHING, some, which)
     return Section(
         title="Branching, plate A",
         before=(
@@ -74,20 +70,6 @@ def _branching() -> Section:
 
 def _soda_lime() -> Section:
     """Plate B, of two strengths."""
-    rows: list[Row] = []
-    for measured, case in ((BRANCHING, "B30"), (FINE, "B40")):
-        some = [one for one in measured.at("runs") if one["case"] == case]
-        which = (
-            f"B, f_t = {case[1:]} MPa, {some[0]['count']} cells of {some[0]['size'] / some[0]['longest']:.2f} h*,"
-            f" {_seeds(some)}"
-        )
-        branched = measured.of(sum(one["branched"] is not None for one in some))
-        rows += [
-            Row(case=f"{which}: packings whose crack branches", ours=branched, form=Form(style=".0f")),
-            *_course(measured, some, which),
-            Row(case=f"{which}: seconds of the run on one core", form=Form("s", style=".0f"),
-                ours=_of(measured, some, "run_seconds")),
-        ]  # fmt: skip
     return Section(
         title="Branching, plate B",
         before=(
@@ -96,7 +78,6 @@ def _soda_lime() -> Section:
             "about 1580 m/s, is from memory. Cells are as long as 2 E G/f_t² = h* allows, so a crack dissipates "
             "its energy within a single cell."
         ),
-        rows=tuple(rows),
         figures=(
             Figure("branching_B30.png", "f_t = 30 MPa: crack of the first packing, and the fronts of all"),
             Figure("branching_B40.png", "f_t = 40 MPa: crack, and its front"),
@@ -104,35 +85,8 @@ def _soda_lime() -> Section:
     )
 
 
-def _course(measured: Measurement, some: list[dict[str, Any]], which: str) -> list[Row]:
-    """When a crack starts, where it branches and how fast it is along x, without verdicts."""
-    rows = [Row(case=f"{which}: it starts at", ours=_of(measured, some, "onset"), form=_TIME)]
-    forked = [one for one in some if one["branched"] is not None]
-    if forked:
-        place = _of(measured, forked, "branched")
-        rows.append(Row(case=f"{which}: it branches, from the notch", ours=place, form=_PLACE))
-    return [*rows, Row(case=f"{which}: speed along x", ours=_of(measured, some, "speed"), form=_SPEED)]
-
-
 def _spall() -> Section:
-    rows, runs = [], SPALL.at("runs")
-    kinds = list(dict.fromkeys((one["tension"], one["fracture_energy"], one["size"]) for one in runs))
-    for kind in kinds:
-        some = [one for one in runs if (one["tension"], one["fracture_energy"], one["size"]) == kind]
-        which = (
-            f"f_t = {1e-6 * kind[0]:g} MPa, G_f = {kind[1]:g} J/m², {some[0]['count']} cells, {_seeds(some)}"
-        )
-        rows.append(Row(case=f"{which}: highest velocity of the free end", ours=_of(SPALL, some, "highest"),
-                        form=_FINE_SPEED))  # fmt: skip
-        fallen = [one for one in some if one["pull_back"] is not None]
-        if fallen:
-            rows.append(Row(case=f"{which}: pull-back", ours=_of(SPALL, fallen, "pull_back"), form=_FINE_SPEED))
-        parted = [one["lengths"][0] for one in some if len(one["lengths"]) > 1]
-        rows.append(Row(case=f"{which}: bars that have parted after 130 µs", ours=SPALL.of(len(parted)),
-                        form=Form(f"of {len(some)}", style=".0f")))  # fmt: skip
-        if parted:
-            rows.append(Row(case=f"{which}: length of the piece at the free end of these", ours=SPALL.of(*parted),
-                            form=_PLACE))  # fmt: skip
+    runs = SPALL.at("runs")
     thin = {1e-6 * one["tension"]: 1e3 * one["thin"] for one in runs}
     places = " and ".join(f"{place:.0f} mm with {tension:g} MPa" for tension, place in thin.items())
     broken = " and ".join(
@@ -149,7 +103,6 @@ def _spall() -> Section:
             "MPa in static tests, 18.9 MPa at these rates. There is no verdict, because G_f is assumed (50 J/m²) "
             "and varied."
         ),
-        rows=tuple(rows),
         after=(
             f"In a thin elastic bar this pulse gives {SPALL.at('thin_highest'):.2f} m/s and, with 18.9 MPa, a"
             f" pull-back of 2 f_t/ρc = {runs[-1]['thin_pull_back']:.2f} m/s. Tension first reaches the strength at"
@@ -165,22 +118,13 @@ def _losses() -> Section:
     """Fracture, and crushing beyond it."""
     rows, bars, impacts = [], LOSSES.at("bars"), LOSSES.at("impacts")
     shares, more = ([one[name] for one in impacts] for name in ("fracture", "crushing"))
-    for law, speed in dict.fromkeys((one["law"], one["speed"]) for one in impacts):
-        some = [one for one in impacts if (one["law"], one["speed"]) == (law, speed)]
-        counts = " and ".join(str(count) for count in dict.fromkeys(one["count"] for one in some))
-        which = f"impact at {speed:g} m/s, {law}, {counts} cells, {_seeds(some)}"
-        rows.append(Row(case=f"{which}: crushing over fracture", ours=_of(LOSSES, some, "crushing"), form=_RATIO))
     for shape in dict.fromkeys(one["shape"] for one in bars):
         some = [one for one in bars if one["shape"] == shape]
         which = f"{shape} bars of {' and '.join(str(n) for n in dict.fromkeys(one['count'] for one in some))} cells"
-        rows += [
+        rows.append(
             Row(case=f"{which}, {_seeds(some)}: crushing over fracture", ours=_of(LOSSES, some, "crushing"),
-                form=Form(style=".3f"), tolerance=AtMost(0.02)),
-            Row(case=f"{which}: fracture and crushing over G_f times the section",
-                ours=_of(LOSSES, some, "section"), form=Form(style=".3f")),
-            Row(case=f"{which}: both in broken facets over G_f times their own area",
-                ours=_of(LOSSES, some, "per_area"), form=_RATIO),
-        ]  # fmt: skip
+                form=Form(style=".3f"), tolerance=AtMost(0.02))
+        )  # fmt: skip
     return Section(
         title="Fracture and crushing",
         before=(
@@ -213,11 +157,6 @@ def _granite() -> Section:
             paper=one["words"] if judged else None, ours=GRANITE.of(*one["values"]),
             tolerance=Between(one["low"], one["high"]) if judged else None,
         ))  # fmt: skip
-        rows.append(Row(case=f"{what}; {one['count']} cells: over the input", ours=GRANITE.of(one["over"]),
-                        form=Form(style=".3f")))  # fmt: skip
-        if one["later"]:
-            rows.append(Row(case=f"{what}; {one['count']} cells: largest load of the halves, as that stress",
-                            ours=GRANITE.of(*one["later"]), form=_MPA))  # fmt: skip
     return Section(
         title="Lac du Bonnet granite",
         before=(

@@ -26,8 +26,7 @@ def section() -> Section:
             "4.5 (ε̇/ε̇₀)^(2/3)) of Zhou, Molinari and Ramesh (2006), within 10 %."
         ),
         rows=tuple(
-            row for measured in (RING, RING_FINE, RING_THIN) for one in measured.at("rates")
-            for row in _pieces(measured, one)
+            _pieces(measured, one) for measured in (RING, RING_FINE) for one in measured.at("rates")
         ),
         after=_cause(),
         figures=(Figure("fracture_ring.png", "Mean size of fragments over the rate of strain, without dimension"),),
@@ -56,21 +55,9 @@ def _cause() -> str:
     )
 
 
-def _pieces(measured: Measurement, one: dict[str, Any]) -> list[Row]:
-    """Sizes of fragments at a rate; of the section that is asked for also what is behind them."""
+def _pieces(measured: Measurement, one: dict[str, Any]) -> Row:
+    """Sizes of fragments at a rate."""
     over, rate = measured.of(one["over"]["mean"], scatter=one["over"]["std"]), f"{one['rate']:g} /s"
-    if measured is RING_THIN:
-        case = f"{rate}, section 0.15 mm, {one['count'][0]} cells, seed 1: mean size of fragments over the formula's"
-        return [Row(case=case, ours=measured.of(one["ratio"]), form=RATIO)]
     cells = f"{one['count'][0]} cells, seed{'s' * (len(one['seed']) > 1)} {', '.join(map(str, one['seed']))}"
-    size = Row(case=f"{rate}, {cells}: mean size of fragments over s₀", paper=one["formula"], ours=over, form=RATIO,
+    return Row(case=f"{rate}, {cells}: mean size of fragments over s₀", paper=one["formula"], ours=over, form=RATIO,
                tolerance=Near(relative=RING.at("limit")))  # fmt: skip
-    if measured is RING_FINE:
-        return [size]
-    return [
-        size,
-        Row(case=f"{rate}: the same over the formula at {one['slowed']:.0f} /s, when the stress is σ_c",
-            ours=measured.of(one["ratio_slowed"]), form=RATIO),
-        Row(case=f"{rate}: dissipated over G times the sections that parted", ours=measured.of(one["dissipated"]),
-            form=RATIO),
-    ]  # fmt: skip

@@ -52,8 +52,6 @@ def _killed() -> Section:
                 ours=kept.of(kept.at("same bits")), form=COUNT, tolerance=every),
             Row(case=f"{told}: steps lost at most, of those reported before the kill", form=COUNT,
                 ours=kept.of(kept.at("lost at most")), tolerance=AtMost(kept.at("every"))),
-            Row(case=f"{told}: runs killed during a commit (a journal remained)", form=COUNT,
-                ours=kept.of(kept.at("with a journal"))),
         ]  # fmt: skip
     return Section(
         title="Runs killed while they write",
@@ -80,9 +78,6 @@ def _flipped() -> Section:
         rows=(
             Row(case="read as another state, record or mass", ours=SURVIVAL.of(found["other numbers"]), form=COUNT,
                 tolerance=AtMost(0.0)),
-            Row(case="refused", ours=SURVIVAL.of(found["refused"]), form=COUNT),
-            Row(case="in parts that a resumed run does not use (snapshots, what HDF5 does not use)",
-                ours=SURVIVAL.of(found["harmless"]), form=COUNT),
         ),
     )  # fmt: skip
 
@@ -91,11 +86,10 @@ def _fuzzed() -> Section:
     rows = []
     for key, words in (("study", "studies, as text"), ("run", "run files, as bytes")):
         found = FUZZING.at(key)
-        rows += [
-            Row(case=f"{words}: inputs", ours=FUZZING.of(found["inputs"]), form=COUNT),
+        rows.append(
             Row(case=f"{words}: tracebacks, hangs, crashes, wrong numbers accepted", ours=FUZZING.of(found["bad"]),
-                form=COUNT, tolerance=AtMost(0.0)),
-        ]  # fmt: skip
+                form=COUNT, tolerance=AtMost(0.0))
+        )  # fmt: skip
     return Section(
         title="Fuzzing",
         before=(
@@ -113,15 +107,10 @@ def _output() -> Section:
     walls = " and ".join(f"{100.0 * float(one['cost by the wall']):.1f} %" for one in OUTPUT.at("cases"))
     for one in OUTPUT.at("cases"):
         told = f"{one['elements']} {'cells' if one['kind'] == 'cells' else 'spheres with beams'}"
-        rows += [
-            Row(case=f"{told}: a step", ours=OUTPUT.of(one["step"]["median"]), form=SECONDS),
-            Row(case=f"{told}: once, what does not change", ours=OUTPUT.of(one["once"]["median"]), form=SECONDS),
-            Row(case=f"{told}: a snapshot", ours=OUTPUT.of(one["snapshot"]["median"]), form=SECONDS),
-            Row(case=f"{told}: its size", form=Form("MB", style=".1f"),
-                ours=OUTPUT.of(one["bytes a snapshot"] / 1e6)),
+        rows.append(
             Row(case=f"{told}: a hundred snapshots over a run of {OUTPUT.at('long')} steps", form=PERCENT,
-                ours=OUTPUT.of(one["cost"]), tolerance=AtMost(0.05)),
-        ]  # fmt: skip
+                ours=OUTPUT.of(one["cost"]), tolerance=AtMost(0.05))
+        )  # fmt: skip
     return Section(
         title="Output",
         before=(
@@ -153,9 +142,6 @@ def _campaign() -> Section:
                 tolerance=Near(relative=0.0)),
             Row(case="specimens: computed twice or failed or left unfinished", form=COUNT, tolerance=AtMost(0.0),
                 ours=CAMPAIGN.of(found["twice"] + found["failed"] + found["unfinished folders"])),
-            Row(case="workers killed", ours=CAMPAIGN.of(found["workers killed"]), form=COUNT),
-            Row(case="specimens finished before the coordinator was killed", form=COUNT,
-                ours=CAMPAIGN.of(found["finished before"])),
             Row(case="specimens: finished before the coordinator was killed and computed again",
                 ours=CAMPAIGN.of(found["done again"]), form=COUNT, tolerance=AtMost(0.0)),
             Row(case=f"speed-up on two workers, {CAMPAIGN.at('few')} specimens of {CAMPAIGN.at('cells')} cells, start"

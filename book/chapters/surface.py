@@ -31,24 +31,12 @@ def chapter() -> Chapter:
 
 
 def _bodies() -> Section:
-    rows = []
-    for one in SURFACE.at("bodies"):
-        if one["target"] == "contacts" and one["count"] != FINE:
-            continue
-        ratio = f"R̄S/V = {one['surface_ratio']:.3f}"
-        where = f"{one['form']} of {_spaced(one['count'])}, {TARGETS[one['target']]}, {ratio}"
-        rows += [
-            Row(case=f"{where}: {symbol} over the bulk's", ours=SURFACE.of(one[name], scatter=one[f"{name}_std"]),
-                form=RATIO)
-            for name, symbol in SYMBOLS.items()
-        ]
     return Section(
         title="Effect of surfaces",
         before=(
             "Bodies have Euler–Bernoulli bonds with r̃ = 0.7 and are measured in tension, between ends where "
             "forces act."
         ),
-        rows=tuple(rows),
         figures=(Figure("surface.png", "E and ν of bodies over those of the bulk, measured and predicted"),),
     )
 

@@ -13,7 +13,7 @@ SHARES = Measurement("shares", "python benchmarks/shares.py", "2 min")
 AGAINST = Measurement(
     "cells_against",
     'python benchmarks/against.py speed --revision 3f7e4bbd --kinds cells "cells, may break" --elements 10000 100000'
-    " --repeat 5 --no-compile --output benchmarks/results/cells_against.json",
+    " --repeat 5 --output benchmarks/results/cells_against.json",
     "30 min",
 )
 TURNING = Measurement(

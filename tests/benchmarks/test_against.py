@@ -76,11 +76,8 @@ def test_sides_import_the_bondem_they_are_given_and_take_turns(benchmarks, tmp_p
         bonds = {worker.ask("load", path=path)["bonds"] for worker in (first, second)}
         assert len(bonds) == 1
         pairs = paired.in_turns(first, second, bonds.pop(), threads=1, repeat=3, steps=20)
-        told = second.ask("first_run", contacts=False)
         with pytest.raises(RuntimeError, match="no_such_task"):
             second.ask("no_such_task")
-    assert told["run"] > 0.0
-    assert told["cpu"] > 0.0
     assert len(pairs.first) == len(pairs.second) == 3
     assert pairs.report(("old", "new"))["old"]["min"] > 0.0
 

@@ -82,7 +82,7 @@ def test_energy_error_of_a_tumbling_rod_is_second_order_and_does_not_drift(tumbl
     assert np.ptp(parts[-1]) < 8.0 * np.ptp(parts[0])
 
 
-def test_a_run_goes_back_the_way_it_came(tumbling_rod, record: Record) -> None:
+def test_a_run_goes_back_the_way_it_came(tumbling_rod) -> None:
     model, start = tumbling_rod
     dt = time_step(model, 0.5)
     plan = bd.Plan(duration=3000 * dt, dt=dt, every=0)
@@ -95,9 +95,6 @@ def test_a_run_goes_back_the_way_it_came(tumbling_rod, record: Record) -> None:
     np.testing.assert_allclose(back.position, start.position, rtol=0.0, atol=1e-9)
     np.testing.assert_allclose(back.velocity, -start.velocity, rtol=0.0, atol=1e-8 * np.abs(start.velocity).max())
     np.testing.assert_allclose(back.orientation, start.orientation, rtol=0.0, atol=1e-9)
-    record("reversal", np.abs(back.position - start.position).max())  # elements are 1 m apart
-    record("reversal", np.abs(back.velocity + start.velocity).max() / np.abs(start.velocity).max())
-    record("reversal", np.abs(back.orientation - start.orientation).max())
 
 
 def test_the_bond_turns_with_a_spinning_pair() -> None:

@@ -90,9 +90,9 @@ def test_a_second_run_packs_only_what_is_missing(refined):
     out, _ = refined
     before = files(out)
     rows = json.loads((out / "results.json").read_text())["rows"]
-    lost = next(path for path in (out / "rows").iterdir() if "_n260_seed1_" in path.name)
+    (lost, *_) = (out / "rows").glob("*_count260_*_seed1_*")
     lost.unlink()
-    other = next(path for path in (out / "packings").iterdir() if "_n200_seed2_" in path.name)
+    (other, *_) = (out / "packings").glob("*_count200_*_seed2_*")
     other.unlink()
     done = validation("refinement", "--out", "out", *SMALL, "--processes", "1", cwd=out.parent)
     assert done.returncode == 0, done.stderr

@@ -124,7 +124,6 @@ def test_a_study_breaks_judges_and_draws(tmp_path: Any) -> None:
     study.draw(tmp_path, made, found)
     for name in ("gregoire", "kalthoff"):
         assert (tmp_path / "figures" / f"beams_{name}.png").stat().st_size > 10_000
-    assert slow["verdict"] in study.table(found)
 
 
 @pytest.mark.parametrize(("angles", "verdict"), [

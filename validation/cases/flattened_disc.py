@@ -1,10 +1,11 @@
 """The Brazilian test on a disc with two flats (Wang et al. 2004), pressed between smooth platens.
 
-As `validation/studies/brazilian.py` has it, of any material. The stress at the centre is σ = k 2P / (π D t) in plane
+The stress at the centre is σ = k 2P / (π D t) in plane
 stress, with k = (2 cos³α + cos α + sin α/α)² / (8 (cos α + sin α/α)) · α/sin α, 0.960 for flats of 2α = 20°.
 """
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,6 +17,7 @@ from bondem.boundary.schedules import Ramp
 from bondem.damage.criteria.criterion import Criterion
 from bondem.dynamics.damping import MassDamping
 from bondem.dynamics.history import History
+from bondem.dynamics.plan import ExplicitResult
 from bondem.errors import UnstableRunError
 from bondem.geometry.elementary_shapes import Box, Cylinder
 from bondem.geometry.shape import Shape
@@ -30,11 +32,14 @@ from bondem.specimen.regions import Face
 
 #: α, half the angle of a flat [rad].
 HALF = math.radians(10.0)
-# Traverses of sound until the expected peak; the test ends at this share of the peak, at the latest after this many
-# times until the expected one; strength over E by which the flats have come together at the peak [-].
-_TRAVERSES, _ENDING, _LONGEST, _STRAIN = 100.0, 0.5, 4.0, 8.0
+# Traverses of sound until the expected peak, and the share of that time in which the flats get their speed; the test
+# ends at this share of the peak, at the latest after this many times until the expected one; strength over E by which
+# the flats have come together at the peak [-].
+_TRAVERSES, _BEGIN, _ENDING, _LONGEST, _STRAIN = 100.0, 0.1, 0.5, 4.0, 8.0
 # The density of a test [kg/m³]: nothing depends on it, as speeds are shares of that of sound.
 _DENSITY = 2000.0
+#: Whether a test ends, by its state and what it has recorded.
+Ended = Callable[[State, History], bool]
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,6 +91,37 @@ class FlattenedDisc:
             shape = shape.cut(block.moved((-thick, y, -self.diameter)), name=name)
         return connect(pack(shape, count=count, method=EVEN, seed=seed), method="laguerre")
 
+    def loaded(
+        self, body: Lattice, law: CellBond, failure: Criterion | None, expected: float, ended: Ended, *,
+        density: float,
+    ) -> ExplicitResult:  # fmt: skip
+        """Flats that come together by some 8 σ / E of the height until the expected stress σ, with forces of both.
+
+        Args:
+            body: of this disc.
+            law, failure: its material.
+            expected: stress at the centre at the peak [Pa], which gives the speed.
+            ended: whether to stop, asked at each record.
+            density: [kg/m³].
+        """
+        sound = math.sqrt(law.E / density)
+        rise, speed = self._pace(law, expected, density)
+        boundary: list[BoundaryCondition] = [
+            Drive(Face(name), vy=Ramp(0.0, sign * speed, _BEGIN * rise))
+            for name, sign in (("top", -1), ("bottom", 1))
+        ]
+        model = Model(body, law, density, failure=failure, boundary=boundary)
+        return solve_explicit(
+            model, duration=_LONGEST * rise, every=40, callback=ended,
+            damping=MassDamping(alpha=0.1 * math.pi * sound / self.diameter),
+            gauges={name: Gauge(Face(name), "force") for name in ("top", "bottom")},
+        )  # fmt: skip
+
+    def _pace(self, law: CellBond, expected: float, density: float) -> tuple[float, float]:
+        """When the expected stress is reached [s], and the speed of each flat [m/s]."""
+        rise = _TRAVERSES * self.diameter / math.sqrt(law.E / density)
+        return rise, 0.5 * _STRAIN * expected / law.E * self.diameter / rise
+
     def press(self, body: Lattice, law: CellBond, failure: Criterion, expected: float) -> BrazilianTest:
         """Press a disc until its load has fallen to half of its peak.
 
@@ -97,13 +133,7 @@ class FlattenedDisc:
         Raises:
             UnstableRunError: the run became unstable.
         """
-        sound = math.sqrt(law.E / _DENSITY)
-        rise = _TRAVERSES * self.diameter / sound
-        speed, begin = 0.5 * _STRAIN * expected / law.E * self.diameter / rise, 0.1 * rise
-        boundary: list[BoundaryCondition] = [
-            Drive(Face(name), vy=Ramp(0.0, sign * speed, begin)) for name, sign in (("top", -1), ("bottom", 1))
-        ]
-        model = Model(body, law, _DENSITY, failure=failure, boundary=boundary)
+        rise, speed = self._pace(law, expected, _DENSITY)
         top = [0.0]
 
         def ended(_: State, record: History) -> bool:
@@ -111,13 +141,10 @@ class FlattenedDisc:
             top[0] = max(top[0], now)
             return top[0] > 0.3 * expected and now < _ENDING * top[0]
 
-        run = solve_explicit(
-            model, duration=_LONGEST * rise, every=40, callback=ended,
-            damping=MassDamping(alpha=0.1 * math.pi * sound / self.diameter),
-            gauges={name: Gauge(Face(name), "force") for name in ("top", "bottom")},
-        )  # fmt: skip
+        run = self.loaded(body, law, failure, expected, ended, density=_DENSITY)
         if run.status.failed:
             raise UnstableRunError(run.message)
+        begin = _BEGIN * rise
         time, both = run.history.time, [-run.history["top"][:, 1], run.history["bottom"][:, 1]]
         moved = np.where(time < begin, 0.5 * time**2 / begin, time - 0.5 * begin) * 2.0 * speed
         force = 0.5 * (both[0] + both[1])

@@ -1,5 +1,6 @@
 """What is said of rows that failed."""
 
+import itertools
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -19,7 +20,6 @@ def complain(rows: Sequence[dict[str, Any]], folder: Path, *, what: str = "packi
         return
     kind = UnstableRunError if any(row["unstable"] for row in failed) else PackingError
     first = failed[0]
-    raise kind(
-        f"{len(failed)} of {len(rows)} {what} failed, the others are in '{folder}'; first {first['count']} spheres"
-        f" of κ = {first['spread']:.0%}, seed {first['seed']}: {first['error']}"
-    )
+    asked = ", ".join(f"{name} {first[name]}" for name in itertools.takewhile("error".__ne__, first))
+    raise kind(f"{len(failed)} of {len(rows)} {what} failed, the others are in '{folder}'; first {asked}:"
+               f" {first['error']}")  # fmt: skip

@@ -36,17 +36,3 @@ def mean_and_scatter(values: Sequence[float]) -> dict[str, float | None]:
         "mean": float(np.mean(values)),
         "std": float(np.std(values, ddof=1)) if len(values) > 1 else None,
     }
-
-
-def table(caption: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """A Markdown table below its caption."""
-    lines = [caption, "", f"| {' | '.join(head)} |", f"|{'---|' * len(head)}"]
-    return "\n".join([*lines, *(f"| {' | '.join(row)} |" for row in rows)]) + "\n"
-
-
-def in_percent(value: Mapping[str, float | None], digits: int = 2) -> str:
-    """Mean ± scatter of a ratio, in per cent."""
-    mean, std = value["mean"], value["std"]
-    assert mean is not None
-    text = f"{100.0 * mean:+.{digits}f}".replace("-", "−")
-    return text if std is None else f"{text} ± {100.0 * std:.{digits}f}"

@@ -11,10 +11,12 @@ import hashlib
 import json
 import os
 import pickle
+import re
 import time
 from abc import ABC, abstractmethod
+from dataclasses import fields
 from pathlib import Path
-from typing import Any, final
+from typing import Any, cast, final
 
 from bondem._blas import one_blas_thread
 from bondem.errors import BondemError, UnstableRunError
@@ -26,10 +28,13 @@ from validation.frame.sources import code_hash
 class Request(ABC):
     """One row of a study. Equal requests are one; all are frozen dataclasses."""
 
+    @final
     @property
-    @abstractmethod
     def readable(self) -> str:
-        """What its files are called, before the hash."""
+        """What its files are called, before the hash: its class, and what was asked for."""
+        words = [name if value is True else value if isinstance(value, str) else f"{name}{value:g}"
+                 for name, value in self.asked.items() if value is not None and value is not False]  # fmt: skip
+        return re.sub(r"[^\w.+-]+", "-", "_".join([type(self).__name__, *words]))
 
     @property
     @abstractmethod
@@ -42,9 +47,11 @@ class Request(ABC):
         return None
 
     @property
-    @abstractmethod
     def asked(self) -> dict[str, Any]:
-        """The columns of the row that say what was asked for; among them count, spread and seed."""
+        """The columns of the row that say what was asked for: numbers, words and flags, and the name of a case."""
+        values = {field.name: getattr(self, field.name) for field in fields(cast(Any, self))}
+        columns = {name: getattr(value, "name", value) for name, value in values.items()}
+        return {name: value for name, value in columns.items() if isinstance(value, int | float | str)}
 
     def whole(self, folder: Path) -> bool:
         """Whether all that belongs to the row is there."""

@@ -77,7 +77,7 @@ def run(
     results = {"study": study.name, "command": command, "commit": commit(), "code": code_hash(type(study).__module__),
                **study.results(out, rows), "failed": len(failed),
                "errors": [row["error"] for row in failed.values()], "rows": rows}  # fmt: skip
-    results = keep_results(out, results, study.table(results))
+    results = keep_results(out, results)
     if good:
         tell("figures", 0.0)
         study.draw(out, good, results)

@@ -36,9 +36,5 @@ class Study(ABC):
         """What `results.json` says beside the rows of the last stage, some of which may have an error."""
 
     @abstractmethod
-    def table(self, results: Mapping[str, Any]) -> str:
-        """`table.md`."""
-
-    @abstractmethod
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """Figures, into the folder `figures` of `out`, from the rows without error; data files, into `out`."""

@@ -3,7 +3,7 @@
 import csv
 import io
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -13,8 +13,8 @@ from bondem import __version__
 from bondem.io.atomic import write_text
 from validation.frame.files import plain
 
-#: Column of a Markdown table: name of the quantity, how to print it, and a factor on it.
-Column = tuple[str, str, float]
+# Parts of results that tables leave out, and numbers of a list that a cell shows, at most.
+_LEFT_OUT, _LISTED = ("rows", "curves", "profile", "code", "commit", "version"), 8
 
 _MEASURED = (
     "volume_fraction", "core_volume_fraction", "coordination_number", "core_coordination_number",
@@ -57,30 +57,58 @@ def _summarised(
     return group | found
 
 
-def markdown(columns: Mapping[str, Column], groups: Sequence[Mapping[str, Any]]) -> str:
-    """A table of a summary: mean ± standard deviation."""
-    lines = [f"| {' | '.join(columns)} |", f"|{'---|' * len(columns)}"]
-    lines += [f"| {' | '.join(_cell(group, column) for column in columns.values())} |" for group in groups]
-    return "\n".join(lines) + "\n"
-
-
-def _cell(group: Mapping[str, Any], column: Column) -> str:
-    name, pattern, factor = column
-    value = group[name]
-    if not isinstance(value, Mapping):
-        return pattern.format(factor * value)
-    if value["mean"] is None:
-        return "–"
-    mean = pattern.format(factor * value["mean"])
-    return mean if value["std"] is None else f"{mean} ± {pattern.format(factor * value['std'])}"
-
-
 def _is_cell(name: str, value: object) -> bool:
     return name == "reasons" or not isinstance(value, dict | list)
 
 
-def keep_results(out: Path, results: Mapping[str, Any], table: str) -> dict[str, Any]:
-    """Write `results.json`, `table.csv` with a line a row, and `table.md` with the means.
+def tables(results: Mapping[str, Any]) -> str:
+    """Tables of what a study found, in Markdown: of single values by their path, and of lists with a line a member.
+
+    Args:
+        results: as `results.json` has them; rows, curves and profiles are left out.
+    """
+    single = list(_values({name: part for name, part in results.items() if name not in _LEFT_OUT}))
+    groups = {name: part for name, part in single if isinstance(part, list) and part and _has_names(part[0])}
+    found = [_table("Results", ("quantity", "value"), [(name, _cell(part)) for name, part in single
+                                                      if name not in groups])]  # fmt: skip
+    for name, members in groups.items():
+        lines = [dict(_values(one)) for one in members]
+        head = list(dict.fromkeys(column for line in lines for column in line))
+        found.append(_table(name, head, [[_cell(line.get(column)) for column in head] for line in lines]))
+    return "\n".join(found)
+
+
+def _values(part: Mapping[str, Any], path: str = "") -> Iterator[tuple[str, Any]]:
+    """Values of nested dictionaries with their paths; a mean and its scatter are one value."""
+    for name, value in part.items():
+        if _has_names(value):
+            yield from _values(value, f"{path}{name}.")
+        else:
+            yield f"{path}{name}", value
+
+
+def _has_names(value: Any) -> bool:
+    return isinstance(value, dict) and set(value) != {"mean", "std"}
+
+
+def _table(caption: str, head: Sequence[str], lines: Sequence[Sequence[str]]) -> str:
+    rule = "|".join(["---"] * len(head))
+    return "\n".join([caption, "", f"| {' | '.join(head)} |", f"|{rule}|",
+                      *(f"| {' | '.join(line)} |" for line in lines), ""])  # fmt: skip
+
+
+def _cell(value: Any) -> str:
+    if isinstance(value, dict):
+        return " ± ".join(_cell(part) for part in value.values() if part is not None) or "–"
+    if isinstance(value, list):
+        return ", ".join(map(_cell, value)) if len(value) <= _LISTED else f"{len(value)} values"
+    if value is None:
+        return "–"
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+def keep_results(out: Path, results: Mapping[str, Any]) -> dict[str, Any]:
+    """Write `results.json`, `table.csv` with a line a row, and `table.md` with what was found.
 
     Returns:
         What `results.json` holds: the results and the version.
@@ -88,7 +116,7 @@ def keep_results(out: Path, results: Mapping[str, Any], table: str) -> dict[str,
     whole = plain({**results, "version": __version__})
     rows = whole["rows"]
     write_text(out / "results.json", json.dumps(whole, indent=1, allow_nan=False) + "\n")
-    write_text(out / "table.md", table)
+    write_text(out / "table.md", tables(whole))
     columns = list(dict.fromkeys(name for row in rows for name, value in row.items() if _is_cell(name, value)))
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")

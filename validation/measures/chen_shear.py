@@ -103,23 +103,6 @@ def shear_cases() -> dict:
     }  # fmt: skip
 
 
-def print_shear(shear: dict) -> None:
-    print("\nFig 17: axial over shear stiffness in case 3, ours (paper, from Table 5)")
-    for law in LAWS:
-        rows = [r for r in shear["stiffness_ratio"] if r["law"] == law]
-        print(f"  {law:9}" + "".join(
-            f"  {r['bonds']}: {r['ratio']:.4g}" + (f" ({r['paper']:.4g})" if r["paper"] else "") for r in rows
-        ))  # fmt: skip
-    print("\nFig 19: what Euler-Bernoulli theory misses of the deflection [%], one bond of each law / eq (35)")
-    for r in shear["slenderness"]:
-        found, theory = 100 * r["missing"], 100 * r["theory"]
-        print(f"  nu {r['nu']:.6g}  lambda_0 {r['slenderness']:4}  {found:.4f} / {theory:.4f}")
-    print("\nCase 3 refined: error of the tip, ours / theory of the chain")
-    for r in shear["refinement"]:
-        print(f"  {r['law']:9} {r['bonds']:4} bonds  {r['error']:+.6e} / {r['theory']:+.6e}")
-    print(f"  order of Obermayr's bond: {shear['order_obermayr']:.5f}; limit of PBM {shear['limit_parallel']:+.3e}")
-
-
 def draw_shear(shear: dict, folder: Path) -> None:
     with sheet(folder / "chen_stiffness_ratio.png", 5.2, 3.4) as (_, ax):
         n = np.linspace(1.0, 10.0, 200)

@@ -1,8 +1,7 @@
 """Tension of a free specimen by explicit dynamics: loads grow slowly, and the scheme damps (André et al. 2012)."""
 
-import math
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -24,6 +23,8 @@ from bondem.specimen.regions import Face
 
 # Records of a run: enough for a curve, and for a mean over the last of them.
 _RECORDS = 1000
+# Depth of the loaded faces, in mean radii [-].
+_DEPTH = 0.02
 # The last tenth of a run is what it has come to.
 _TAIL = 0.1
 
@@ -65,16 +66,6 @@ class ExplicitTension:
         return -float(self._tail[:, 1].mean() / self._tail[:, 0].mean())
 
     @property
-    def E_last(self) -> float:
-        """Young's modulus from the last instant alone [Pa]."""
-        return self.stress / float(self.strain[-1, 0])
-
-    @property
-    def nu_last(self) -> float:
-        """Poisson's ratio from the last instant alone [-]."""
-        return -float(self.strain[-1, 1] / self.strain[-1, 0])
-
-    @property
     def kinetic(self) -> Floats:
         """Kinetic energy [J], (s,)."""
         return self.energy["translation"] + self.energy["rotation"]
@@ -83,13 +74,6 @@ class ExplicitTension:
     def elastic(self) -> Floats:
         """Elastic energy of the bonds [J], (s,)."""
         return sum((self.energy[name] for name in ("normal", "shear", "bending", "twisting")), np.zeros(1))
-
-    def settling(self, E: float, tolerance: float) -> int | None:
-        """Steps after which stress over strain stays within `tolerance` of E [Pa]; None where it never does."""
-        moving = np.abs(self.stress / E / np.where(self.strain[:, 0] == 0.0, math.inf, self.strain[:, 0]) - 1.0)
-        late = np.flatnonzero((moving > tolerance) | (self.time < self.ramp))
-        first = int(late[-1]) + 1 if len(late) else 0
-        return round(float(self.time[first]) / self.dt) if first < len(self.time) else None
 
     @property
     def _tail(self) -> Floats:
@@ -105,8 +89,6 @@ def explicit_tension(
     ramp: float = 0.5,
     phi: float = 1.3,
     stress: float = 1e5,
-    depth: float = 0.02,
-    progress: Callable[[float], None] | None = None,
 ) -> ExplicitTension:
     """Pull a free specimen as `static_tension` does, step by step: a linear ramp, then the load stays.
 
@@ -118,8 +100,6 @@ def explicit_tension(
         ramp: share of the steps in which the load grows [-].
         phi: of the scheme of Tchamwa and Wielgosz, which damps [-].
         stress: F / S at full load [Pa]; so small that geometry stays linear to a part in a million.
-        depth: of the loaded faces, in mean radii [-].
-        progress: told the share of steps done, 0 … 1.
 
     Raises:
         InputError: fewer than 1000 steps, or a ramp that leaves nothing to hold.
@@ -136,8 +116,8 @@ def explicit_tension(
     force = stress * lattice.particles.envelope.section()
     grows = Ramp(0.0, 1.0, duration)
     model = free.with_boundary([
-        Load(Face("x_max", depth), force=(force, 0.0, 0.0), schedule=grows),
-        Load(Face("x_min", depth), force=(-force, 0.0, 0.0), schedule=grows),
+        Load(Face("x_max", _DEPTH), force=(force, 0.0, 0.0), schedule=grows),
+        Load(Face("x_min", _DEPTH), force=(-force, 0.0, 0.0), schedule=grows),
     ])  # fmt: skip
     chosen = middle_half(lattice)
     position = lattice.particles.position[chosen]
@@ -148,7 +128,7 @@ def explicit_tension(
         strain.append((axial, 0.5 * sum(lateral)))
 
     began, busy = time.perf_counter(), time.process_time()
-    run = integrate(model, replace(plan, duration=steps * plan.dt), callback=read, progress=progress)
+    run = integrate(model, replace(plan, duration=steps * plan.dt), callback=read)
     seconds, busy = time.perf_counter() - began, time.process_time() - busy
     if run.status.failed:
         raise UnstableRunError(run.message)

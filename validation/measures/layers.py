@@ -38,7 +38,8 @@ from bondem.specimen.regions import Index
 # and b once more in proportion. On packings that had no part in this they fail the 3 % but for seed 101: see above.
 _SKIN = (1.14, 0.17, 1.07)
 
-_CUBE = Cell((1e-2, 1e-2, 1e-2))
+# The periodic cell that the inside is calibrated in, its number of spheres, and Poisson's ratio of the bonds [-].
+_CUBE, _CELL, _NU_MU = Cell((1e-2, 1e-2, 1e-2)), 4000, 0.3
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,9 +60,7 @@ class Layers:
     contacts: float
 
 
-def calibrate_layers(
-    lattice: Lattice, material: Material, *, nu_mu: float = 0.3, touching: float = 0.25, cell: int = 4000
-) -> Layers:
+def calibrate_layers(lattice: Lattice, material: Material, *, touching: float = 0.25) -> Layers:
     """Euler–Bernoulli bonds meant to give a body the E, ν and ρ of a material, in bending too; experimental.
 
     How near they come depends on the packing: see the module.
@@ -69,10 +68,8 @@ def calibrate_layers(
     Args:
         lattice: the body, packed in its own walls.
         material: the target.
-        nu_mu: Poisson's ratio of the bonds [-].
         touching: how far from a wall the surface of spheres of the first layer may lie, in mean radii [-]; against
             triangulated walls some stop a tenth short, and the second layer is more than a whole radius away.
-        cell: spheres of the periodic cell that the inside is calibrated in.
 
     Raises:
         InputError: a periodic lattice, which has no walls; or no element at them, or none inside.
@@ -89,7 +86,7 @@ def calibrate_layers(
         )
     contacts = float(np.bincount(lattice.pairs.ravel(), minlength=len(at_wall))[~at_wall].mean())
     # what differs by less is the scatter of single cells
-    inner = _inner(material, nu_mu, round(contacts, 2), cell)
+    inner = _inner(material, round(contacts, 2))
     a, b, c = _SKIN
     assert inner.radius_ratio is not None
     outer = replace(inner, E=(a - b * inner.radius_ratio) * inner.E, radius_ratio=c * inner.radius_ratio)
@@ -104,8 +101,8 @@ def calibrate_layers(
 
 
 @lru_cache(maxsize=64)
-def _inner(material: Material, nu_mu: float, contacts: float, cell: int) -> EulerBernoulli:
-    particles = pack(_CUBE, count=cell, spread=0.25, seed=1, coordination_number=contacts)
-    law = calibrate(connect(particles), material, law=EulerBernoulli, nu_mu=nu_mu).law
+def _inner(material: Material, contacts: float) -> EulerBernoulli:
+    particles = pack(_CUBE, count=_CELL, spread=0.25, seed=1, coordination_number=contacts)
+    law = calibrate(connect(particles), material, law=EulerBernoulli, nu_mu=_NU_MU).law
     assert isinstance(law, EulerBernoulli)
     return law

@@ -1,7 +1,5 @@
 """Free vibration of a clamped specimen after a slow ramp of its loads (André et al. 2012)."""
 
-from collections.abc import Callable
-
 import numpy as np
 
 from bondem.boundary.conditions import Fix
@@ -22,6 +20,9 @@ from bondem.run import solve_explicit
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
 
+# Depth of both faces in mean radii [-], and the approximate final stress of each load [Pa].
+_DEPTH, _STRESS = 0.02, 1e5
+
 
 def ramped_vibration(
     lattice: Lattice,
@@ -30,10 +31,7 @@ def ramped_vibration(
     density: float,
     steps: int = 50_000,
     ramp: float = 0.4,
-    stress: float = 1e5,
-    depth: float = 0.02,
     safety: float = 0.9,
-    progress: Callable[[float], None] | None = None,
 ) -> FreeVibration:
     """Load a clamped specimen gradually, release it and record the whole motion, as in the paper.
 
@@ -45,10 +43,7 @@ def ramped_vibration(
         density: density of the elements, ρ_μ [kg/m³].
         steps: number of steps.
         ramp: share of the steps in which the loads increase [-].
-        stress: approximate final stress from each load [Pa].
-        depth: depth of the two face regions, in mean radii [-].
         safety: time step over the critical time step [-].
-        progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
         InputError: fewer than 1000 steps, or a ramp that leaves no steps for the vibration.
@@ -58,24 +53,22 @@ def ramped_vibration(
     growing = round(ramp * steps / RECORD_INTERVAL) * RECORD_INTERVAL
     if not 0 < growing < steps:
         raise InputError(f"ramp = {ramp}: not in (0, 1); give the share of the steps in which the loads increase")
-    held = Fix(Face("x_min", depth))
+    held = Fix(Face("x_min", _DEPTH))
     model = Model(lattice, law, density=density, boundary=[held])
     dt = settled(model, Plan(duration=0.0, safety=safety)).dt
     assert dt is not None
-    tell = progress or (lambda share: None)
     released = growing * dt
     section = CrossSection.of(lattice.particles.envelope)
-    load = combined_load(section, stress=stress, depth=depth, schedule=Ramp(0.0, 1.0, released))
+    load = combined_load(section, stress=_STRESS, depth=_DEPTH, schedule=Ramp(0.0, 1.0, released))
     loaded = solve_explicit(
-        model.with_boundary([held, load]), duration=released, dt=dt, gauges=end_gauges(depth), every=RECORD_INTERVAL,
-        progress=lambda share: tell(share * growing / steps),
-    )  # fmt: skip
+        model.with_boundary([held, load]), duration=released, dt=dt, gauges=end_gauges(_DEPTH), every=RECORD_INTERVAL
+    )
     energy = float(loaded.history.energy["work"][-1])
     before = recorded_vibration(loaded, 0.0, energy)
     # a run of its own: the kick that closes its last step is the load's, the one that opens the next is not
     free = solve_explicit(
-        model, duration=(steps - growing) * dt, dt=dt, gauges=end_gauges(depth), every=RECORD_INTERVAL,
-        state=loaded.state, progress=lambda share: tell((growing + share * (steps - growing)) / steps),
+        model, duration=(steps - growing) * dt, dt=dt, gauges=end_gauges(_DEPTH), every=RECORD_INTERVAL,
+        state=loaded.state,
     )  # fmt: skip
     return _joined(before, recorded_vibration(free, released, energy))
 

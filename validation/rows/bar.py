@@ -1,11 +1,11 @@
 """Tests of the calibrated silica cylinder of André et al. (2012), 10 × 40 mm, as rows of a study."""
 
 from abc import abstractmethod
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any
 
 from bondem.calibration import calibrate
 from bondem.errors import InputError
@@ -91,11 +91,6 @@ class BarTest(PackingTest):
     law: BondLaw
     density: float
 
-    @property
-    def readable(self) -> str:
-        """See `Request`."""
-        return f"{type(self).__name__}_n{self.packing.count}_seed{self.packing.seed}"
-
     def measured(self, folder: Path) -> dict[str, Any]:
         """What `tested` gives, and what there is to say of the bar."""
         lattice = kept_lattice(self.packing, folder)
@@ -117,8 +112,6 @@ class BarStudy(Study):
         packings: how many, seeds in sequence.
     """
 
-    captions: ClassVar[Mapping[str, str]]
-    note: ClassVar[str] = ""
 
     count: int = 10_000
     seed: int = SEED
@@ -155,14 +148,6 @@ class BarStudy(Study):
     @abstractmethod
     def tests(self, packings: Sequence[PackingRequest], law: BondLaw, density: float) -> Sequence[BarTest]:
         """What is tested."""
-
-    @abstractmethod
-    def about(self) -> str:
-        """Line below the headline of the page."""
-
-    @abstractmethod
-    def verdict(self, results: Mapping[str, Any]) -> str:
-        """What came out, in a few sentences."""
 
 
 @lru_cache(maxsize=1)

@@ -82,20 +82,9 @@ class SlowBeamsRun(Request):
     traverses: float = 400.0
 
     @property
-    def readable(self) -> str:
-        """See `Request`."""
-        return f"{self.case.name}_beams_{self.count}_{self.traverses:g}traverses_seed{self.seed}"
-
-    @property
     def weight(self) -> float:
         """See `Request`."""
         return self.count * self.traverses
-
-    @property
-    def asked(self) -> dict[str, Any]:
-        """See `Request`."""
-        return {"case": self.case.name, "seed": self.seed, "count": self.count, "spread": 0.0,
-                "traverses": self.traverses}  # fmt: skip
 
     def measured(self, folder: Path) -> dict[str, Any]:
         """See `Request`: SI units."""
@@ -181,11 +170,6 @@ class StruckBeamsRun(Request):
     count: int = 8000
 
     @property
-    def readable(self) -> str:
-        """See `Request`."""
-        return f"kalthoff_beams_{1e-6 * self.strength:g}MPa_{self.count}_seed{self.seed}"
-
-    @property
     def weight(self) -> float:
         """See `Request`."""
         return 100.0 * self.count
@@ -193,7 +177,7 @@ class StruckBeamsRun(Request):
     @property
     def asked(self) -> dict[str, Any]:
         """See `Request`."""
-        return {"case": "kalthoff", "strength": self.strength, "seed": self.seed, "count": self.count, "spread": 0.0}
+        return {"case": "kalthoff", "strength": self.strength, "seed": self.seed, "count": self.count}
 
     def measured(self, folder: Path) -> dict[str, Any]:
         """See `Request`: SI units, angles in degrees; None where no crack is near the notch."""

@@ -117,19 +117,9 @@ class BranchingRun(Request):
     seed: int
 
     @property
-    def readable(self) -> str:
-        """See `Request`."""
-        return f"branching_{self.case}_{self.count}_seed{self.seed}"
-
-    @property
     def weight(self) -> float:
         """See `Request`."""
         return self.count ** (4.0 / 3.0) * self.plate.duration
-
-    @property
-    def asked(self) -> dict[str, Any]:
-        """See `Request`."""
-        return {"case": self.case, "count": self.count, "seed": self.seed, "spread": 0.0}
 
     def measured(self, folder: Path) -> dict[str, Any]:
         """See `Request`: SI units, places from the tip of the notch."""

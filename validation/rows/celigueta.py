@@ -118,21 +118,9 @@ class CeliguetaRun(Request):
     friction: float = FRICTION
 
     @property
-    def readable(self) -> str:
-        """See `Request`."""
-        plates = "" if self.friction == FRICTION else f"_plates{self.friction:g}"
-        return f"{self.test}_{self.failure}_{self.areas}_{self.count}_slower{self.slower:g}{plates}_seed{self.seed}"
-
-    @property
     def weight(self) -> float:
         """See `Request`."""
         return self.count ** (4 / 3) * self.slower / SPEED[self.test]
-
-    @property
-    def asked(self) -> dict[str, Any]:
-        """See `Request`."""
-        names = ("test", "failure", "areas", "count", "seed", "slower", "dashpot", "friction")
-        return {name: getattr(self, name) for name in names} | {"spread": 0.25}
 
     def body(self) -> Lattice:
         """The specimen, bonded."""

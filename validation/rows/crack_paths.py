@@ -37,11 +37,6 @@ class PathRun(Request):
     seed: int
 
     @property
-    def readable(self) -> str:
-        """See `Request`."""
-        return f"{self.case.name}_finer{self.case.finer:g}_seed{self.seed}"
-
-    @property
     def weight(self) -> float:
         """See `Request`."""
         return self.case.finer**4
@@ -49,7 +44,7 @@ class PathRun(Request):
     @property
     def asked(self) -> dict[str, Any]:
         """See `Request`; cells are of one kind, and their number follows."""
-        return {"case": self.case.name, "finer": self.case.finer, "seed": self.seed, "count": 0, "spread": 0.0}
+        return {"case": self.case.name, "finer": self.case.finer, "seed": self.seed}
 
     def measured(self, folder: Path) -> dict[str, Any]:
         """See `Request`: SI units."""

@@ -35,12 +35,6 @@ class ElasticRequest(PackingTest):
     slopes: bool = False
 
     @property
-    def readable(self) -> str:
-        """See `Request`."""
-        where = "periodic" if self.packing.periodic else self.packing.form
-        return f"{type(self.law).__name__}_{where}_n{self.packing.count}_seed{self.packing.seed}"
-
-    @property
     def asked(self) -> dict[str, Any]:
         """See `Request`; E_mu [Pa], nu_mu and the other parameters of the law [-]."""
         law = asdict(self.law)
@@ -85,4 +79,3 @@ def cells_and_bars(count: int, spread: float, *, cells: int, bars: int) -> list[
 def _lattice(packing: PackingRequest, folder: Path) -> Lattice:
     """The packing of a row; several laws in turn ask for the same."""
     return kept_lattice(packing, folder)
-

@@ -47,20 +47,9 @@ class FractureRun(Request):
     curve: str = "bilinear"
 
     @property
-    def readable(self) -> str:
-        """See `Request`."""
-        return f"{self.case.name}_{self.curve}_finer{self.finer:g}_seed{self.seed}"
-
-    @property
     def weight(self) -> float:
         """See `Request`."""
         return self.finer**4
-
-    @property
-    def asked(self) -> dict[str, Any]:
-        """See `Request`; cells are of one kind, and their number follows."""
-        run = {"case": self.case.name, "seed": self.seed, "finer": self.finer, "curve": self.curve}
-        return run | {"count": 0, "spread": 0.0}
 
     def measured(self, folder: Path) -> dict[str, Any]:
         """See `Request`: SI units."""

@@ -42,19 +42,9 @@ class GraniteRun(Request):
     seed: int
 
     @property
-    def readable(self) -> str:
-        """See `Request`."""
-        return f"granite_{self.test}_{self.count}_seed{self.seed}"
-
-    @property
     def weight(self) -> float:
         """See `Request`."""
         return (self.count / 1000.0) ** (4.0 / 3.0)
-
-    @property
-    def asked(self) -> dict[str, Any]:
-        """See `Request`."""
-        return {"test": self.test, "count": self.count, "seed": self.seed, "spread": 0.0}
 
     def measured(self, folder: Path) -> dict[str, Any]:
         """See `Request`: SI units."""

@@ -128,19 +128,9 @@ class KalthoffRun(Request):
     seed: int
 
     @property
-    def readable(self) -> str:
-        """See `Request`."""
-        return f"kalthoff_{1e-6 * self.tension:g}MPa_{1e6 * self.size:g}um_seed{self.seed}"
-
-    @property
     def weight(self) -> float:
         """See `Request`."""
         return self.size**-4
-
-    @property
-    def asked(self) -> dict[str, Any]:
-        """See `Request`."""
-        return {"tension": self.tension, "size": self.size, "seed": self.seed, "count": 0, "spread": 0.0}
 
     def measured(self, folder: Path) -> dict[str, Any]:
         """See `Request`: SI units, angles in degrees."""

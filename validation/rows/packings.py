@@ -63,20 +63,9 @@ class PackingRequest(Request):
         return Cell(_EDGES) if self.periodic else FORMS[self.form]
 
     @property
-    def readable(self) -> str:
-        """See `Request`."""
-        where = "_periodic" if self.periodic else "" if self.form == "cube" else f"_{self.form}"
-        return f"{self.method}_{self.target}{where}_k{100.0 * self.spread:g}_n{self.count}_seed{self.seed}"
-
-    @property
     def weight(self) -> float:
         """See `Request`."""
         return float(self.count)
-
-    @property
-    def asked(self) -> dict[str, Any]:
-        """See `Request`."""
-        return asdict(self)
 
     def packing_file(self, folder: Path) -> Path:
         """Where its spheres and bonds are kept."""

@@ -46,11 +46,6 @@ class ProtocolTest(PackingTest):
     steps: int
 
     @property
-    def readable(self) -> str:
-        """See `Request`."""
-        return f"protocol_{self.packing.method}_n{self.packing.count}_seed{self.packing.seed}"
-
-    @property
     def weight(self) -> float:
         """See `Request`."""
         return super().weight * self.steps

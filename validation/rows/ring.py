@@ -103,19 +103,9 @@ class RingRun(Request):
     seed: int
 
     @property
-    def readable(self) -> str:
-        """See `Request`."""
-        return f"ring_rate{self.rate:g}_size{1e6 * self.size:g}um_seed{self.seed}"
-
-    @property
     def weight(self) -> float:
         """See `Request`."""
         return self.size**-4 / self.rate
-
-    @property
-    def asked(self) -> dict[str, Any]:
-        """See `Request`."""
-        return {"rate": self.rate, "size": self.size, "seed": self.seed, "count": 0, "spread": 0.0}
 
     def measured(self, folder: Path) -> dict[str, Any]:
         """See `Request`: SI units."""

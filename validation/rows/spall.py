@@ -87,21 +87,9 @@ class SpallRun(Request):
     seed: int
 
     @property
-    def readable(self) -> str:
-        """See `Request`."""
-        kind = f"{1e-6 * self.tension:g}MPa_{self.fracture_energy:g}Jm2"
-        return f"spall_{kind}_{1e6 * self.size:g}um_seed{self.seed}"
-
-    @property
     def weight(self) -> float:
         """See `Request`."""
         return self.size**-4
-
-    @property
-    def asked(self) -> dict[str, Any]:
-        """See `Request`."""
-        return {"tension": self.tension, "fracture_energy": self.fracture_energy, "size": self.size,
-                "seed": self.seed, "count": 0, "spread": 0.0}  # fmt: skip
 
     def measured(self, folder: Path) -> dict[str, Any]:
         """See `Request`: SI units, places from the free end."""

@@ -82,19 +82,9 @@ class SpecimenRequest(Request):
     spread: float = SPREAD
 
     @property
-    def readable(self) -> str:
-        """See `Request`."""
-        return f"{self.form}_{self.target}_n{self.count}_seed{self.seed}"
-
-    @property
     def weight(self) -> float:
         """See `Request`."""
         return float(self.count) * (3.0 if self.target == "jamming" else 1.0)
-
-    @property
-    def asked(self) -> dict[str, Any]:
-        """See `Request`."""
-        return asdict(self)
 
     def file(self, folder: Path) -> Path:
         """Where its elements and bonds are kept."""
@@ -141,12 +131,6 @@ class ModuliRequest(Request):
     specimen: SpecimenRequest
     law: BondLaw
     test: str = "tension"
-
-    @property
-    def readable(self) -> str:
-        """See `Request`."""
-        one = self.specimen
-        return f"{self.test}_{type(self.law).__name__}_{one.form}_{one.target}_n{one.count}"
 
     @property
     def weight(self) -> float:
@@ -228,4 +212,3 @@ def _lattice(specimen: SpecimenRequest, folder: Path) -> Lattice:
     particles, pairs = load_bonded(specimen.file(folder))
     assert pairs is not None
     return Lattice(particles, pairs)
-

@@ -40,11 +40,6 @@ class ToughnessRun(Request):
         return PLATES[self.kind][0](self.over, self.cells)
 
     @property
-    def readable(self) -> str:
-        """See `Request`."""
-        return f"{self.kind.replace(' ', '_')}_{self.over:g}_cells{self.cells:g}_seed{self.seed}"
-
-    @property
     def weight(self) -> float:
         """See `Request`."""
         return self.over / self.cells**3
@@ -52,8 +47,7 @@ class ToughnessRun(Request):
     @property
     def asked(self) -> dict[str, Any]:
         """See `Request`; cells are of one kind, and their number follows."""
-        run = {"kind": self.kind, "over": self.over, "size": self.cells, "seed": self.seed}
-        return run | {"count": 0, "spread": 0.0}
+        return {"kind": self.kind, "over": self.over, "size": self.cells, "seed": self.seed}
 
     def measured(self, folder: Path) -> dict[str, Any]:
         """See `Request`: SI units."""

@@ -89,12 +89,6 @@ class WeibullRun(Request):
     seed: int
 
     @property
-    def readable(self) -> str:
-        """See `Request`."""
-        kind = f"reach{1e6 * self.reach:.0f}um_m{self.ceramic.modulus:g}_Gf{self.ceramic.energy:g}"
-        return f"weibull_{1e9 * self.bar:.0f}mm3_cells{1e6 * self.size:.0f}um_{kind}_seed{self.seed}"
-
-    @property
     def weight(self) -> float:
         """See `Request`."""
         return self.bar / self.size**3
@@ -105,7 +99,6 @@ class WeibullRun(Request):
         return {
             "bonds": "cells", "modulus": self.ceramic.modulus, "energy": self.ceramic.energy, "bar": self.bar,
             "size": self.size, "reach": self.reach, "seed": self.seed, "count": round(self.bar / self.size**3),
-            "spread": 0.0,
         }  # fmt: skip
 
     @property
@@ -157,11 +150,6 @@ class WeibullSpheres(Request):
     seed: int
 
     @property
-    def readable(self) -> str:
-        """See `Request`."""
-        return f"weibull_spheres{self.count}_reach{self.reach:g}_m{self.ceramic.modulus:g}_seed{self.seed}"
-
-    @property
     def weight(self) -> float:
         """See `Request`."""
         return float(self.count)
@@ -171,7 +159,7 @@ class WeibullSpheres(Request):
         """See `Request`."""
         return {
             "bonds": "spheres", "modulus": self.ceramic.modulus, "energy": 0.0, "bar": 3.0 * self.width**3,
-            "size": 0.0, "reach": self.reach, "seed": self.seed, "count": self.count, "spread": 0.0,
+            "size": 0.0, "reach": self.reach, "seed": self.seed, "count": self.count,
         }  # fmt: skip
 
     @property

@@ -3,12 +3,10 @@
 import csv
 import io
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
-
-import numpy as np
 
 from bondem import __version__
 from bondem.calibration.abacus import Curve
@@ -123,10 +121,6 @@ class Abacus(Study):
             "summary": groups,
         }  # fmt: skip
 
-    def table(self, results: Mapping[str, Any]) -> str:
-        """See `Study`."""
-        return "\n".join([_reach_table(results), *_curve_tables(results["curves"])])
-
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """Figures 15 and 16 of every law, and the curves as data."""
         read = {
@@ -203,34 +197,3 @@ def _silica(law: str, data: Mapping[str, Any]) -> dict[str, float | None]:
     ratio = None if value is None else found.stiffness_ratio_at(value)
     low, high = found.reach
     return {"value": value, "E_mu": None if ratio is None else SILICA["E"] / ratio, "nu_low": low, "nu_high": high}
-
-
-def _reach_table(results: Mapping[str, Any]) -> str:
-    lines = [
-        "Reach of each law, and fused silica (E 72.5 GPa, ν 0.17; the paper: r̃ = 0.71, E_μ = 265 GPa)", "",
-        "| packing | law | parameter | from | to | ν from | ν to | value for silica | E_μ for silica [GPa] |",
-        f"|{'---|' * 9}",
-    ]  # fmt: skip
-    for shape, found in results["silica"].items():
-        for law, one in found.items():
-            data = results["curves"][shape][law]
-            value = "–" if one["value"] is None else f"{one['value']:.4g}"
-            E_mu = "–" if one["E_mu"] is None else f"{one['E_mu'] / 1e9:.1f}"
-            lines.append(
-                f"| {shape} | {law} | {data['parameter']} | {data['values'][0]:g} | {data['values'][-1]:g}"
-                f" | {one['nu_low']:.4f} | {one['nu_high']:.4f} | {value} | {E_mu} |"
-            )
-    return "\n".join(lines) + "\n"
-
-
-def _curve_tables(curves: Mapping[str, Any]) -> Iterator[str]:
-    for shape, found in curves.items():
-        for law, data in found.items():
-            yield f"{law}, {shape}\n\n| {data['parameter']} | ν | E / E_μ |\n|---|---|---|"
-            for value, *numbers in zip(
-                data["values"], data["nu"], data["nu_std"], data["stiffness_ratio"], data["stiffness_ratio_std"],
-                strict=True,
-            ):  # fmt: skip
-                nu, nu_std, ratio, ratio_std = (np.nan if one is None else one for one in numbers)
-                yield f"| {value:g} | {nu:.4f} ± {nu_std:.4f} | {ratio:.5f} ± {ratio_std:.5f} |"
-            yield ""

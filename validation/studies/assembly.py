@@ -1,6 +1,6 @@
 """E and ν over the number of elements, law and specimen fixed (André et al. 2012, §5.4)."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
@@ -12,9 +12,8 @@ from bondem.errors import InputError
 from bondem.interactions.law_catalogue import DEFAULT
 from bondem.packing.sizes import SPREAD
 from validation.figures.assembly import draw_assembly, draw_fineness, draw_scatter
-from validation.figures.packing_curves import NAMES
 from validation.frame.study import Row, Stages, Study
-from validation.frame.tables import markdown, summary
+from validation.frame.tables import summary
 from validation.measures.limit import Limit, limit
 from validation.rows.elastic import MEASURED, ElasticRequest
 from validation.rows.packings import TARGETS, PackingRequest, kept_lattice
@@ -39,14 +38,6 @@ _CELL_COUNT = 10_000
 
 #: The affine fit, and the paper's eqs (14) and (15).
 QUANTITIES = ("E", "nu", "E_paper", "nu_paper")
-
-_COLUMNS = {
-    "elements": ("count", "{:d}", 1),
-    "E [GPa]": ("E", "{:.3f}", 1e-9),
-    "ν": ("nu", "{:.4f}", 1),
-    "E (14) [GPa]": ("E_paper", "{:.3f}", 1e-9),
-    "ν (15)": ("nu_paper", "{:.4f}", 1),
-}
 
 
 @dataclass(frozen=True)
@@ -104,20 +95,6 @@ class Assembly(Study):
             "targets": {target: _found(_of_bars(good, target)) for target in self.targets},
             "summary": summary(rows, ("target", "periodic", "count"), MEASURED),
         }
-
-    def table(self, results: Mapping[str, Any]) -> str:
-        """See `Study`."""
-        return "\n".join(self._tables(results))
-
-    def _tables(self, results: Mapping[str, Any]) -> Iterator[str]:
-        for target in self.targets:
-            groups = [one for one in results["summary"] if one["target"] == target]
-            yield _scatter_table(target, results["targets"][target]["scatter"])
-            yield _limit_table(target, results["targets"][target], groups)
-            for periodic, where in ((False, "cylinder 10 x 40 mm"), (True, "periodic cell")):
-                chosen = [one for one in groups if one["periodic"] is periodic]
-                if chosen:
-                    yield f"{NAMES[target].capitalize()}, {where}\n\n{markdown(_COLUMNS, chosen)}"
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """Figures 17 and 18, and the scatter."""
@@ -189,48 +166,3 @@ def _scatter(bars: Sequence[Row], name: str) -> dict[str, float | None]:
             "within": float(np.sqrt((own**2).sum() / (len(own) - len(large)))),
         }
     return found
-
-
-def _scatter_table(target: str, scatter: dict[str, dict[str, float | None]]) -> str:
-    names = {"E": "E, affine fit", "nu": "ν, affine fit", "E_paper": "E, eq (14)", "nu_paper": "ν, eq (15)"}
-    lines = [
-        f"Scatter relative to the mean, {NAMES[target]}", "",
-        "| quantity | bars of more than 7500 | their sd | largest − smallest | sd within a size | the paper | Hentz"
-        " | Liao | sd √N, all sizes | exponent of N in sd |",
-        f"|{'---|' * 10}",
-    ]  # fmt: skip
-    for name, one in scatter.items():
-        printed = [f"{values[name.startswith('nu')]:.0%}" for values in IN_PRINT.values()]
-        cells = [
-            names[name],
-            "–" if one["large"] is None else f"{one['large']:d}",
-            *("–" if one[key] is None else f"{one[key]:.2%}" for key in ("std", "peak_to_peak", "within")),
-            *printed,
-            "–" if one["c"] is None else f"{one['c']:.2f} ± {one['c_error']:.2f}",
-            "–" if one["exponent"] is None else f"{one['exponent']:.2f} ± {one['exponent_error']:.2f}",
-        ]
-        lines.append(f"| {' | '.join(cells)} |")
-    return "\n".join(lines) + "\n"
-
-
-def _limit_table(target: str, found: dict[str, Any], groups: Sequence[Row]) -> str:
-    lines = [
-        f"For ever more elements, {NAMES[target]}: y = y∞ + a N^(−1/3) + b N^(−2/3)", "",
-        "| quantity | y∞ | periodic cell | apart by | a | b | χ²/dof |", f"|{'---|' * 7}",
-    ]  # fmt: skip
-    cells = next((one for one in groups if one["periodic"]), None)
-    for name, label, factor in (("E", "E [GPa]", 1e-9), ("nu", "ν", 1.0)):
-        fit, cell = found["limits"][name], None if cells is None else cells[name]
-        free = "–" if cell is None else f"{factor * cell['mean']:.4f} ± {factor * (cell['std'] or 0.0):.4f}"
-        if fit is None:
-            lines.append(f"| {label} | – | {free} | – | – | – | – |")
-        else:
-            apart = "–"
-            if cells is not None and cell is not None:
-                error = np.hypot(fit["error"], (cell["std"] or 0.0) / np.sqrt(cells["packings"]))
-                apart = f"{(fit['value'] - cell['mean']) / error:+.1f} errors"
-            lines.append(
-                f"| {label} | {factor * fit['value']:.4f} ± {factor * fit['error']:.4f} | {free} |"
-                f" {apart} | {factor * fit['walls']:+.3f} | {factor * fit['edges']:+.3f} | {fit['misfit']:.1f} |"
-            )
-    return "\n".join(lines) + "\n"

@@ -13,7 +13,7 @@ from bondem.errors import InputError
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, sheet
 from validation.cases.gregoire import GREGOIRE
 from validation.cases.l_panel import L_PANEL
-from validation.frame.files import mean_and_scatter, table
+from validation.frame.files import mean_and_scatter
 from validation.frame.study import Row, Stages, Study
 from validation.rows.beam_bonds import SlowBeamsRun, StruckBeamsRun
 from validation.rows.kalthoff import Plate
@@ -23,8 +23,6 @@ SLOW = {"l_panel": (L_PANEL, 0.2e-3, 1e-3), "gregoire": (GREGOIRE, 0.03e-3, 0.15
 #: Angle of the crack of Kalthoff's plate [degrees], within what, and strengths of the material [Pa].
 ANGLE, LIMIT, STRENGTHS = 70.0, 5.0, (844e6, 1900e6)
 CASES = (*SLOW, "kalthoff")
-_HEAD = ("case", "quantity", "published", "beams", "verdict", "spheres", "G_c implied / given",
-         "K_Ic implied / given", "seconds a run")  # fmt: skip
 _COLOURS = (BLUE, ORANGE, GREEN, GREY)
 
 
@@ -91,11 +89,6 @@ class BeamBondsStudy(Study):
             cases += [_struck(some) for some in groups if some]
         return {"cases": cases}
 
-    def table(self, results: Mapping[str, Any]) -> str:
-        """See `Study`."""
-        lines = [_line(one) for one in results["cases"]]
-        return table("Beam bonds, calibrated", _HEAD, lines) if lines else "no run\n"
-
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """See `Study`: load curves and broken bonds of the slow cases, cracks of the plates."""
         for name in self.cases:
@@ -158,16 +151,6 @@ def _struck(rows: Sequence[Row]) -> dict[str, Any]:
         "verdict": "met" if all(inside) else "met by the mean" if together else "missed",
         "runs": _lists(rows), "strength": strength, **_bonds(rows[0]),
     }  # fmt: skip
-
-
-def _line(one: Mapping[str, Any]) -> list[str]:
-    factor, unit, style = (1e-3, " kN", ".3f") if one["quantity"] == "peak" else (1.0, "°", ".1f")
-    values = ", ".join("–" if value is None else format(factor * value, style) for value in one["values"])
-    return [
-        one["title"], one["quantity"], one["words"], values + unit, one["verdict"],
-        str(max(one["runs"]["count"])), f"{one['energy'] / one['given_energy']:.2f}",
-        f"{one['toughness'] / one['given_toughness']:.2f}", f"{max(one['runs']['run_seconds']):.0f}",
-    ]  # fmt: skip
 
 
 def _draw_curves(ax: Any, name: str, rows: Sequence[Row]) -> None:

@@ -9,7 +9,6 @@ import numpy as np
 
 from bondem.errors import InputError
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, sheet
-from validation.frame.files import table
 from validation.frame.study import Row, Stages, Study
 from validation.rows.branching import BranchingRun, NotchedPlate
 
@@ -26,10 +25,6 @@ PLATES = {
 }  # fmt: skip
 # Cells of B over 2 E G / f_t²: their facets span 1.13 of their size.
 _SHARE = 0.87
-_HEAD = (
-    "plate", "cells", "seed", "size / h*", "starts [µs]", "branches [mm]", "at [µs]", "speed along x [m/s]",
-    "fastest [m/s]", "over c_R", "verdict", "pieces", "steps", "seconds",
-)  # fmt: skip
 _COLOURS = (BLUE, ORANGE, GREEN, PURPLE, GREY)
 
 
@@ -87,18 +82,6 @@ class Branching(Study):
         runs = [_judged(row) for row in rows if not row["error"]]
         return {"limit": LIMIT, "runs": runs}
 
-    def table(self, results: Mapping[str, Any]) -> str:
-        """See `Study`."""
-        lines = [
-            [one["case"], str(one["count"]), str(one["seed"]), f"{one['size'] / one['longest']:.2f}",
-             _said(one["onset"], 1e6), _said(one["branched"], 1e3), _said(one["branched_at"], 1e6),
-             _said(one["speed"]), _said(one["fastest"]), _said(one["over"], style=".2f"), one["verdict"],
-             str(one["pieces"]), str(one["steps"]), f"{one['pack_seconds']:.0f} + {one['run_seconds']:.0f}"]
-            for one in results["runs"]
-        ]  # fmt: skip
-        caption = "Branching; places from the tip of the notch, h* = 2 E G / f_t², seconds of packing and of the run"
-        return table(caption, _HEAD, lines) if lines else "no run\n"
-
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """See `Study`: of each plate the crack of its first packing and the fronts of all."""
         for case in dict.fromkeys(row["case"] for row in rows):
@@ -113,16 +96,10 @@ def _judged(row: Row) -> dict[str, Any]:
     fast = row["fastest"]
     met = row["branched"] is not None and fast is not None and fast < LIMIT * row["rayleigh"]
     return {
-        **{key: found for key, found in row.items() if key not in ("x", "y", "front", "error", "unstable", "spread")},
+        **{key: found for key, found in row.items() if key not in ("x", "y", "front", "error", "unstable")},
         "over": None if fast is None else fast / row["rayleigh"],
         "verdict": "–" if row["case"] != "A" else "met" if met else "missed",
     }  # fmt: skip
-
-
-def _said(value: float | None, scale: float = 1.0, style: str = "") -> str:
-    if value is None:
-        return "–"
-    return format(value * scale, style or (".0f" if scale == 1.0 else ".1f"))
 
 
 def _draw_crack(ax: Any, plate: NotchedPlate, row: Row) -> None:

@@ -21,51 +21,18 @@ from typing import Any
 import numpy as np
 
 import bondem as bd
+from validation.cases.flattened_disc import FlattenedDisc
 from validation.frame.record import Record
 
 LAW = bd.CellBond(E=40e9, nu=0.2)
 TENSION, COHESION, ANGLE = 4e6, 14.3e6, math.radians(35.0)
 DIAMETER, THICKNESS, DENSITY = 50e-3, 20e-3, 2400.0
-HALF = math.radians(10.0)  # α, half the angle of a flat
-SOUND = math.sqrt(LAW.E / DENSITY)
-#: Traverses of sound until the stress at the centre is f_t.
-TRAVERSES = 100.0
-
-
-def flattened() -> float:
-    """Stress at the centre of a flattened disc over that of a whole one [-]."""
-    c, s = math.cos(HALF), math.sin(HALF) / HALF
-    return (2.0 * c**3 + c + s) ** 2 / (8.0 * (c + s)) / s
-
-
+DISC = FlattenedDisc(DIAMETER, THICKNESS)
 #: Load at which the stress at the centre is f_t [N].
-EXPECTED = 0.5 * math.pi * DIAMETER * THICKNESS * TENSION / flattened()
-
-
-def disc(count: int, seed: int) -> bd.Lattice:
-    """A disc with its axis along x, and the flats "top" and "bottom" across y."""
-    radius = 0.5 * DIAMETER
-    flat = radius * math.cos(HALF)
-    shape: bd.Shape = bd.Cylinder(radius=radius, length=THICKNESS)
-    lower, upper = shape.bounds
-    middle = 0.5 * (lower[1] + upper[1])
-    block = bd.Box((3.0 * THICKNESS, DIAMETER, 2.0 * DIAMETER))
-    corner = lower[0] - THICKNESS, 0.5 * (lower[2] + upper[2]) - DIAMETER
-    for name, y in (("top", middle + flat), ("bottom", middle - flat - DIAMETER)):
-        shape = shape.cut(block.moved((corner[0], y, corner[1])), name=name)
-    return bd.connect(bd.pack(shape, count=count, method="even", seed=seed), method="laguerre")
-
+EXPECTED = 0.5 * math.pi * DIAMETER * THICKNESS * TENSION / DISC.factor
 
 def pressed(body: bd.Lattice, failure: bd.Criterion | None) -> bd.ExplicitResult:
     """One disc until it has split, or to a third of the expected load without failure."""
-    rise = TRAVERSES * DIAMETER / SOUND
-    # both flats come together by some 8 f_t / E of the height until then
-    speed = 0.5 * 8.0 * TENSION / LAW.E * DIAMETER / rise
-    begin = 0.1 * rise
-    boundary: list[bd.BoundaryCondition] = [
-        bd.Drive(bd.Face(name), vy=bd.Ramp(0.0, sign * speed, begin)) for name, sign in (("top", -1), ("bottom", 1))
-    ]
-    model = bd.Model(body, LAW, DENSITY, failure=failure, boundary=boundary)
     top = [0.0]
 
     def ended(_: bd.State, record: bd.History) -> bool:
@@ -75,11 +42,7 @@ def pressed(body: bd.Lattice, failure: bd.Criterion | None) -> bd.ExplicitResult
             return top[0] > 0.3 * EXPECTED
         return top[0] > 0.5 * EXPECTED and force < 0.9 * top[0]
 
-    return bd.solve_explicit(
-        model, duration=4.0 * rise, every=40, callback=ended,
-        damping=bd.MassDamping(alpha=0.1 * math.pi * SOUND / DIAMETER),
-        gauges={name: bd.Gauge(bd.Face(name), "force") for name in ("top", "bottom")},
-    )  # fmt: skip
+    return DISC.loaded(body, LAW, failure, TENSION, ended, density=DENSITY)
 
 
 def elastic(body: bd.Lattice) -> dict[str, float]:
@@ -92,7 +55,7 @@ def elastic(body: bd.Lattice) -> dict[str, float]:
     assert body.cells is not None
     volume = body.cells.volume[near]
     force = abs(run.history["top"][-1, 1])
-    theory = 2.0 * flattened() * force / (math.pi * DIAMETER * THICKNESS)
+    theory = 2.0 * DISC.factor * force / (math.pi * DIAMETER * THICKNESS)
     return {
         "centre": float((stress[near, 2, 2] * volume).sum() / volume.sum() / theory),
         "largest": float(np.linalg.eigvalsh(stress)[:, 2].max() / theory),
@@ -110,7 +73,7 @@ def measured(body: bd.Lattice, energy: float) -> dict[str, Any]:
     force = 0.5 * (both[0] + both[1])[peak]
     return {
         "energy": energy, "peak": float(force),
-        "strength": 2.0 * flattened() * float(force) / (math.pi * DIAMETER * THICKNESS * TENSION),
+        "strength": 2.0 * DISC.factor * float(force) / (math.pi * DIAMETER * THICKNESS * TENSION),
         "asymmetry": float(np.abs(both[0] - both[1])[: peak + 1].max() / force), "residual": run.residual,
         "length": LAW.E * energy / TENSION**2 / DIAMETER, "slipped": int((run.state.slipped > 0.0).sum()),
         "cracks": len(run.state.cracks), "broken": len(run.events), "status": run.status.value,
@@ -123,12 +86,12 @@ def measure(
     energies: tuple[float, ...] = (5.0, 20.0),
 ) -> None:  # fmt: skip
     """Split discs whose facets have several fracture energies [J/m²]."""
-    record.keep(flattened=flattened())
+    record.keep(flattened=DISC.factor)
     for count, seed, energy in product(counts, seeds, energies):
         record.add(partial(split, count, seed, energy), count=count, seed=seed, energy=energy)
 
 
 def split(count: int, seed: int, energy: float) -> dict[str, Any]:
     """One disc, without failure and with it."""
-    body = disc(count, seed)
+    body = DISC.body(count, seed)
     return elastic(body) | measured(body, energy)

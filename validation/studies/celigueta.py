@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 from bondem._checks import choice
 from bondem.errors import InputError
 from validation.figures.celigueta import draw_broken, draw_curves
-from validation.frame.files import mean_and_scatter, table
+from validation.frame.files import mean_and_scatter
 from validation.frame.study import Row, Stages, Study
 from validation.rows.celigueta import COUNT, FRICTION, CeliguetaRun
 
@@ -20,7 +20,6 @@ AREAS = ("weighted", "facet")
 MEASURED = {"compression": 55e6, "splitting": 4e6, "shear": None}
 #: How far the mean of all packings may be off: the paper prints no tolerance.
 LIMIT = 0.1
-_HEAD = ("test", "criterion", "areas", "measured [MPa]", "peak [MPa]", "ratio", "verdict", "E [GPa]", "other plate")
 
 
 @dataclass(frozen=True)
@@ -95,17 +94,6 @@ class Celigueta(Study):
                 cases.append(wanted | _judged(MEASURED[test], some))
         return {"count": self.count, "limit": LIMIT, "cases": cases}
 
-    def table(self, results: Mapping[str, Any]) -> str:
-        """See `Study`."""
-        lines = [
-            [_words(one), one["failure"], one["areas"], f"{one['measured'] / 1e6:g}" if one["measured"] else "–",
-             _with_scatter(one["mean"], 1e6), f"{one['ratio']:.2f}" if one["ratio"] else "–", one["verdict"] or "–",
-             _with_scatter(one["mean_E"], 1e9) if one["mean_E"] else "–",
-             f"{min(one['other']):.3f}–{max(one['other']):.3f}"]
-            for one in results["cases"]
-        ]  # fmt: skip
-        return table("Strengths", _HEAD, lines) if lines else "no run\n"
-
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """See `Study`: curves of all packings, and what the first packing is after the test."""
         for test in self.tests:
@@ -116,17 +104,6 @@ class Celigueta(Study):
         there = [(one.asked, one.kept(out)) for one in first if one.whole(out)]
         if there:
             draw_broken(out / "figures" / "broken.png", there)
-
-
-def _words(one: Mapping[str, Any]) -> str:
-    speed = "" if one["slower"] == 1.0 else f", {one['slower']:g} times slower"
-    return one["test"] + speed + ("" if one["friction"] == FRICTION else f", plates of friction {one['friction']:g}")
-
-
-def _with_scatter(value: Mapping[str, float | None], unit: float) -> str:
-    mean, std = value["mean"], value["std"]
-    assert mean is not None
-    return f"{mean / unit:.2f}" + ("" if std is None else f" ± {std / unit:.2f}")
 
 
 def _judged(measured: float | None, rows: Sequence[Row]) -> dict[str, Any]:

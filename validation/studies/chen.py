@@ -13,7 +13,7 @@ from bondem._threads import threads
 from bondem.dynamics.plan import ExplicitResult
 from bondem.report.style import GREY, INK, sheet
 from validation.frame.record import Record
-from validation.measures.chen_shear import draw_shear, print_shear, shear_cases
+from validation.measures.chen_shear import draw_shear, shear_cases
 from validation.measures.chen_specimens import CASES, FORCE, LAWS, MARKS, E, G, beam, bond, cantilever, exact, row
 
 DISTANCE = "distance from Timoshenko theory [%]"
@@ -102,62 +102,6 @@ def large_rotations() -> list[dict]:
     return rows
 
 
-# ---- tables
-
-
-def print_tables(static: list[dict], dynamic: list[dict], large: list[dict]) -> None:
-    print("\nTable 4: tip deflection of case 1 [mm] and its distance from Timoshenko theory")
-    paper = {"TBBM": (8.537, 0.04), "EBBM": (8.489, 0.53), "PBM": (8.508, 0.30), "Obermayr": (None, None)}
-    for entry in (e for e in static if e["case"] == "1"):
-        run = next(e for e in dynamic if e["case"] == "1" and e["law"] == entry["law"])
-        said = "  paper {:.3f}  {:.2f} %".format(*paper[entry["law"]]) if paper[entry["law"]][0] else ""
-        print(
-            f"  {entry['law']:9} static {1e3 * entry['tip']:.4f}  explicit (1 kN, x 100) {1e5 * run['tip']:.4f}"
-            f"  {abs(100 * entry['error_timoshenko']):.2f} %{said}"
-        )
-    print("  exact     Timoshenko {:.4f}, Euler-Bernoulli {:.4f}".format(
-        *(1e3 * beam(np.array([4.0]), 4.0, 0.2, shear=shear)[0] for shear in (True, False))
-    ))  # fmt: skip
-
-    print("\nTable 5: stiffness of one bond in case 3 [GN/m], ours / the paper's")
-    printed = {
-        1: (6.283, 2.416, 0.04712, 0.04612), 2: (12.56, 4.833, 0.3769, 0.3469), 4: (25.13, 9.66, 3.016, 2.240),
-        6: (37.69, 14.50, 10.18, 5.718), 8: (50.26, 19.33, 24.13, 10.11), 10: (62.83, 24.17, 47.12, 14.88),
-    }  # fmt: skip
-    print("  bonds       axial               PBM shear           EBBM shear          TBBM shear")
-    for n, said in printed.items():
-        laws = [bd.Model(CASES["3"][n][0], bond(law, 0.2), 1000.0).stiffness for law in ("PBM", "EBBM", "TBBM")]
-        ours = [laws[0].kn[0], *(k.ks[0] for k in laws)]
-        print(f"  {n:5}  " + "".join(f"  {1e-9 * a:8.5g} / {b:<7.4g}" for a, b in zip(ours, said, strict=True)))
-
-    print("\nLargest error against the exact solution of the law: static at 100 kN, explicit at 1 kN")
-    for case in CASES:
-        for law in LAWS:
-            still = [e for e in static if e["case"] == case and e["law"] == law]
-            moved = [e for e in dynamic if e["case"] == case and e["law"] == law]
-            print(
-                f"  case {case} {law:9} static {max(abs(e['error']) for e in still):.1e}"
-                f"  explicit {max(abs(e['error']) for e in moved):.1e}  (gamma {moved[0]['gamma']},"
-                f" {max(e['steps'] for e in moved)} steps, {sum(e['seconds'] for e in moved):.1f} s,"
-                f" {', '.join(sorted({e['status'] for e in moved}))})"
-            )
-
-    print("\nCase 5: distance from Timoshenko theory (8.534 mm) [%]")
-    for d in CASES["5"]:
-        rows = [e for e in static if e["case"] == "5" and e["parameter"] == d]
-        print(f"  d_f = {d:4}  " + "  ".join(f"{e['law']} {100 * e['error_timoshenko']:+.3f}" for e in rows))
-
-    print("\nLarge rotations: tip deflection of case 4's beam [mm]")
-    for entry in large:
-        if entry["bonds"] == 1:
-            linear, finite, elastica = (1e3 * entry[key] for key in ("linear", "reissner", "elastica"))
-            print(
-                f"  {entry['force'] / 1e3:.0f} kN {entry['law']}: linear {linear:.3f}, elastica {elastica:.3f},"
-                f" geometrically exact {finite:.3f}"
-            )
-        print(f"    {entry['bonds']:2} bonds {1e3 * entry['tip']:.3f}  error {entry['error']:+.1e}")
-
-
 # ---- figures
 
 
@@ -223,8 +167,6 @@ def measure(record: Record) -> None:
     with threads(1):
         static, dynamic, large, shear = static_cases(), dynamic_cases(), large_rotations(), shear_cases()
     record.keep(static=static, explicit=dynamic, large_rotations=large, shear=shear)
-    print_tables(static, dynamic, large)
-    print_shear(shear)
 
 
 def draw(record: Record, folder: Path) -> None:

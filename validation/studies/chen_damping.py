@@ -100,5 +100,3 @@ def measure(record: Record) -> None:
     """Measure particles, readings of the equations, and bonds."""
     with threads(1):
         record.keep(load=LOAD, particles=particles(), readings=readings(), bonds=bonds())
-    for row in (*record.rows("particles"), *record.rows("readings"), *record.rows("bonds")):
-        print(row)

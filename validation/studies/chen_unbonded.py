@@ -136,5 +136,3 @@ def measure(record: Record) -> None:
     with threads(1):
         record.keep(load=LOAD, push=PUSH, friction=CONTACT.friction, gamma=GAMMA, static=static_cases(),
                     explicit=dynamic_cases())  # fmt: skip
-    for row in (*record.rows("static"), *record.rows("explicit")):
-        print(row)

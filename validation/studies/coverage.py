@@ -16,7 +16,6 @@ from bondem.packing.sizes import SPREAD
 from bondem.specimen.materials import fused_silica
 from validation.figures.coverage import draw_coverage
 from validation.frame.failures import complain
-from validation.frame.files import table
 from validation.frame.study import Row, Stages, Study
 from validation.rows.elastic import ElasticRequest, cells_and_bars
 from validation.rows.packings import PackingRequest, kept_lattice
@@ -70,10 +69,6 @@ class Coverage(Study):
     def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:
         """See `Study`."""
         return _results(self, _calibrated(tuple(self.bodies[: self.calibrating]), out), rows)
-
-    def table(self, results: Mapping[str, Any]) -> str:
-        """See `Study`."""
-        return _table(results)
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """Packings in and out of the intervals, and how often over random calibrations."""
@@ -141,28 +136,3 @@ def _coverage(study: Coverage, name: str, rows: Sequence[dict[str, Any]], law: B
         share = (off <= half[:, None]).mean(axis=1)
         found[str(size)] = {"mean": float(share.mean()), "worst_tenth": float(np.quantile(share, 0.1))}
     return found
-
-
-def _table(results: Mapping[str, Any]) -> str:
-    quantities = results["quantities"]
-    first = table(
-        f"Calibrated on {results['calibrating']} packings of {results['count']} elements, tested on"
-        f" {results['held_out']}",
-        ["quantity", "scatter of all", "prediction interval", "unseen packings in it", "mean of the unseen in the"
-         " confidence interval"],
-        [
-            [symbol, f"{one['scatter']:.2%}", " … ".join(f"{end / scale:.5g}" for end in one["prediction"]),
-             f"{one['covered']} of {results['held_out']}", "yes" if one["mean_covered"] else "no"]
-            for symbol, one, scale in (("E [GPa]", quantities["E"], 1e9), ("ν", quantities["nu"], 1.0))
-        ],
-    )  # fmt: skip
-    second = table(
-        f"Share of unseen packings in the {results['level']:.0%} interval, over random calibrations",
-        ["packings", "E, mean", "E, worst tenth", "ν, mean", "ν, worst tenth"],
-        [
-            [size] + [f"{quantities[name]['coverage'][size][key]:.1%}" for name in ("E", "nu")
-                      for key in ("mean", "worst_tenth")]
-            for size in quantities["E"]["coverage"]
-        ],
-    )  # fmt: skip
-    return f"{first}\n{second}"

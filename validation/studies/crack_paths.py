@@ -9,11 +9,8 @@ from bondem._checks import choice
 from bondem.errors import InputError
 from validation.cases.path_case import PathCase
 from validation.figures.crack_paths import draw_path
-from validation.frame.files import table
 from validation.frame.study import Row, Stages, Study
 from validation.rows.crack_paths import CASES, PathRun
-
-_HEAD = ("case", "quantity", "known", "bondem", "verdict", "cells", "seconds a run")
 
 
 @dataclass(frozen=True)
@@ -54,28 +51,11 @@ class CrackPaths(Study):
                 cases.append(_judged(CASES[name], some))
         return {"finer": self.finer, "cases": cases}
 
-    def table(self, results: Mapping[str, Any]) -> str:
-        """See `Study`."""
-        lines = []
-        for one in results["cases"]:
-            for claim in one["claims"]:
-                values = one["values"][claim["quantity"]]
-                lines.append([
-                    one["title"], claim["quantity"], claim["words"], ", ".join(_shown(value) for value in values),
-                    claim["verdict"], ", ".join(map(str, one["count"])),
-                    ", ".join(f"{value:.0f}" for value in one["run_seconds"]),
-                ])  # fmt: skip
-        return table("Cracks that choose their path, SI units", _HEAD, lines) if lines else "no run\n"
-
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """See `Study`: a figure a case."""
         for name in self.cases:
             if some := [row for row in rows if row["case"] == name]:
                 draw_path(out / "figures" / f"{name}.png", CASES[name], some)
-
-
-def _shown(value: float | None) -> str:
-    return "none" if value is None else f"{value:.4g}"
 
 
 def _judged(case: PathCase, rows: Sequence[Row]) -> dict[str, Any]:

@@ -19,8 +19,9 @@ import numpy as np
 import scipy.sparse as sparse
 from scipy.sparse.linalg import splu
 
+from validation.cases.flattened_disc import HALF
 from validation.frame.record import Record
-from validation.studies.brazilian import HALF, LAW, TENSION, flattened
+from validation.studies.brazilian import DISC, LAW, TENSION
 
 #: E G_f / f_t^2 over the diameter of discs, and the depth of beams over E G_f / f_t^2.
 DISCS, BEAMS = (0.25, 1.0, 4.0), (0.25, 0.5, 1.0, 2.0, 4.0)
@@ -136,7 +137,7 @@ def disc(share: float, along: int, around: int) -> dict[str, Any]:
     width = 0.5 * (np.r_[pieces, 0.0] + np.r_[0.0, pieces])
     last = 2.0 * share * TENSION / LAW.E
     loads, mouths = crack_path(body, width, last)
-    stress = flattened() * 2.0 * 2.0 * loads / math.pi / TENSION
+    stress = DISC.factor * 2.0 * 2.0 * loads / math.pi / TENSION
     top = next((k for k in range(1, len(stress) - 1) if stress[k - 1] <= stress[k] > stress[k + 1]), None)
     return {
         "share": share, "along": along, "around": around, "elastic": float(stress[0]),
@@ -151,5 +152,3 @@ def measure(record: Record) -> None:
     """Split discs and bend beams of several sizes."""
     beams = [{"share": one, "strength": beam(one), "Planas": 1.0 + 1.0 / (0.85 + 2.3 * one)} for one in BEAMS]
     record.keep(beams=beams, discs=[disc(share, *mesh) for share in DISCS for mesh in MESHES])
-    for row in (*beams, *record.rows("discs")):
-        print(row, flush=True)

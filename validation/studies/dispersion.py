@@ -12,7 +12,7 @@ from bondem.specimen.fabric import LIMITS
 from validation.figures.packing_curves import LARGEST_POSSIBLE, PRINTED_THRESHOLD, draw_dispersion
 from validation.figures.packings import draw_histograms, draw_packings
 from validation.frame.study import Row, Stages, Study
-from validation.frame.tables import markdown, summary
+from validation.frame.tables import summary
 from validation.rows.packings import TARGETS, PackingRequest, kept_lattice
 
 #: κ from 0 to 40 % [-].
@@ -20,24 +20,6 @@ SPREADS = tuple(5 * step / 100.0 for step in range(9))
 
 # The two that the paper's figures 5 and 6 show.
 _SHOWN = (0.0, 0.25)
-
-_COLUMNS = {
-    "κ": ("spread", "{:.0f} %", 100.0),
-    "φ": ("volume_fraction", "{:.4f}", 1),
-    "φ of the core": ("core_volume_fraction", "{:.4f}", 1),
-    "z": ("coordination_number", "{:.3f}", 1),
-    "z without rattlers": ("backbone_coordination_number", "{:.3f}", 1),
-    "e (11), 1e-6": ("isotropy_error", "{:.2f}", 1e6),
-    "e random, 1e-6": ("isotropy_error_random", "{:.2f}", 1e6),
-    "χ²/dof": ("chi2_per_dof", "{:.1f}", 1),
-    "rms excess": ("rms_excess", "{:.3f}", 1),
-    "of the core": ("core_rms_excess", "{:.3f}", 1),
-    "stretch of the core": ("core_stretch", "{:.3f}", 1),
-    "largest overlap / R̄": ("largest_overlap", "{:.1e}", 1),
-    "passed": ("passed", "{:d}", 1),
-    "of": ("packings", "{:d}", 1),
-    "time [s]": ("seconds", "{:.1f}", 1),
-}
 
 
 @dataclass(frozen=True)
@@ -96,10 +78,6 @@ class Dispersion(Study):
             "isotropy_error_largest_possible": LARGEST_POSSIBLE,
             "summary": summary(rows, ("spread",)),
         }
-
-    def table(self, results: Mapping[str, Any]) -> str:
-        """See `Study`."""
-        return markdown(_COLUMNS, results["summary"])
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """Figures 5, 6 and 7."""

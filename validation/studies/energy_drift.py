@@ -6,7 +6,6 @@ it takes the random walk of rounding. The slope is fitted to means over blocks o
 and is given with its standard error: a drift is a slope of several errors.
 """
 
-import json
 import math
 import time
 from typing import Any
@@ -103,5 +102,4 @@ def measure(
         ],
         "seconds": time.perf_counter() - begun,
     }
-    print(json.dumps(result, indent=2))
     record.keep(**result)

@@ -12,7 +12,7 @@ from validation.cases.case import CURVES, Case
 from validation.cases.garcia_alvarez import GARCIA_ALVAREZ
 from validation.cases.l_panel import L_PANEL
 from validation.figures.fracture import draw_case
-from validation.frame.files import mean_and_scatter, table
+from validation.frame.files import mean_and_scatter
 from validation.frame.study import Row, Stages, Study
 from validation.measures.cohesive_crack import cohesive_crack
 from validation.rows.fracture import FractureRun
@@ -22,7 +22,6 @@ CASES: Mapping[str, Case] = {
 }
 # Beams pressed above their notch: half of them is enough for a continuum with a cohesive crack.
 _HALVED = {"petersson": petersson.BEAM, "gregoire": gregoire.BEAM}
-_HEAD = ("case", "quantity", "published", "bondem", "verdict", "cells", "events", "seconds a run")
 # What is read of a row, with factor and unit in tables; work is that until the end and its tail.
 _UNITS: Mapping[str, tuple[Callable[[Row], float], float, str]] = {
     "peak": (lambda row: float(row["peak"]), 1e-3, "kN"),
@@ -70,11 +69,6 @@ class Fracture(Study):
         cases = [_judged(CASES[name], some, self.curve) for name, some in groups.items() if some]
         return {"finer": self.finer, "curve": self.curve, "cases": cases}
 
-    def table(self, results: Mapping[str, Any]) -> str:
-        """See `Study`: the scorecard."""
-        lines = [line for one in results["cases"] for line in _lines(one)]
-        return table("Scorecard", _HEAD, lines) if lines else "no run\n"
-
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """See `Study`: a figure a case, load curves and the crack path of the first packing."""
         for name in self.cases:
@@ -94,25 +88,3 @@ def _judged(case: Case, rows: Sequence[Row], curve: str) -> dict[str, Any]:
            for key in ("count", "events", "peak", "work", "tail", "dissipated", "run_seconds", "end")},
         "mean": {key: mean_and_scatter([read(row) for row in rows]) for key, (read, *_) in _UNITS.items()},
     }  # fmt: skip
-
-
-def _lines(one: Mapping[str, Any]) -> list[list[str]]:
-    """Lines of the scorecard: what is held against a claim, and beside work the peak without a verdict."""
-    claimed = one["claim"]["quantity"]
-    lines = []
-    for quantity in dict.fromkeys((claimed, "peak")):
-        _, factor, unit = _UNITS[quantity]
-        found, judged = one["mean"][quantity], quantity == claimed
-        text = f"{factor * found['mean']:.3f}"
-        text += "" if found["std"] is None else f" ± {factor * found['std']:.3f}"
-        lines.append([
-            one["title"], quantity, one["claim"]["words"] if judged else "–", f"{text} {unit}",
-            one["verdict"] if judged else "shown", _range(one["count"]), _range(one["events"]),
-            _range([round(value) for value in one["run_seconds"]]),
-        ])  # fmt: skip
-    return lines
-
-
-def _range(values: Sequence[int]) -> str:
-    low, high = min(values), max(values)
-    return f"{low}" if low == high else f"{low}–{high}"

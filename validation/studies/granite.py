@@ -11,7 +11,7 @@ from bondem.errors import InputError
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, sheet
 from validation.cases.lac_du_bonnet import CLAIMS, Granite, bent, toughness
 from validation.figures.fracture import envelope
-from validation.frame.files import mean_and_scatter, table
+from validation.frame.files import mean_and_scatter
 from validation.frame.request import Request
 from validation.frame.study import Row, Stages, Study
 from validation.rows.fracture import FractureRun
@@ -21,7 +21,6 @@ from validation.rows.granite import GraniteRun
 DEPTHS = (0.05, 0.2)
 _STRENGTHS = ("ucs", "direct_tension", "brazilian")
 _TITLES = {"ucs": "Uniaxial compression", "direct_tension": "Direct tension", "brazilian": "Brazilian test"}
-_HEAD = ("test", "cells", "seeds", "published", "measured", "each", "over the input", "verdict", "seconds")
 _COLOURS = (BLUE, ORANGE, GREEN, PURPLE, GREY)
 # By this share a disc that splits bears less at once.
 _FALL = 0.2
@@ -92,18 +91,6 @@ class GraniteStudy(Study):
                 if depth != DEPTHS[0]:
                     cases[-1]["verdict"] = "–"
         return {"mohr_coulomb": granite.compressive, "toughness": granite.toughness, "cases": cases}
-
-    def table(self, results: Mapping[str, Any]) -> str:
-        """See `Study`."""
-        lines = [
-            [one["quantity"] + (f", W = {1e3 * one['depth']:g} mm" if "depth" in one else ""), str(one["count"]),
-             ", ".join(map(str, one["seeds"])), one["words"], f"{1e-6 * one['mean']['mean']:.3g}",
-             ", ".join(f"{1e-6 * value:.3g}" for value in one["values"]), f"{one['over']:.3f}", one["verdict"],
-             f"{max(one['run_seconds']):.0f}"]
-            for one in results["cases"]
-        ]  # fmt: skip
-        said = "Lac du Bonnet granite [MPa, MPa√m]; the input gives UCS by Mohr–Coulomb, K_Ic by √(E G_f)"
-        return table(said, _HEAD, lines) if lines else "no run\n"
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """See `Study`: curves of all tests."""

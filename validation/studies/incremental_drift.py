@@ -339,12 +339,6 @@ def measure(record: Record) -> None:
         result["small_rotations"] = small_rotations((1e-5, 1e-4, 1e-3, 1e-2), 5000)
         result["cycles"] = cycles((0.05, 0.1, 0.2, 0.4))
     result["orders"] = orders(result)
-    for kind in ("turning", "spinning", "small_rotations", "cycles"):
-        print(f"\n{kind}")
-        for entry in result[kind]:
-            print("  " + "  ".join(f"{k} {shown(v)}" for k, v in entry.items()))
-    for name, value in result["orders"].items():
-        print(f"{name}: {value:.3f}")
     record.keep(**result)
 
 
@@ -352,9 +346,3 @@ def draw(record: Record, folder: Path) -> None:
     """Turns, and spins beside cycles."""
     draw_turns(record.data, folder / "incremental_drift.png")
     draw_spin_and_cycle(record.data, folder / "incremental_drift_cycles.png")
-
-
-def shown(value: object) -> str:
-    """Lists by their last entry."""
-    last = value[-1] if isinstance(value, list) else value
-    return f"{last:.3g}" if isinstance(last, float) else str(last)

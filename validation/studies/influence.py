@@ -1,6 +1,6 @@
 """Influence of ν_μ, E_μ and r̃ on E and ν (André et al. 2012, §5.2, figs 11, 13, 14)."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
@@ -12,9 +12,8 @@ from bondem.errors import InputError
 from bondem.interactions.law_catalogue import CALIBRATED, DEFAULT
 from bondem.packing.sizes import SPREAD
 from validation.figures.influence import draw_bond_modulus, draw_bond_radius, draw_exponent, draw_nu_mu
-from validation.frame.files import table
 from validation.frame.study import Row, Stages, Study
-from validation.frame.tables import markdown, summary
+from validation.frame.tables import summary
 from validation.rows.elastic import MEASURED, SHAPES, ElasticRequest, cells_and_bars
 
 #: The paper's fused silica, at which ν_μ varies and to which E_μ = 265 GPa belongs.
@@ -34,26 +33,6 @@ _SHOWN = _RADII[1::2]
 
 #: Between these r̃ the claim is judged.
 _JUDGED = (0.2, 0.9)
-
-_COLUMNS = {
-    "r̃": ("radius_ratio", "{:.1f}", 1),
-    "E / E_μ": ("stiffness_ratio", "{:.5f}", 1),
-    "ν": ("nu", "{:.4f}", 1),
-    "d ln E / d ln r̃": ("exponent", "{:.3f}", 1),
-    "dν / dr̃": ("nu_slope", "{:.3f}", 1),
-}
-_BAR_COLUMNS = {
-    **_COLUMNS,
-    "2 + 2 × energy not in elongation": ("energy_exponent", "{:.3f}", 1),
-    "E (14) / E": ("E_ratio", "{:.4f}", 1),
-    "ν (15)": ("nu_paper", "{:.4f}", 1),
-}
-_NU_MU_COLUMNS = {
-    "law": ("law", "{}", 1),
-    "ν_μ": ("nu_mu", "{:g}", 1),
-    "E / E_μ": ("stiffness_ratio", "{:.4f}", 1),
-    "ν": ("nu", "{:.4f}", 1),
-}
 
 
 @dataclass(frozen=True)
@@ -118,13 +97,6 @@ class Influence(Study):
             "moduli": list(_MODULI), "radius_ratios": list(_RADII),
             "verdicts": verdicts, "cylinder_over_cell": _cylinder_over_cell(groups), "summary": groups,
         }  # fmt: skip
-
-    def table(self, results: Mapping[str, Any]) -> str:
-        """See `Study`."""
-        tables = [_verdict_table(results["verdicts"]), *_tables(results["summary"])]
-        if results["cylinder_over_cell"] is not None:
-            tables.append(_cylinder_table(results["cylinder_over_cell"]))
-        return "\n".join(tables)
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """Figures 11, 13 and 14, and the exponent."""
@@ -246,53 +218,3 @@ def _means(groups: Sequence[Row], name: str) -> list[float | None]:
 
 def _parabola_misfit(x: Floats, y: Floats) -> Floats:
     return np.abs(np.polyval(np.polyfit(x, y, 2), x) - y)
-
-
-def _verdict_table(verdicts: dict[str, Any]) -> str:
-    lines = ["The paper's statements", "", "| packing | statement | found | holds |", "|---|---|---|---|"]
-    for shape, found in verdicts.items():
-        for law, one in found["nu_mu"].items():
-            most = max(-one["E_change_low"], one["E_change_high"])
-            lines.append(
-                f"| {shape} | ν_μ does not matter, {law} bonds | E {one['E_change_low']:+.2%} …"
-                f" {one['E_change_high']:+.2%}, ν {one['nu_change_low']:+.4f} … {one['nu_change_high']:+.4f} against"
-                f" ν_μ = 0.3 | {_verdict(most < 0.01)} |"
-            )
-        linear = found["E_mu"]
-        lines.append(
-            f"| {shape} | E is linear in E_μ, ν does not depend on it | E/E_μ the same to {linear['E']:.0e}, ν to"
-            f" {linear['nu']:.0e} | {_verdict(max(linear['E'], linear['nu']) < 1e-6)} |"
-        )
-        power = found["radius_ratio"]
-        square = _verdict(max(abs(power["exponent_low"] - 2.0), abs(power["exponent_high"] - 2.0)) < 0.1)
-        lines += [
-            f"| {shape} | E is quadratic in r̃: E ∝ r̃² | exponent {power['exponent_low']:.2f} …"
-            f" {power['exponent_high']:.2f}; c r̃² is off by up to {power['square_misfit']:.0%} | {square} |",
-            f"| {shape} | E as another power of r̃ | {power['factor']:.3f} r̃^{power['power']:.3f}, off by up to"
-            f" {power['power_misfit']:.1%} | {_verdict(power['power_misfit'] < 0.05)} |",
-            f"| {shape} | E as any parabola in r̃ | off by up to {power['E_parabola_misfit']:.1%} of the largest E,"
-            f" by {power['E_parabola_misfit_relative']:.0%} of E itself |"
-            f" {_verdict(power['E_parabola_misfit_relative'] < 0.05)} |",
-            f"| {shape} | ν is quadratic in r̃ | a parabola is off by up to {power['nu_parabola_misfit']:.4f}, a"
-            f" straight line by {power['nu_line_misfit']:.4f} | {_verdict(power['nu_parabola_misfit'] < 0.005)} |",
-        ]
-    return "\n".join(lines) + "\n"
-
-
-def _verdict(holds: bool) -> str:
-    return "yes" if holds else "no"
-
-
-def _cylinder_table(found: Mapping[str, Sequence[float]]) -> str:
-    rows = [[f"{radius:.1f}", f"{E:+.1%}", f"{nu:+.4f}"] for radius, E, nu in zip(*found.values(), strict=True)]
-    return table("What the walls do: cylinder against periodic cell", ["r̃", "E", "ν"], rows)
-
-
-def _tables(groups: Sequence[Row]) -> Iterator[str]:
-    for periodic, shape in SHAPES.items():
-        own = [one for one in groups if one["periodic"] is periodic]
-        if own:
-            columns = _COLUMNS if periodic else _BAR_COLUMNS
-            yield f"Influence of r̃, {shape}\n\n{markdown(columns, radius_groups(own))}"
-            at_paper = [one for one in own if one["radius_ratio"] == _RADIUS]
-            yield f"Influence of ν_μ at r̃ = {_RADIUS}, {shape}\n\n{markdown(_NU_MU_COLUMNS, at_paper)}"

@@ -10,13 +10,12 @@ import numpy as np
 from bondem._checks import number
 from bondem.errors import InputError
 from bondem.report.style import BLUE, GREEN, INK, ORANGE, sheet
-from validation.frame.files import mean_and_scatter, table
+from validation.frame.files import mean_and_scatter
 from validation.frame.study import Row, Stages, Study
 from validation.rows.kalthoff import KalthoffRun, Plate
 
 #: The angle against the notch [degrees], and how far the mean of the packings may be off.
 ANGLE, LIMIT = 70.0, 5.0
-_HEAD = ("f_t [MPa]", "cells", "size / h*", "angle [°]", "each", "published", "verdict", "steps", "seconds a run")
 _COLOURS = (BLUE, ORANGE, GREEN)
 # Length of the line that is drawn at the published angle [m].
 _LINE = 50e-3
@@ -68,17 +67,6 @@ class Kalthoff(Study):
         cases = [_judged(some) for some in groups.values() if some]
         return {"size": self.size, "angle": ANGLE, "limit": LIMIT, "cases": cases}
 
-    def table(self, results: Mapping[str, Any]) -> str:
-        """See `Study`."""
-        lines = [
-            [f"{1e-6 * one['tension']:g}", _range(one["count"]), f"{one['over']:.2f}",
-             f"{one['mean']['mean']:.1f}" + ("" if one["mean"]["std"] is None else f" ± {one['mean']['std']:.1f}"),
-             ", ".join(f"{angle:.1f}" for angle in one["angles"]), f"{ANGLE:g} ± {LIMIT:g}", one["verdict"],
-             _range(one["steps"]), _range([round(seconds) for seconds in one["run_seconds"]])]
-            for one in results["cases"]
-        ]  # fmt: skip
-        return table("Angle of the crack against the notch", _HEAD, lines) if lines else "no run\n"
-
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """See `Study`: cracks of all packings beside the published angle."""
         plate, count = Plate(), max(len(self.strengths), 1)
@@ -113,8 +101,3 @@ def _judged(rows: Sequence[Row]) -> dict[str, Any]:
         "verdict": "met" if each else "met by the mean" if together else "missed",
         **{key: [row[key] for row in rows] for key in ("seed", "count", "steps", "run_seconds", "residual")},
     }  # fmt: skip
-
-
-def _range(values: Sequence[int]) -> str:
-    low, high = min(values), max(values)
-    return f"{low}" if low == high else f"{low}–{high}"

@@ -1,6 +1,5 @@
 """First frequencies of cylinders whose elements have one density, eq (19), or the body's mass, centre and inertia."""
 
-import math
 from typing import Any
 
 import numpy as np
@@ -62,24 +61,7 @@ def summary(rows: list[dict[str, Any]]) -> dict[str, Any]:
     return found
 
 
-def table(found: dict[str, Any]) -> str:
-    """The errors in percent."""
-    lines = ["| error in % | one density, eq (19) | balanced |", "|---|---|---|"]
-    names = [(f"{kind}, first frequency", "error", k) for k, kind in enumerate(KINDS)]
-    check = "consistency check with its own lengths and section"
-    names += [(f"{kind}, {check}", "error_refined", k) for k, kind in enumerate(KINDS)]
-    names += [("moment of inertia about the axis", "inertia_error", 0), ("across it", "inertia_error", 1)]
-    for text, key, k in names:
-        cells = []
-        for name in ("one", "balanced"):
-            mean, std = (100.0 * (found[name][key][part][k] or math.nan) for part in ("mean", "std"))
-            cells.append(f"{mean:+.2f} ± {std:.2f}" if math.isfinite(std) else f"{mean:+.2f}")
-        lines.append(f"| {text} | {cells[0]} | {cells[1]} |")
-    return "\n".join(lines) + "\n"
-
-
 def measure(record: Record, *, count: int = 10_000, packings: int = 4) -> None:
     """Measure cylinders of several packings."""
     rows = [examine(count, seed) for seed in range(1, packings + 1)]
     record.keep(count=count, packings=packings, kinds=KINDS, summary=summary(rows), rows=rows)
-    print(table(record.data["summary"]))

@@ -108,18 +108,6 @@ def explicit(body: bd.Lattice, steps: int = 2000) -> list[dict]:
     return rows
 
 
-def table(rows: list[dict]) -> None:
-    """Means over packings."""
-    print(f"\n{'law':38s}" + "".join(f"  nu = {nu:4.2f}    " for nu in RATIOS))
-    for law in dict.fromkeys(row["law"] for row in rows):
-        cells = []
-        for nu in RATIOS:
-            some = [r for r in rows if r["law"] == law and r["nu_given"] == nu and r["E"] is not None]
-            means = (np.mean([r[name] for r in some]) for name in ("E", "nu"))
-            cells.append("{:6.2f}/{:6.4f}".format(*means) if some else "      -      ")
-        print(f"{law:38s}" + "  ".join(cells))
-
-
 def measure(record: Record, *, count: int = 2000, packings: int = 2) -> None:
     """Measure moduli, and runs whose lag diverges."""
     warnings.simplefilter("ignore")
@@ -133,4 +121,3 @@ def measure(record: Record, *, count: int = 2000, packings: int = 2) -> None:
         record.keep(elastic=record.rows("elastic") + elastic(body, seed))
     small = bd.pack(bd.Cell((1.0, 1.0, 1.0)), count=200, spread=0.25, seed=1)
     record.keep(explicit=explicit(bd.connect(small, method="laguerre")))
-    table(record.rows("elastic"))

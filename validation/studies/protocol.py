@@ -7,13 +7,12 @@ from typing import Any, ClassVar
 
 from bondem._checks import choice, count
 from bondem.packing.sizes import SPREAD
-from bondem.specimen.materials import fused_silica
 from validation.figures.protocol import draw_protocol
 from validation.frame.failures import complain
-from validation.frame.files import in_percent, mean_and_scatter, table
+from validation.frame.files import mean_and_scatter
 from validation.frame.study import Row, Stages, Study
 from validation.rows.packings import PackingRequest
-from validation.rows.protocol import MEASURES, PRINTED, ProtocolTest
+from validation.rows.protocol import ProtocolTest
 
 #: How bars are packed: the paper's way, and ours.
 METHODS = {"shear": "shear compaction, as the paper", "quench": "quench, the default of bondem"}
@@ -30,7 +29,6 @@ TESTS = {
     "impact_0.5": ("Table 4, celerity, arrival at 50 %", 0.0040),
 }
 _NOT_MEASURED = ("spread", "seconds")
-_WORDS = {"paper": "eqs (12)–(15)", "affine": "affine fit"}
 
 
 @dataclass(frozen=True)
@@ -84,10 +82,6 @@ class Protocol(Study):
             "paper": {name: printed for name, (_, printed) in TESTS.items()},
         }
 
-    def table(self, results: Mapping[str, Any]) -> str:
-        """See `Study`."""
-        return "\n".join([_bonds(results["summary"]), _errors(results["summary"])])
-
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """Errors of the seven tests."""
         draw_protocol(out / "figures" / "protocol_errors.png", results["summary"], METHODS, TESTS)
@@ -101,43 +95,3 @@ def _summary(rows: Sequence[Row]) -> dict[str, Any]:
         "errors": {name: mean_and_scatter([row["errors"][name] for row in rows]) for name in rows[0]["errors"]},
         "swings": {name: max(row["swings"][name] for row in rows) for name in rows[0]["swings"]},
     }
-
-
-def _number(value: Mapping[str, float], pattern: str, unit: float = 1.0) -> str:
-    text = f"{value['mean'] / unit:{pattern}}"
-    return text if value["std"] is None else f"{text} ± {value['std'] / unit:{pattern}}"
-
-
-def _bonds(summary: Mapping[str, Any]) -> str:
-    columns: list[list[str]] = [[METHODS[kind]] for kind in summary]
-    head = ["packing"]
-    quantities = [("coordination number", "coordination_number", ".2f", 1.0)]
-    for measure in MEASURES:
-        by = _WORDS[measure]
-        quantities += [
-            (f"r̃, {by}", f"r_mu_ratio_{measure}", ".4f", 1.0), (f"E_μ [GPa], {by}", f"E_mu_{measure}", ".1f", 1e9),
-            (f"E [GPa] with the printed bonds, {by}", f"printed_E_{measure}", ".2f", 1e9),
-            (f"ν with them, {by}", f"printed_nu_{measure}", ".4f", 1.0),
-        ]  # fmt: skip
-    for words, name, pattern, unit in quantities:
-        head.append(words)
-        for column, found in zip(columns, summary.values(), strict=True):
-            column.append(_number(found[name], pattern, unit))
-    printed = ["the paper", "above 6.2"]
-    for _ in MEASURES:
-        printed += [f"{PRINTED.radius_ratio}", f"{PRINTED.E / 1e9:.0f}", f"{fused_silica.E / 1e9}",
-                    f"{fused_silica.nu}"]  # fmt: skip
-    return table("Bonds calibrated on each packing", head, [printed, *columns])
-
-
-def _errors(summary: Mapping[str, Any]) -> str:
-    rows = [
-        [words, f"{100.0 * printed:.2f}", *(in_percent(found["errors"][name]) for found in summary.values())]
-        for name, (words, printed) in TESTS.items()
-    ]
-    timoshenko = "bending frequency against Timoshenko's theory"
-    rows.append(
-        [timoshenko, "", *(in_percent(found["errors"]["dynamic_bending_timoshenko"]) for found in summary.values())]
-    )
-    return table("Errors, per cent", ["test", "the paper", *(METHODS[kind] for kind in summary)], rows)
-

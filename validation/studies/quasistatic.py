@@ -5,13 +5,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
 
-import numpy as np
-
 from bondem._checks import count, number
 from bondem.interactions.beams.bond_law import BondLaw
 from bondem.observables.energy import EnergyParts
 from validation.figures.energy import draw_breakdown, draw_quasistatic, draw_settling
-from validation.frame.files import table, thinned
 from validation.frame.study import Row
 from validation.measures.explicit_tension import ExplicitTension, explicit_tension
 from validation.rows.bar import BarStudy, BarTest, CalibratedBar
@@ -19,26 +16,7 @@ from validation.rows.packings import PackingRequest
 
 # Shorter runs beside the one asked for: what steps buy.
 _SHORTER = (0.1, 0.3)
-_TOLERANCES = (1e-2, 1e-3, 1e-4)
 _PARTS = ("normal", "shear", "bending", "twisting")
-
-# How many points a curve of the paper has is not printed; fewer than five show no curve.
-_POINTS = 5
-#: Runs behind the parametric study of the paper: fig. 11 is one curve over ν_μ, figs 13 and 14 one grid of E_μ × r̃,
-#: off which fig. 15 can be read, fig. 16 one curve over E_μ at the r̃ found.
-STUDY_RUNS = {"fig 11": _POINTS, "figs 13, 14, 15": _POINTS**2, "fig 16": _POINTS}
-#: What a calibration cannot do without.
-CALIBRATING_RUNS = {"fig 15": _POINTS, "fig 16": _POINTS}
-
-_CAPTIONS = {
-    "quasistatic_energy": """Figure 10. Deformation and kinetic energy of the free specimen while equal and opposite
-        forces grow on its ends, and after. Dashed: kinetic energy of a bar stretched at this rate, ρ S L³ ε̇²/24.""",
-    "quasistatic_breakdown": """Figure 12. Elastic energy of the bonds by kind. Left as the paper splits it, where
-        bending is shear and bending at once; right in four, as shares of the whole.""",
-    "quasistatic_settling": """How far stress over strain still swings about the E of the static solution once the
-        load is full, for runs of different length, each with half of its steps to grow in; and how far off its mean
-        over the last tenth of the steps is.""",
-}
 
 
 @dataclass(frozen=True)
@@ -86,7 +64,6 @@ class QuasiStatic(BarStudy):
     """
 
     name: ClassVar[str] = "quasistatic"
-    captions: ClassVar[Mapping[str, str]] = _CAPTIONS
 
     steps: int = 100_000
     ramp: float = 0.5
@@ -109,11 +86,7 @@ class QuasiStatic(BarStudy):
     def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:
         """See `Study`."""
         _, run = self.first(out)
-        return rows[0]["bar"] | _numbers(self, rows, run) | {"curves": _curves(run)}
-
-    def table(self, results: Mapping[str, Any]) -> str:
-        """See `Study`."""
-        return _tables(results)
+        return rows[0]["bar"] | _numbers(self, rows, run)
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """Figures 10 and 12, and how runs settle."""
@@ -124,14 +97,6 @@ class QuasiStatic(BarStudy):
             figures / "quasistatic_breakdown.png", run.time, run.energy, mark=run.ramp, mark_name="load full"
         )
         draw_settling(figures / "quasistatic_settling.png", [*shorter, run], results["static"]["E"])
-
-    def about(self) -> str:
-        """See `BarStudy`."""
-        return f"André et al. (2012), §5.1.2 and §5.2.1 · {self.count} spheres, {self.steps} steps"
-
-    def verdict(self, results: Mapping[str, Any]) -> str:
-        """See `BarStudy`."""
-        return _verdict(results)
 
 
 def shares(energy: Mapping[str, float]) -> dict[str, float]:
@@ -149,30 +114,18 @@ def _numbers(study: QuasiStatic, rows: Sequence[Row], run: ExplicitTension) -> d
     static = rows[0]["bar"]["macro"]
     speed = (static["E"] / static["rho"]) ** 0.5
     elastic = float(run.elastic[-1])
-    growing = (run.time > 0.2 * run.ramp) & (run.time < run.ramp)
-    total, few = sum(STUDY_RUNS.values()), sum(CALIBRATING_RUNS.values())
     return {
         "run": {
-            "steps": run.steps, "ramp_steps": round(run.ramp / run.dt), "dt": run.dt, "duration": run.time[-1],
-            "phi": study.phi, "stress": run.stress, "seconds": run.seconds, "busy_seconds": run.busy,
-            "paper_dt": 3e-7, "paper_steps": 100_000,
+            "steps": run.steps, "ramp_steps": round(run.ramp / run.dt), "dt": run.dt, "phi": study.phi,
+            "stress": run.stress, "seconds": run.seconds,
         },
         "static": {"E": static["E"], "nu": static["nu"]},
         "explicit": sorted(map(_bare, rows), key=lambda row: row["steps"]),
         "energy": {
-            "elastic_final": elastic,
-            "kinetic_ramp": float(run.kinetic[growing].mean()),
             "kinetic_theory": (rows[0]["length"] / (speed * run.ramp)) ** 2 / 12.0 * elastic,
-            "kinetic_largest": float(run.kinetic.max()),
             "kinetic_over_elastic": float(run.kinetic.max()) / elastic,
-            "kinetic_final_over_elastic": float(run.kinetic[-1]) / elastic,
             "shares": shares({name: float(run.energy[name][-1]) for name in _PARTS}),
             "shares_static": rows[0]["shares_static"],
-        },
-        "paper_way": {
-            "runs": dict(STUDY_RUNS), "points_per_curve": _POINTS, "runs_all": total, "runs_calibrating": few,
-            "seconds_one": run.seconds, "busy_seconds_one": run.busy,
-            "seconds_all": total * run.seconds, "seconds_calibrating": few * run.seconds,
         },
     }  # fmt: skip
 
@@ -186,82 +139,8 @@ def _compared(run: ExplicitTension, bar: CalibratedBar) -> dict[str, Any]:
     return {
         "steps": run.steps,
         "seconds": run.seconds,
-        "busy_seconds": run.busy,
         "E": run.E,
         "nu": run.nu,
         "E_ppm": 1e6 * (run.E / static.E - 1.0),
         "nu_ppm": 1e6 * (run.nu / static.nu - 1.0),
-        "E_last_ppm": 1e6 * (run.E_last / static.E - 1.0),
-        "nu_last_ppm": 1e6 * (run.nu_last / static.nu - 1.0),
-        "settled_after": {f"{tolerance:g}": run.settling(static.E, tolerance) for tolerance in _TOLERANCES},
     }
-
-
-def _curves(run: ExplicitTension) -> dict[str, Any]:
-    named = {name: run.energy[name] for name in (*_PARTS, "translation", "rotation", "work")}
-    return {name: thinned(np.asarray(curve)) for name, curve in {"time": run.time, **named}.items()}
-
-
-def _tables(results: Mapping[str, Any]) -> str:
-    rows = [
-        [
-            str(one["steps"]),
-            f"{one['E'] / 1e9:.4f}",
-            f"{one['E_ppm']:+.1f}",
-            f"{one['E_last_ppm']:+.1f}",
-            f"{one['nu']:.5f}",
-            f"{one['nu_ppm']:+.1f}",
-            *(_steps(one["settled_after"][f"{tolerance:g}"]) for tolerance in _TOLERANCES),
-            f"{one['seconds']:.1f}",
-            f"{one['busy_seconds']:.1f}",
-        ]
-        for one in results["explicit"]
-    ]
-    static = results["static"]
-    rows.append(["static", f"{static['E'] / 1e9:.4f}", "", "", f"{static['nu']:.5f}", "", "", "", "", "", ""])
-    moduli = table(
-        "Moduli of explicit runs (mean of the last tenth) and of the static solution",
-        ["steps", "E [GPa]", "from static [ppm]", "last instant [ppm]", "ν", "from static [ppm]",
-         "within 1 % after", "0.1 %", "0.01 %", "time [s]", "of the processor [s]"],
-        rows,
-    )  # fmt: skip
-    names = {
-        "paper_tension": "tension", "paper_bending": "bending (paper: shear + bending)", "shear": "of it shear",
-        "bending": "of it bending", "paper_torsion": "torsion",
-    }  # fmt: skip
-    energy = results["energy"]
-    breakdown = table(
-        "Elastic energy of the bonds at full load, per cent",
-        ["part", "explicit, last step", "static"],
-        [
-            [label, f"{100.0 * energy['shares'][name]:.3f}", f"{100.0 * energy['shares_static'][name]:.3f}"]
-            for name, label in names.items()
-        ],
-    )
-    way = results["paper_way"]
-    runs = table(
-        f"The paper's way: runs its curves need, {way['points_per_curve']} points to a curve assumed",
-        ["figure", "runs", "time, extrapolated from one run [s]"],
-        [
-            *([name, str(count), f"{count * way['seconds_one']:.0f}"] for name, count in way["runs"].items()),
-            ["calibration alone: figs 15, 16", str(way["runs_calibrating"]), f"{way['seconds_calibrating']:.0f}"],
-            ["whole parametric study", str(way["runs_all"]), f"{way['seconds_all']:.0f}"],
-        ],
-    )
-    return "\n".join([moduli, breakdown, runs])
-
-
-def _steps(count: int | None) -> str:
-    return "not" if count is None else str(count)
-
-
-def _verdict(results: Mapping[str, Any]) -> str:
-    energy, run = results["energy"], results["run"]
-    last = results["explicit"][-1]
-    return (
-        f"After {run['steps']} steps the explicit run gives E within {abs(last['E_ppm']):.0f} ppm and ν within"
-        f" {abs(last['nu_ppm']):.0f} ppm of the static solution, in {run['seconds']:.0f} s. Kinetic energy never"
-        f" exceeds {energy['kinetic_over_elastic']:.1e} of the deformation energy. Torsion of the bonds holds"
-        f" {100.0 * energy['shares']['paper_torsion']:.2f} % of it. The time step the paper prints, 3·10⁻⁷ s, is"
-        f" {3e-7 / run['dt']:.0f} times what is stable here."
-    )

@@ -1,6 +1,6 @@
 """How a packing depends on its number of spheres (André et al. 2012, §4.3, fig. 8)."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
@@ -11,9 +11,9 @@ from bondem._checks import choice
 from bondem.errors import InputError
 from bondem.packing import METHOD, METHODS
 from bondem.packing.sizes import SPREAD
-from validation.figures.packing_curves import NAMES, draw_refinement
+from validation.figures.packing_curves import draw_refinement
 from validation.frame.study import Row, Stages, Study
-from validation.frame.tables import markdown, summary
+from validation.frame.tables import summary
 from validation.measures.limit import Limit, limit
 from validation.rows.packings import TARGETS, PackingRequest
 
@@ -28,20 +28,6 @@ _PERIODIC_COUNT = 10_000
 
 # Below, edges and corners matter, and a quarter of all spheres touches a wall.
 _ASYMPTOTIC = 1000
-
-_COLUMNS = {
-    "elements": ("count", "{:d}", 1),
-    "φ": ("volume_fraction", "{:.4f}", 1),
-    "φ of the core": ("core_volume_fraction", "{:.4f}", 1),
-    "z": ("coordination_number", "{:.3f}", 1),
-    "z of the core": ("core_coordination_number", "{:.3f}", 1),
-    "e (11), 1e-6": ("isotropy_error", "{:.3f}", 1e6),
-    "e random, 1e-6": ("isotropy_error_random", "{:.3f}", 1e6),
-    "rms excess": ("rms_excess", "{:.3f}", 1),
-    "of the core": ("core_rms_excess", "{:.3f}", 1),
-    "largest overlap / R̄": ("largest_overlap", "{:.1e}", 1),
-    "time [s]": ("seconds", "{:.1f}", 1),
-}
 
 
 @dataclass(frozen=True)
@@ -107,17 +93,6 @@ class Refinement(Study):
             },
             "summary": summary(rows, ("target", "periodic", "count")),
         }
-
-    def table(self, results: Mapping[str, Any]) -> str:
-        """See `Study`."""
-        return "\n".join(self._tables(results["summary"]))
-
-    def _tables(self, groups: Sequence[Row]) -> Iterator[str]:
-        for target in self.targets:
-            for periodic, where in ((False, "cube"), (True, "periodic cell, no walls")):
-                chosen = [one for one in groups if one["target"] == target and one["periodic"] is periodic]
-                if chosen:
-                    yield f"{NAMES[target].capitalize()}, {where}\n\n{markdown(_COLUMNS, chosen)}"
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """Figure 8."""

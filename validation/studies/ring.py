@@ -11,16 +11,12 @@ from matplotlib.ticker import FixedLocator, FormatStrFormatter, NullLocator
 from bondem._checks import number
 from bondem.errors import InputError
 from bondem.report.style import BLUE, INK, sheet
-from validation.frame.files import mean_and_scatter, table
+from validation.frame.files import mean_and_scatter
 from validation.frame.study import Row, Stages, Study
 from validation.rows.ring import Ring, RingRun
 
 #: How far the mean size of the pieces of all packings may be off the formula [-].
 LIMIT = 0.1
-_HEAD = (
-    "rate [1/s]", "rate / ε̇₀", "pieces", "s/s₀", "formula", "ratio", "verdict", "cells", "rate at σ_c",
-    "ratio at it", "dissipated / G",
-)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -67,17 +63,6 @@ class RingStudy(Study):
         groups = [[row for row in good if row["rate"] == rate] for rate in self.rates]
         rates = [_judged(some) for some in groups if some]
         return {"size": self.size, "side": self.side, "limit": LIMIT, "rates": rates}
-
-    def table(self, results: Mapping[str, Any]) -> str:
-        """See `Study`."""
-        lines = [
-            [f"{one['rate']:g}", f"{one['rate'] / Ring().rate:.3f}", ", ".join(map(str, one["pieces"])),
-             f"{one['over']['mean']:.3f}", f"{one['formula']:.3f}", f"{one['ratio']:.3f}", one["verdict"],
-             ", ".join(sorted({str(count) for count in one["count"]})), f"{one['slowed']:.0f}",
-             f"{one['ratio_slowed']:.3f}", f"{one['dissipated']:.2f}"]
-            for one in results["rates"]
-        ]  # fmt: skip
-        return table("Mean size of fragments, s₀ = E G / σ_c²", _HEAD, lines) if lines else "no run\n"
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """See `Study`: sizes over rates beside the formula."""

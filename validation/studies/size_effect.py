@@ -13,7 +13,6 @@ from bondem.report.style import BLUE, GREY, INK, ORANGE, sheet
 from validation.cases.case import CURVES
 from validation.cases.gregoire import GREGOIRE, beam, scaled
 from validation.figures.axes import plain_ticks
-from validation.frame.files import table
 from validation.frame.study import Row, Stages, Study
 from validation.measures.cohesive_crack import cohesive_crack
 from validation.measures.size_effect import SizeEffect
@@ -21,7 +20,6 @@ from validation.rows.fracture import FractureRun
 
 # Depths of the continuum's beams [m].
 _DEPTHS = (0.025, 0.05, 0.1, 0.2, 0.4, 0.8, 1.6)
-_HEAD = ("D [mm]", "cells", "seed", "peak [kN]", "over a continuum with a cohesive crack", "over the law", "seconds")
 
 
 @dataclass(frozen=True)
@@ -76,16 +74,6 @@ class SizeEffectStudy(Study):
             over = _nominal(depth, peak) / law.nominal(depth)
             found["law"] = {"strength": law.strength, "transition": law.transition, "over": over.tolist()}
         return found
-
-    def table(self, results: Mapping[str, Any]) -> str:
-        """See `Study`."""
-        over = results["law"]["over"] if results["law"] else [None] * len(results["beams"])
-        lines = [
-            [f"{1e3 * one['depth']:g}", str(one["count"]), str(one["seed"]), f"{1e-3 * one['peak']:.3f}",
-             f"{one['over_continuum']:.3f}", "–" if of_law is None else f"{of_law:.3f}", f"{one['run_seconds']:.0f}"]
-            for one, of_law in zip(results["beams"], over, strict=True)
-        ]  # fmt: skip
-        return table("Peaks", _HEAD, lines) if lines else "no run\n"
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """See `Study`: nominal strength over depth."""

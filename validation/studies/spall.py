@@ -10,16 +10,11 @@ import numpy as np
 from bondem._checks import number
 from bondem.errors import InputError
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, sheet
-from validation.frame.files import table
 from validation.frame.study import Row, Stages, Study
 from validation.rows.spall import Bar, SpallRun
 
 #: Published: place of the spall from the free end and how well it is known [m], velocities of the free end [m/s].
 PLACE, WITHIN, HIGHEST, PULL_BACK = 57e-3, 10e-3, 7.75, 3.5
-_HEAD = (
-    "f_t [MPa]", "G_f [J/m²]", "cells", "seed", "highest [m/s]", "pull-back [m/s]", "2 f_t/ρc [m/s]",
-    "pieces from the free end [mm]", "thin elastic bar [mm]", "first break [µs]", "seconds",
-)  # fmt: skip
 _COLOURS = (BLUE, GREEN, PURPLE, GREY, ORANGE)
 # Share of a section that is broken where a bar counts as broken.
 _MUCH = 0.1
@@ -85,19 +80,6 @@ class Spall(Study):
         ]  # fmt: skip
         return {"place": PLACE, "within": WITHIN, "highest": HIGHEST, "pull_back": PULL_BACK,
                 "thin_highest": bar.thin.velocity, "runs": runs}  # fmt: skip
-
-    def table(self, results: Mapping[str, Any]) -> str:
-        """See `Study`."""
-        lines = [
-            [f"{1e-6 * one['tension']:g}", f"{one['fracture_energy']:g}", str(one["count"]), str(one["seed"]),
-             f"{one['highest']:.2f}", "–" if one["pull_back"] is None else f"{one['pull_back']:.2f}",
-             f"{one['thin_pull_back']:.2f}", ", ".join(f"{1e3 * length:.0f}" for length in one["lengths"]),
-             f"{1e3 * one['thin']:.1f}", "–" if one["first"] is None else f"{1e6 * one['first']:.1f}",
-             f"{one['run_seconds']:.0f}"]
-            for one in results["runs"]
-        ]  # fmt: skip
-        said = f"Published: {1e3 * PLACE:g} ± {1e3 * WITHIN:g} mm, {HIGHEST:g} and {PULL_BACK:g} m/s; no verdicts"
-        return table(said, _HEAD, lines) if lines else "no run\n"
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """See `Study`: velocity of the free end, and how much of each section is broken."""

@@ -17,7 +17,7 @@ from validation.figures.surface import draw_surface
 from validation.frame.study import Row, Stages, Study
 from validation.rows.surface import ModuliRequest, SpecimenRequest
 from validation.studies.surface_fit import CurveFit, Fit, bulk_means, column, fitted_range, law_name
-from validation.studies.surface_tables import accuracy, bodies, ends, predicted, tables
+from validation.studies.surface_tables import accuracy, bodies, ends, predicted
 
 _COMMON: dict[str, Any] = {"E": 1e9, "nu": 0.3}
 
@@ -141,10 +141,6 @@ class SurfaceStudy(Study):
             "fitted": fitted_range([row for row in pulled if row in fits["E"].rows]),
             "version": __version__,
         }
-
-    def table(self, results: Mapping[str, Any]) -> str:
-        """See `Study`."""
-        return "\n".join(tables(results))
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """See `Study`; the coefficients are written to `surface.json` as the package has them."""

@@ -1,6 +1,6 @@
 """What the surface study found, in numbers: means over packings, and how well others are predicted."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -10,7 +10,6 @@ from validation.studies.surface_fit import STUBBY, CurveFit, Fit, bulk_means, co
 
 # Targets whose bodies are compared with the periodic cells of another.
 _BULK_OF = {"carved": "contacts"}
-_RULE = "|---" * 7 + "|"
 
 
 def bodies(rows: Sequence[Row]) -> list[dict[str, Any]]:
@@ -89,35 +88,6 @@ def accuracy(fits: dict[str, Fit], curves: dict[str, CurveFit], others: Sequence
     return found
 
 
-def tables(results: Mapping[str, Any]) -> list[str]:
-    """Markdown."""
-    if results["model"] is None:
-        return ["Nothing was measured."]
-    lines = ["Prediction of what was left out of the fit: root mean square and largest miss", ""]
-    lines += ["| quantity | left out | packed to | elements | rms | largest | rows |", _RULE]
-    lines += [
-        f"| {'ν' if one['quantity'] == 'nu' else 'E'} | {one['what']} | {one['target']} | {one['count'] or 'all'} |"
-        f" {one['rms']:.2%} | {one['largest']:.2%} | {one['rows']} |"
-        for one in results["accuracy"]
-    ]
-    lines += ["", "Bodies in tension over their own bulk, mean ± standard deviation over packings", ""]
-    lines += ["| packed to | shape | elements | R̄S/V | E / bulk | ν / bulk | packings |", _RULE]
-    lines += [
-        f"| {one['target']} | {one['form']} | {one['count']} | {one['surface_ratio']:.3f} | {_cell(one, 'E')} |"
-        f" {_cell(one, 'nu')} | {one['packings']} |"
-        for one in results["bodies"]
-    ]
-    lines += ["", "The same specimens otherwise, over the bulk", ""]
-    lines += ["| test | shape | elements | E (predicted) | ν (predicted) | E in tension | ν in tension |", _RULE]
-    lines += [
-        f"| {one['test']} | {one['form']} | {one['count']} |"
-        f" {one['E']:.4f} ({one['E_predicted']:.4f}) | {one['nu']:.4f} ({one['nu_predicted']:.4f}) |"
-        f" {_or_dash(one['E_tension'])} | {_or_dash(one['nu_tension'])} |"
-        for one in results["ends"]
-    ]
-    return [*lines, ""]
-
-
 def _line(quantity: str, what: str, target: str, count: int | None, miss: Any) -> dict[str, Any]:
     return {"quantity": quantity, "what": what, "target": target, "count": count,
             "rms": float(np.sqrt(np.mean(miss**2))), "mean": float(np.mean(miss)),
@@ -129,12 +99,3 @@ def _mean_std(name: str, values: Any) -> dict[str, float | None]:
         name: float(values.mean()) if len(values) else None,
         f"{name}_std": float(values.std(ddof=1)) if len(values) > 1 else None,
     }
-
-
-def _cell(line: dict[str, Any], name: str) -> str:
-    std = line[f"{name}_std"]
-    return _or_dash(line[name]) + ("" if std is None else f" ± {std:.4f}")
-
-
-def _or_dash(value: float | None) -> str:
-    return "–" if value is None else f"{value:.4f}"

@@ -12,13 +12,12 @@ from bondem.errors import InputError
 from bondem.report.style import BLUE, GREY, INK, ORANGE, sheet
 from validation.cases.toughness import PLATES
 from validation.figures.axes import plain_ticks
-from validation.frame.files import mean_and_scatter, table
+from validation.frame.files import mean_and_scatter
 from validation.frame.study import Row, Stages, Study
 from validation.rows.toughness import ToughnessRun
 
 #: How far K at the peak may be from K_Ic [-].
 LIMIT = 0.1
-_HEAD = ("plate", "W / l", "cells", "K / K_Ic at the peak", "crack longer by 0.419 l", "verdict", "events", "seconds")
 _COLOURS = dict(zip(PLATES, (BLUE, ORANGE), strict=True))
 
 
@@ -59,16 +58,6 @@ class Toughness(Study):
         wanted = [(kind, over) for kind in self.plates for over in PLATES[kind][1]]
         groups = [[row for row in good if (row["kind"], row["over"]) == one] for one in wanted]
         return {"limit": LIMIT, "size": self.cells, "plates": [_judged(some) for some in groups if some]}
-
-    def table(self, results: Mapping[str, Any]) -> str:
-        """See `Study`."""
-        lines = [
-            [one["kind"], f"{one['over']:g}", ", ".join(map(str, one["count"])),
-             ", ".join(f"{value:.3f}" for value in one["values"]), f"{one['expected']:.3f}", one["verdict"],
-             ", ".join(map(str, one["events"])), ", ".join(f"{value:.0f}" for value in one["run_seconds"])]
-            for one in results["plates"]
-        ]  # fmt: skip
-        return table("Stress intensity at the peak", _HEAD, lines) if lines else "no run\n"
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """See `Study`: K over K_Ic against the width, and as plates break."""

@@ -10,7 +10,7 @@ from bondem.interactions.beams.bond_law import BondLaw
 from bondem.labtests.cantilever import Cantilever
 from bondem.labtests.wave import Wave, first_passage, strike
 from validation.figures.wave import draw_arrival, draw_faces, draw_snapshots, draw_travel
-from validation.frame.files import in_percent, mean_and_scatter, table, thinned
+from validation.frame.files import mean_and_scatter
 from validation.frame.study import Row
 from validation.rows.bar import BarStudy, BarTest, CalibratedBar
 from validation.rows.packings import PackingRequest, kept_lattice
@@ -25,17 +25,6 @@ _DURATION = 2.7
 _SLICES = 80
 
 _WAYS = {"held": "face held at v", "free": "face given v, then free"}
-_CAPTIONS = {
-    "wave_faces": """Figure 20. Mean velocities of the faces, x_max struck and x_min free. Left: x_max keeps its
-        velocity. Right, as the paper has it: it is given one and left alone.""",
-    "wave_snapshots": """Figure 21. Longitudinal section through the specimen: circles are what a plane through the
-        axis cuts of the elements (without rattlers), coloured by their velocity towards the far face; L/c is the time
-        of a passage.""",
-    "wave_travel": """Mean velocity of the cross-sections over place and time. Dashed: √(E/ρ), there and back.""",
-    "wave_arrival": """Celerity over the level at which the wave is said to have arrived, as a difference from √(E/ρ).
-        Mean and scatter over the packings. Solid: length by eq (12), as the paper; dashed: path from the centres of
-        the struck elements.""",
-}
 
 
 @dataclass(frozen=True)
@@ -79,11 +68,6 @@ class WaveStudy(BarStudy):
     """
 
     name: ClassVar[str] = "wave"
-    captions: ClassVar[Mapping[str, str]] = _CAPTIONS
-    note: ClassVar[str] = (
-        "Theory: √(E/ρ) of a thin rod, with each packing's own E and ρ. Level: over the mean velocity of the far face"
-        " between 1.4 and 2.7 passages where x_max is held, over its first peak where it is free."
-    )
 
     packings: int = 5
     velocity: float = 0.1
@@ -103,15 +87,7 @@ class WaveStudy(BarStudy):
             "levels": list(LEVELS),
             "criterion": _CRITERION,
             "summary": _summary(rows),
-            "curves": {
-                way: {"time": thinned(wave.time), "near": thinned(wave.near), "far": thinned(wave.far)}
-                for way, wave in self.first(out)[1].items()
-            },
         }
-
-    def table(self, results: Mapping[str, Any]) -> str:
-        """See `Study`."""
-        return _tables(results)
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """Figures 20 and 21, the travelling wave and the celerity over the criterion."""
@@ -127,14 +103,6 @@ class WaveStudy(BarStudy):
             speed=row["speed"], velocity=self.velocity,
         )  # fmt: skip
         draw_arrival(figures / "wave_arrival.png", LEVELS, results["summary"])
-
-    def about(self) -> str:
-        """See `BarStudy`."""
-        return f"André et al. (2012), §6 · {self.count} spheres, {self.packings} packings"
-
-    def verdict(self, results: Mapping[str, Any]) -> str:
-        """See `BarStudy`."""
-        return _verdict(results)
 
 
 def arrivals(bar: CalibratedBar, wave: Wave, *, held: bool) -> dict[str, Any]:
@@ -181,31 +149,3 @@ def _summary(rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
         "error": found["held"]["error"][chosen],
         **found,
     }
-
-
-def _tables(results: Mapping[str, Any]) -> str:
-    one = results["summary"]
-    tables = []
-    for way, name in _WAYS.items():
-        what = "plateau" if way == "held" else "first peak"
-        tables.append(table(
-            f"Celerity over the level of arrival, {name}",
-            [f"level, share of the {what}", "celerity [m/s]", "from √(E/ρ) [%]", "path from struck centres [%]"],
-            [
-                [f"{100.0 * level:g} %", f"{one[way]['celerity'][k]['mean']:.0f}", in_percent(one[way]["error"][k]),
-                 in_percent(one[way]["error_refined"][k])]
-                for k, level in enumerate(LEVELS)
-            ],
-        ))  # fmt: skip
-    return "\n".join(tables)
-
-
-def _verdict(results: Mapping[str, Any]) -> str:
-    one = results["summary"]
-    first, last = one["held"]["error"][0], one["held"]["error"][-1]
-    return (
-        f"Arrived at half the plateau under a held face velocity, the wave runs at {one['celerity']['mean']:.0f} m/s,"
-        f" {in_percent(one['error'])} % from √(E/ρ). The criterion decides: at"
-        f" {100.0 * LEVELS[0]:g} % of the plateau it is {in_percent(first)} %, at {100.0 * LEVELS[-1]:g} %"
-        f" {in_percent(last)} %, since the lattice and the sides disperse the front."
-    )

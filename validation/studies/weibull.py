@@ -10,7 +10,6 @@ import numpy as np
 from bondem.errors import InputError
 from bondem.report.style import BLUE, GREEN, INK, ORANGE, sheet
 from validation.figures.axes import plain_ticks
-from validation.frame.files import table
 from validation.frame.request import Request
 from validation.frame.study import Row, Stages, Study
 from validation.rows.weibull import Ceramic, WeibullRun, WeibullSpheres
@@ -23,8 +22,6 @@ _SIZE, _VOLUMES, _SIZES, _ENERGIES = 3e-3, (250, 1000), (2.4e-3, 3.75e-3), (4e3,
 # Modulus of bars of which more than volume and modulus varies; spheres, and how far their flaws reach.
 _MODULUS, _SPHERES, _REACH = 10.0, (500, 2000), (2.0, 4.0)
 _KEYS = ("bonds", "modulus", "energy", "bar", "size", "reach", "count")
-_HEAD = ("bonds", "strengths", "m", "G_f [J/m²]", "volume [mm³]", "elements", "draws", "strength over s₀",
-         "weakest link", "ratio", "verdict")  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -78,16 +75,6 @@ class WeibullStudy(Study):
         return {"limit": LIMIT, "seeds": list(self.seeds),
                 "bars": [_compared(some) for some in kinds.values() if len(some) > 1]}  # fmt: skip
 
-    def table(self, results: Mapping[str, Any]) -> str:
-        """See `Study`."""
-        lines = [
-            [one["bonds"], _strengths(one), f"{one['modulus']:g}", f"{one['energy']:g}", f"{1e9 * one['bar']:.0f}",
-             str(one["count"]), str(one["runs"]), f"{one['mean']:.3f} ± {one['error']:.3f}", f"{one['asked']:.3f}",
-             f"{one['ratio']:.3f} ± {one['ratio_error']:.3f}", one["verdict"]]
-            for one in results["bars"]
-        ]  # fmt: skip
-        return table("Mean strengths ± error of the mean", _HEAD, lines) if lines else "no run\n"
-
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """See `Study`: mean strengths of cells over volume, with the weakest link's."""
         cells = [one for one in results["bars"] if one["bonds"] == "cells" and one["energy"] == 0.0]
@@ -106,11 +93,6 @@ class WeibullStudy(Study):
             for axis, marks in ((ax.xaxis, (7e3, 1e4, 2e4, 3e4)), (ax.yaxis, (0.4, 0.5, 0.6, 0.8, 1.0))):
                 plain_ticks(axis, marks)
             ax.legend(frameon=False, fontsize=8.0)
-
-
-def _strengths(one: Mapping[str, Any]) -> str:
-    unit, factor = ("mm", 1e3) if one["bonds"] == "cells" else ("bonds", 1.0)
-    return f"flaws reach {factor * one['reach']:g} {unit}" if one["reach"] else "independent"
 
 
 def _compared(rows: Sequence[Row]) -> dict[str, Any]:

@@ -39,7 +39,7 @@ def compression(seed: int, count: int) -> list[Row]:
 def splitting(seed: int, count: int) -> list[Row]:
     """Brazilian strength of the disc of `brazilian.py`, over what was kept of the same packing before."""
     kept = json.loads((RESULTS / "brazilian.json").read_text())["cases"]
-    body, rows = brazilian.disc(count, seed), []
+    body, rows = brazilian.DISC.body(count, seed), []
     for energy in SPLIT:
         case = count, seed, energy
         before = [one["strength"] for one in kept if (one["count"], one["seed"], one["energy"]) == case]

@@ -25,7 +25,7 @@ def expected(share: float) -> float | None:
 
 @cache
 def _disc(count: int, seed: int) -> bd.Lattice:
-    return brazilian.disc(count, seed)
+    return brazilian.DISC.body(count, seed)
 
 
 def _split(body: bd.Lattice, share: float, friction: float) -> tuple[float, str]:
