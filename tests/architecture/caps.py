@@ -144,6 +144,16 @@ def _questions() -> dict[str, list[str]]:
     return found
 
 
+def _asked(capability: str) -> list[str]:
+    """Places that read this attribute of a law; a method of the same name, such as that of a load, is called."""
+    found = []
+    for module, tree in modules().items():
+        called = {id(node.func) for node in ast.walk(tree) if isinstance(node, ast.Call)}
+        read = (node for node in ast.walk(tree) if isinstance(node, ast.Attribute) and node.attr == capability)
+        found += [f"{module}:{node.lineno} {ast.unparse(node)}" for node in read if id(node) not in called]
+    return found
+
+
 def _tests_for_none() -> list[str]:
     return [f"{module}:{line} {name}" for module, name, _, line in _all_compared() if name in _PARTS]
 
@@ -220,6 +230,7 @@ CAPS = (
     Cap("questions to a model about its law", lambda: _questions()["model"], 0),
     Cap("questions to a lattice about its shape", lambda: _questions()["lattice"], 20),
     Cap("questions to a study about its law", lambda: _questions()["study"], 0),
+    Cap("questions to a law whether it is on facets", lambda: _asked("on_facets"), 4),
     Cap("tests of a part for None", _tests_for_none, 65),
     Cap("files of Python that name the non-local law", _files_of_the_non_local_law, 3),
     Cap("places of the core that lower integrity", lambda: _of_core(_LOWERED.search), 1),

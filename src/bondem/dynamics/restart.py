@@ -14,7 +14,7 @@ from bondem.boundary.conditions import Drive
 from bondem.boundary.gauges import Gauge
 from bondem.boundary.held_conditions import Scheduled
 from bondem.boundary.schedules import Schedule
-from bondem.boundary.wall_constraints import Grips, holds_wall
+from bondem.boundary.wall_constraints import Grips
 from bondem.boundary.wall_motions import Driven, Servo
 from bondem.boundary.wall_rows import wall_rows
 from bondem.boundary.wall_sides import doubts
@@ -89,12 +89,10 @@ def _refuse_jumps(model: Model, state: State, before: Sequence[object]) -> None:
     slack = np.where(shift.any(axis=0), _ROUNDING, 0.0)
     slack[:3] *= float(np.ptp(state.rest, axis=0).max()) + model.lattice.particles.mean_radius
     held, s = model.constraints, -1
-    for condition in model.boundary:
+    for condition in model.interaction.on_elements(model.boundary):
         if isinstance(condition, Scheduled):
             s += 1  # schedules are numbered in the order of the conditions
         if not isinstance(condition, Drive):
-            continue
-        if model.interaction.on_facets and holds_wall(condition):
             continue
         for dof, schedule, rate in condition.motion:
             s += 1

@@ -10,7 +10,8 @@ from bondem.geometry.rotations import rotation_vector, turned_vectors
 from bondem.interactions.cells.cell_body import body_of
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.observables.cell_forces import CellForces, held_arms, wall_places
+from bondem.observables.cell_forces import held_arms, wall_places
+from bondem.observables.cell_stress import lambda_theta
 from bondem.observables.facet_loads import loads_on_facets
 
 
@@ -90,15 +91,12 @@ def _of_facets(model: Model, state: State, fresh: Floats) -> Floats:
     facet, area = grips.holds.facet, body_of(model.lattice)[1].free.area[:, None]
     rigid = state.displacement[grips.cell] + held_arms(model, state) - grips.lever
     going_on = loads_on_facets(model, state.time, q)
-    force, stress = -going_on, np.zeros(len(q))
+    before = cast(Model, state.model)
+    force = loads_on_facets(before, state.time, q) - going_on
     soft, way = constants.softness[facet, None], turned_vectors(q[grips.cell], grips.way)
-    if state.model.interaction.on_facets:
-        before = cast(Model, state.model)
-        force += loads_on_facets(before, state.time, q)
-        opened = (fresh * soft * way * going_on[facet]).sum(axis=1)
-        stress = CellForces.of(before, state).stress
-        swelling = np.asarray(np.bincount(grips.cell, weights=opened, minlength=len(q)), dtype=float)
-        stress -= before.cell_constants.stress_of(swelling)
+    opened = (fresh * soft * way * going_on[facet]).sum(axis=1)
+    swelling = np.asarray(np.bincount(grips.cell, weights=opened, minlength=len(q)), dtype=float)
+    stress = lambda_theta(before, state) - before.interaction.dilatational_stress(swelling)
     return rigid + soft * ((force / area)[facet] - stress[grips.cell, None] * way)
 
 

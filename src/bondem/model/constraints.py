@@ -11,7 +11,7 @@ from bondem._tables.step_tables import CoupleTable, Rows
 from bondem._types import Floats, PerBond, PerElement
 from bondem.boundary.conditions import BoundaryCondition, Drive, Fix, Load
 from bondem.boundary.couples import Couple, couple_table
-from bondem.boundary.loads import Absorbing, BodyForce, Eigenstrain, Pressure, is_face
+from bondem.boundary.loads import Absorbing, BodyForce, Eigenstrain, Pressure
 from bondem.boundary.schedules import Schedule
 from bondem.errors import InputError
 from bondem.interactions.interaction import Interaction
@@ -142,8 +142,9 @@ class Constraints:
                     chosen, nodal = straight.nodal(lattice)
                     chosen = layout.rank[chosen]
                     loads.append((chosen, len(schedules), nodal, _follows(condition, lattice)))
-                    if law.on_facets and is_face(condition.region):
-                        presses.append((law.pressed(*condition.on_facets(lattice))[layout.order], len(schedules)))
+                    facet, force = law.facet_forces(condition)
+                    if len(facet):
+                        presses.append((law.pressed(facet, force)[layout.order], len(schedules)))
                     schedules.append(condition.schedule)
                 case Absorbing():
                     chosen, viscous = condition.dashpots(lattice)

@@ -67,8 +67,8 @@ class CellForces:
         Raises:
             InputError: The model has another law, or the result belongs to another model.
         """
-        if not model.interaction.on_facets:
-            raise InputError("cell_stress: the model has no cells; give a body of cells and bond=bd.CellBond(...)")
+        refusal = "cell_stress: the model has no cells; give a body of cells and bond=bd.CellBond(...)"
+        model.interaction.require_facets(refusal)
         moved = getattr(result, "displacement", None)
         if moved is None:
             raise InputError(f"cell_stress: result = {shown(result)}; give what bd.solve_static returned, or a state")

@@ -57,8 +57,9 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
     if not model.interaction.has_potential:
         title = model.interaction.title
         raise InputError(f"solve_relaxed needs a potential, which the {title} lacks; use solve_static")
-    if model.interaction.on_facets:
-        raise InputError("solve_relaxed does not support cells; use solve_static, also with nonlinear=True")
+    model.interaction.refuse_facets(
+        "solve_relaxed does not support cells; use solve_static, also with nonlinear=True"
+    )
     layout, constraints = model.layout, model.constraints
     n = len(layout.order)
     held = constraints.held(n)

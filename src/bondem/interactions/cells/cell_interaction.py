@@ -15,7 +15,9 @@ from bondem._passes import calls
 from bondem._tables.stiffness_tables import DilatationRows, FacetRows
 from bondem._threads import current_threads
 from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement, PerElement3, PerElement6
-from bondem.boundary.wall_constraints import Grips, Holds
+from bondem.boundary.conditions import Drive, Fix, Load
+from bondem.boundary.loads import Pressure, is_face
+from bondem.boundary.wall_constraints import Grips, Holds, holds_wall
 from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.interactions.beams.bond_table import BondTable
@@ -64,6 +66,20 @@ class CellInteraction(CellsAtAnyPose):
     def question(self) -> None:
         question_cells(self.lattice, self._laws, may_fail=self._may_fail)
 
+    @classmethod
+    def require_facets(cls, refusal: str) -> None:
+        return
+
+    @classmethod
+    def refuse_facets(cls, refusal: str) -> None:
+        raise InputError(refusal)
+
+    def on_elements(self, boundary: Boundary) -> Boundary:
+        return [one for one in boundary if not (isinstance(one, Fix | Drive) and holds_wall(one))]
+
+    def facet_forces(self, load: Load | Pressure) -> tuple[Ints, Floats]:
+        return load.on_facets(self.lattice) if is_face(load.region) else super().facet_forces(load)
+
     def under(self, boundary: Boundary) -> Self:
         return self.join(self.lattice, self.layout, self._laws, boundary, self._may_fail)
 
@@ -81,6 +97,9 @@ class CellInteraction(CellsAtAnyPose):
         every = np.zeros((len(self._own.softness), 3))
         every[facet] = force
         return self._own.pressed_by(every)
+
+    def dilatational_stress(self, swelling: PerElement) -> PerElement:
+        return self.by_user.stress_of(swelling)
 
     @cached_property
     def constants(self) -> CellConstants:

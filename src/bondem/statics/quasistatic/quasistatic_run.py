@@ -359,8 +359,9 @@ def _begin(model: Model) -> tuple[DamagedBody, Equilibrium, FacetOnset]:
         InputError: The model has no quasi-static path.
     """
     instance("solve_quasistatic", "model", model, Model, "bd.Model(...)")
-    if not model.interaction.on_facets:
-        raise InputError("solve_quasistatic needs cells; use bd.connect(..., method='laguerre') and bd.CellBond")
+    model.interaction.require_facets(
+        "solve_quasistatic needs cells; use bd.connect(..., method='laguerre') and bd.CellBond"
+    )
     soft, brittle = model.softening, model.breaking
     if brittle is None and (soft is None or soft.judge is not None or soft.yielding):
         raise InputError(
