@@ -23,8 +23,9 @@ def loaded(law: str) -> bd.Model:
 
 def parts_of(model: bd.Model) -> tuple[np.ndarray, ...]:
     """Load, 1 / mass and 1 / inertia, free degrees of freedom, prescribed motion."""
-    n, held = len(model.layout.order), model.constraints
-    return held.final_load(n), 1.0 / np.column_stack(masses(model)), ~held.held(n), held.final_motion(n)
+    n, constraints = len(model.layout.order), model.constraints
+    inverse = 1.0 / np.column_stack(masses(model))
+    return constraints.final_load(n), inverse, ~constraints.prescribed(n), constraints.final_motion(n)
 
 
 def by_core(model: bd.Model, chunk: int, steps: int = 2000) -> tuple[np.ndarray, int, bool]:

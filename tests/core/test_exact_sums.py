@@ -80,8 +80,8 @@ def carried_out(record: Passes, ledger: Ledger, n: int = 0, m: int = 0, threads:
     """Carry out the passes of a record, on tables of n elements and m bonds."""
     composer, none, short = Composer(), np.zeros(1, dtype=np.int64), np.zeros(0, dtype=np.uint32)
     blocks = StepBlocks(
-        domain=none, bond=none, move=none, held=none[:0], ready=short, ready_row=short, row_i=short, row_j=short,
-        shared=short, shared_row=short, shared_held=0, part=none, parts=1, sums=np.zeros((0, 8)),
+        domain=none, bond=none, move=none, first_owner=none[:0], ready=short, ready_row=short, row_i=short,
+        row_j=short, shared=short, shared_row=short, shared_first_owner=0, part=none, parts=1, sums=np.zeros((0, 8)),
     )  # fmt: skip
     lists = StepPasses(*[composer([])] * len(StepPasses._fields))._replace(record=composer(record))
     span = StepSpan(0, 0, 0, True, False, True, n, m, np.zeros(4, dtype=np.int64))

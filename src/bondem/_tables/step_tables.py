@@ -85,14 +85,14 @@ class StepBlocks(NamedTuple):
     domain: Ints  #: (domains + 1,)
     bond: Ints  #: (blocks + 1,)
     move: Ints  #: (blocks + 1,)
-    held: Ints  #: (blocks,)
+    first_owner: Ints  #: (blocks,)
     ready: Uint32s  #: (ready,)
     ready_row: Uint32s  #: (ready,)
     row_i: Uint32s  #: (m,)
     row_j: Uint32s  #: (m,)
     shared: Uint32s  #: (shared,)
     shared_row: Uint32s  #: (shared,)
-    shared_held: int
+    shared_first_owner: int
     part: Ints  #: (shared + 1,)
     parts: int
     sums: Floats  #: force and torque of the bonds on each element [N, N·m], (sums, 8)
@@ -110,7 +110,7 @@ class StepScheme(NamedTuple):
 
 
 class Rows(NamedTuple):
-    """Rows of the elements that are held, driven or loaded, r of them; passes write all but `of` and `fixed`."""
+    """Rows of the elements that are fixed, driven or loaded, r of them; passes write all but `of` and `fixed`."""
 
     of: Ints  #: row of each element, or -1, (n,)
     fixed: Bytes  #: degrees of freedom with prescribed motion, (rows, 6)

@@ -11,8 +11,8 @@ from bondem._checks import shown
 from bondem._names import users_line
 from bondem._types import Floats, Triple
 from bondem.boundary.conditions import Drive
+from bondem.boundary.frozen_conditions import Scheduled
 from bondem.boundary.gauges import Gauge
-from bondem.boundary.held_conditions import Scheduled
 from bondem.boundary.schedules import Schedule
 from bondem.boundary.wall_constraints import Grips
 from bondem.boundary.wall_motions import Driven, Servo
@@ -88,7 +88,7 @@ def _refuse_jumps(model: Model, state: State, before: Sequence[object]) -> None:
     shift = np.concatenate([position, rotation_vector(state.pose[:, 4:])], axis=1)
     slack = np.where(shift.any(axis=0), _ROUNDING, 0.0)
     slack[:3] *= float(np.ptp(state.rest, axis=0).max()) + model.lattice.particles.mean_radius
-    held, s = model.constraints, -1
+    constraints, s = model.constraints, -1
     for condition in model.interaction.on_elements(model.boundary):
         if isinstance(condition, Scheduled):
             s += 1  # schedules are numbered in the order of the conditions
@@ -98,7 +98,7 @@ def _refuse_jumps(model: Model, state: State, before: Sequence[object]) -> None:
             s += 1
             if rate or condition in before:
                 continue
-            elements = held.element[held.drive_row[held.drive_schedule == s]]
+            elements = constraints.element[constraints.drive_row[constraints.drive_schedule == s]]
             _refuse_jump(f"Drive({_DOF[dof]}=)", schedule, state.time, shift[elements, dof], float(slack[dof]))
     for k, wall in enumerate(model.walls):
         if not isinstance(wall.motion, Driven) or wall in before:

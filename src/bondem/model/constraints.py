@@ -1,4 +1,4 @@
-"""Boundary conditions resolved to arrays in internal order; elements that are held or loaded own a row."""
+"""Boundary conditions resolved to arrays in internal order; elements that are fixed or loaded own a row."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -43,7 +43,7 @@ class Constraints:
     Attributes:
         element: internal element of each row, shape (r,).
         row_of: row of each element or -1, shape (n,).
-        fixed: mask of degrees of freedom that are held or driven, uint8, shape (r, 6).
+        fixed: mask of degrees of freedom that are fixed or driven, uint8, shape (r, 6).
         start, times, values: schedule s is times[start[s] : start[s + 1]] and values likewise.
         drive_row, drive_dof, drive_schedule, drive_rate: one entry per driven degree of freedom; `drive_rate`
             is 1 for velocities and 0 for displacements.
@@ -270,11 +270,11 @@ class Constraints:
         motion[self.element[self.drive_row], self.drive_dof] = self._final(self.drive_schedule)
         return motion
 
-    def held(self, n: int) -> np.ndarray:
-        """Return a mask of the degrees of freedom that are held or driven, internal order, shape (n, 6)."""
-        held = np.zeros((n, 6), dtype=bool)
-        held[self.element] = self.fixed.astype(bool)
-        return held
+    def prescribed(self, n: int) -> np.ndarray:
+        """Return a mask of the degrees of freedom that are fixed or driven, internal order, shape (n, 6)."""
+        found = np.zeros((n, 6), dtype=bool)
+        found[self.element] = self.fixed.astype(bool)
+        return found
 
 
 def _couple(condition: Load | Pressure, lattice: Lattice, layout: Layout, schedule: int) -> Couple | None:

@@ -11,13 +11,13 @@ from bondem.statics.coarse_space import clump_motions
 _LOOSE = 1e-12
 
 
-def refuse_floating(model: Model, position: Floats, held: Mask) -> None:
+def refuse_floating(model: Model, position: Floats, prescribed: Mask) -> None:
     """Check that conditions hold every piece of a scene of several bodies; bodies that bonds join are one piece.
 
     Args:
         model: model of the scene; nothing is checked for one of a single body.
         position: centres [m], internal order, (n, 3).
-        held: mask of the degrees of freedom that are held or driven, internal order, (n, 6).
+        prescribed: mask of the degrees of freedom that are fixed or driven, internal order, (n, 6).
 
     Raises:
         FloatingBodyError: A body moves or turns without resistance.
@@ -31,7 +31,7 @@ def refuse_floating(model: Model, position: Floats, held: Mask) -> None:
     arms = (motions[:, :3, 3:] ** 2).sum(axis=(1, 2)) / 2.0
     R = np.maximum(np.sqrt(np.bincount(piece, arms) / count), lattice.particles.mean_radius)
     motions[:, :, 3:] /= R[piece, None, None]
-    element, freedom = np.nonzero(held & connected[:, None])
+    element, freedom = np.nonzero(prescribed & connected[:, None])
     grip = motions[element, freedom] * np.where(freedom < 3, 1.0, R[piece[element]])[:, None]
     owner = piece[element]
     grips = model.interaction.grips

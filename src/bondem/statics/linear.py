@@ -1,7 +1,7 @@
 """The linear system of a lattice, K u = f, with six degrees of freedom (u, θ) per element, and its solvers.
 
 The unknowns of every element are scaled by an inverse root S of its own diagonal block, restricted to its free part.
-Sᵀ K S has unit blocks on its diagonal, translations and rotations in one measure, and zeros for held elements and
+Sᵀ K S has unit blocks on its diagonal, translations and rotations in one measure, and zeros for fixed elements and
 rattlers. Small lattices and chains are solved by elimination. Others use conjugate gradients, preconditioned by
 `Clumps`, to a negligible residual.
 """
@@ -52,7 +52,7 @@ class System:
         matrix: K of all degrees of freedom [N/m, N, N·m], (6 n, 6 n).
         position: centres, with rattlers at the centroid [m], shape (n, 3).
         length: R̄, which converts rotations to displacements [m].
-        free: mask of the degrees of freedom that are neither held nor a rattler's, shape (n, 6).
+        free: mask of the degrees of freedom that are neither fixed nor a rattler's, shape (n, 6).
         loose: rigid motions (u, θ) that the supports permit, orthonormal with u·u + R̄² θ·θ, shape (6 n, k).
     """
 
@@ -78,12 +78,12 @@ class System:
         connected = lattice.connected[order]
         position = lattice.centre[order]
         position[~connected] = position[connected].mean(axis=0)
-        held = model.constraints.held(len(order)) & connected[:, None]
-        refuse_floating(model, position, held)
+        prescribed = model.constraints.prescribed(len(order)) & connected[:, None]
+        refuse_floating(model, position, prescribed)
         metric = np.tile(np.repeat([1.0, lattice.particles.mean_radius], 3), len(order))
         loose = rigid_motions(position, lattice.particles.period is not None) * connected[:, None, None]
         loose = orthonormal(loose.reshape(len(metric), -1) * metric[:, None])
-        grip = loose[held.ravel()]
+        grip = loose[prescribed.ravel()]
         by_user = (loose / metric[:, None]).reshape(len(order), 6, loose.shape[1])[model.layout.rank]
         grip = np.concatenate([grip, model.interaction.grips.constraint(by_user)])
         if len(grip):
@@ -93,7 +93,7 @@ class System:
             matrix=model.interaction.stiffness(),
             position=position,
             length=lattice.particles.mean_radius,
-            free=connected[:, None] & ~held,
+            free=connected[:, None] & ~prescribed,
             loose=loose / metric[:, None],
         )
 
@@ -148,7 +148,7 @@ class Solver(Protocol):
         """Return displacements and rotations u (6 n,), without rigid motion, and the number of iterations.
 
         Args:
-            load: forces and torques, (6 n,), that do no work on `System.loose`; ignored where held, where u is zero.
+            load: forces and torques, (6 n,), that do no work on `System.loose`; ignored where motions are prescribed.
             guess: start of an iteration.
             rtol: residual over load at which the iteration ends.
 

@@ -62,12 +62,12 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
     )
     layout, constraints = model.layout, model.constraints
     n = len(layout.order)
-    held = constraints.held(n)
-    if held.sum() < 6:
+    prescribed = constraints.prescribed(n)
+    if prescribed.sum() < 6:
         raise InputError("solve_relaxed needs a specimen that is held; fix all six rigid motions with Fix")
-    refuse_floating(model, model.lattice.centre[layout.order], held)
+    refuse_floating(model, model.lattice.centre[layout.order], prescribed)
     connected = model.lattice.connected[layout.order]
-    free = connected[:, None] & ~held
+    free = connected[:, None] & ~prescribed
     motion, load = constraints.final_motion(n), constraints.final_load(n)
     length = model.lattice.particles.mean_radius
     mass, inertia = masses(model)
@@ -106,7 +106,7 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
         )
     turned = np.concatenate([state.pose[:, :3] - state.rest, rotation_vector(state.pose[:, 4:])], axis=1)
     values = turned[layout.rank]
-    reaction = np.where(held, -relaxation.before - load, 0.0)[layout.rank]
+    reaction = np.where(prescribed, -relaxation.before - load, 0.0)[layout.rank]
     energy = model.interaction.energy(state.pose, state.rest, state.integrity, state.eigenstrain)
     return StaticResult(
         values[:, :3].copy(), values[:, 3:].copy(), reaction, energy, model, True,

@@ -189,12 +189,12 @@ inline void resume_resisted(Index e, const DeviceSpan &span, const Moving &all, 
 }
 inline void resume_row(Index h, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks, const Rows &rows,
                        const Postponed &postponed) {
-    const Index p = blocks.ready(blocks.held(0) + h), r = rows.of(p);
+    const Index p = blocks.ready(blocks.first_owner(0) + h), r = rows.of(p);
     if (is_postponed(postponed, p)) resume(span, all, postponed, p, BoundaryRow(rows, r), NoRow{}, r);
 }
 inline void resume_resisted_row(Index h, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
                                 const Rows &rows, const Resistance &resistance, const Postponed &postponed) {
-    const Index p = blocks.ready(blocks.held(0) + h), r = rows.of(p);
+    const Index p = blocks.ready(blocks.first_owner(0) + h), r = rows.of(p);
     if (is_postponed(postponed, p)) resume(span, all, postponed, p, BoundaryRow(rows, r), resistance, r);
 }
 inline void reopen_work_of_body(Index p, const DeviceSpan &span, const Moving &all, const BodyForces &body,

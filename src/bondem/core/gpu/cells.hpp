@@ -124,7 +124,7 @@ inline void apply_walls_of_row(Index r, const Moving &all, const WallConstraints
 }
 // Tractions of element number h of those that own rows of the boundary.
 inline void add_wall_load(Index h, const Rows &rows, const StepBlocks &blocks) {
-    const Index e = blocks.held(0) + h;
+    const Index e = blocks.first_owner(0) + h;
     const double *load = &rows.grip(rows.of(blocks.ready(e)), 0);
     for (Index axis = 0; axis < 3; axis++) {
         blocks.sums(blocks.ready_row(e), axis) += load[axis];
@@ -151,7 +151,7 @@ inline void give_dilatation(Index p, const DeviceSpan &span, const FacetTraction
 // Number h of the elements that own rows, as cells with tractions do.
 inline void add_traction_work_of_row(Index h, const Moving &all, const StepBlocks &blocks,
                                      const FacetTractions &tractions, const Rows &rows) {
-    add_traction_work_of(all, tractions, rows, blocks.ready(blocks.held(0) + h));
+    add_traction_work_of(all, tractions, rows, blocks.ready(blocks.first_owner(0) + h));
 }
 
 // ---- sums for the guard and the history

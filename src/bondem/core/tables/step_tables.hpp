@@ -75,14 +75,14 @@ struct StepBlocks {
     Array<const Index, 1> domain;  // (domains + 1,)
     Array<const Index, 1> bond;  // (blocks + 1,)
     Array<const Index, 1> move;  // (blocks + 1,)
-    Array<const Index, 1> held;  // (blocks,)
+    Array<const Index, 1> first_owner;  // (blocks,)
     Array<const Short, 1> ready;  // (ready,)
     Array<const Short, 1> ready_row;  // (ready,)
     Array<const Short, 1> row_i;  // (m,)
     Array<const Short, 1> row_j;  // (m,)
     Array<const Short, 1> shared;  // (shared,)
     Array<const Short, 1> shared_row;  // (shared,)
-    Index shared_held;
+    Index shared_first_owner;
     Array<const Index, 1> part;  // (shared + 1,)
     Index parts;
     Array<double, 2> sums;  // force and torque of the bonds on each element [N, N·m], (sums, 8)
@@ -97,7 +97,7 @@ struct StepScheme {
     double origin;  // time of step 0 [s]
 };
 
-// Rows of the elements that are held, driven or loaded, r of them; passes write all but `of` and `fixed`.
+// Rows of the elements that are fixed, driven or loaded, r of them; passes write all but `of` and `fixed`.
 struct Rows {
     Array<const Index, 1> of;  // row of each element, or -1, (n,)
     Array<const Byte, 2> fixed;  // degrees of freedom with prescribed motion, (rows, 6)

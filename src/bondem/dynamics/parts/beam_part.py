@@ -47,22 +47,22 @@ def beams(
 
 def _changing_strain(model: Model, state: State) -> Strain | None:
     """Return the stress-free strains of the boundary conditions, added to those of the state, or None."""
-    held, plain = model.constraints, model.bonds
-    if not len(held.strain_part):
+    constraints, plain = model.constraints, model.bonds
+    if not len(constraints.strain_part):
         return None
-    bond = np.flatnonzero((held.strain_part != 0.0).any(axis=0))
+    bond = np.flatnonzero((constraints.strain_part != 0.0).any(axis=0))
     return Strain(
-        schedule=held.strain_schedule,
+        schedule=constraints.strain_schedule,
         bond=bond.astype(np.uint32),
-        part=np.ascontiguousarray(held.strain_part[:, bond]),
+        part=np.ascontiguousarray(constraints.strain_part[:, bond]),
         still=1.0 + (state.eigenstrain[bond] if state.eigenstrain.size else np.zeros(len(bond))),
         length=plain.length[bond],
         shear=plain.ks[bond],
         lever=plain.lever[bond],
-        factor=np.zeros((4, len(held.strain_part))),
-        power=exact_sums(len(held.strain_part)),
+        factor=np.zeros((4, len(constraints.strain_part))),
+        power=exact_sums(len(constraints.strain_part)),
         due=np.zeros(2, dtype=np.uint8),
-        place=held.works[1],
+        place=constraints.works[1],
     )
 
 

@@ -27,12 +27,12 @@ class Reading:
             InputError: Nothing moves on this region, and no load acts on it.
         """
         self._body, model = body, body.model
-        motion, force, held = np.zeros(3), np.zeros(3), False
+        motion, force, on_elements = np.zeros(3), np.zeros(3), False
         for condition in model.boundary:
             if getattr(condition, "region", None) != drive:
                 continue
             if isinstance(condition, Drive):
-                held = held or not holds_wall(condition)
+                on_elements = on_elements or not holds_wall(condition)
                 for axis, schedule, _ in condition.motion:
                     if axis < 3:
                         motion[axis] += schedule.final
@@ -50,7 +50,7 @@ class Reading:
         self._way, self._force = way / np.linalg.norm(way), float(np.linalg.norm(force))
         self._element = model.layout.rank[drive.select(model.lattice)]
         self._wall: Mask | None = None
-        if self._driven and not held:
+        if self._driven and not on_elements:
             self._wall = np.isin(model.interaction.grips.holds.facet, facet_numbers(drive, model.lattice))
 
     def read(self, found: Loaded, motion: Floats) -> tuple[float, float]:

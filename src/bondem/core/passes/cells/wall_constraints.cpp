@@ -47,7 +47,7 @@ BONDEM_PASS(apply_walls, of_rows, "own arm pose pose.stress; changes base load l
 
 // Adds the forces of walls to the sums of their cells.
 void add_wall_loads(const Range &range, const Rows &rows, const StepBlocks &blocks) {
-    for (Index e = range.held; e < range.last; e++) {
+    for (Index e = range.first_owner; e < range.last; e++) {
         const double *load = &rows.grip(rows.of(range.element[e]), 0);
         for (Index axis = 0; axis < 3; axis++) {
             blocks.sums(range.row[e], axis) += load[axis];

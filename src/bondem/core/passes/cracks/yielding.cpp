@@ -100,7 +100,7 @@ BONDEM_PASS(stretch_anew, of_rows, "ends plastic; changes arm slipped; writes ba
 void add_yielding_work(const Range &range, const FacetTractions &tractions, const StressesOfCells &stresses,
                        const YieldingCells &cells, const Rows &rows) {
     if (!(range.clock.dt > 0.0)) return;
-    for (Index e = range.held; e < range.last; e++)
+    for (Index e = range.first_owner; e < range.last; e++)
         add_yielding_work_of(tractions, stresses, cells, rows, range.element[e]);
 }
 BONDEM_PASS(add_yielding_work, elements_of_blocks, "own plastic tensor")
