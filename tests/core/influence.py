@@ -29,7 +29,7 @@ from tests.core.passes import kinds_of_passes
 from tests.device_cases import Case
 
 #: First axes of columns of elements; of `*` those that `_OWNERS` names.
-OF_ELEMENTS = ("n", "sums", "rows", "held", "layered", "halves")
+OF_ELEMENTS = ("n", "sums", "rows", "supports", "layered", "halves")
 _ROWS_OF_SUMS = {"StepBlocks.sums", "Dashpots.sums", "FacetForces.sums", "Resistance.dashed"}
 _ELSE = {"CellDilatation.swelling": "n", "LaggedStresses.moment": "n", "Rows.grip": "rows",
          **dict.fromkeys(_ROWS_OF_SUMS, "sums")}  # fmt: skip
@@ -206,7 +206,7 @@ class Step:
             return self.row_of_sums[:count] if count <= len(self.row_of_sums) else None
         if kind == "rows":
             return self.row_element
-        if kind == "held":
+        if kind == "supports":
             walls = next((t for t in one.tables if type(t).__name__ == "WallConstraints"), None)
             return None if walls is None else walls.cell.astype(int)
         if kind == "halves":  # 2 k + 1 on cell i of facet k, and 2 k + 2 on cell j

@@ -115,8 +115,8 @@ def test_stresses_of_cells_add_up_to_the_moment_of_what_acts_on_the_surface(clam
     model, static = clamped
     body = model.lattice
     forces = CellForces.of(model, static)
-    held = body.cells.free.centroid[model.cell_constants.grips.holds.facet]
-    outside = body.cells.free.centroid.T @ forces.load + held.T @ forces.held
+    held = body.cells.free.centroid[model.cell_constants.grips.fixed.facet]
+    outside = body.cells.free.centroid.T @ forces.load + held.T @ forces.wall
     stress = bd.cell_stress(model, static)
     inside = np.einsum("n,nab->ab", body.cells.volume, stress)
     np.testing.assert_allclose(inside, 0.5 * (outside + outside.T), atol=1e-9 * np.abs(outside).max())

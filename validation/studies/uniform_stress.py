@@ -207,7 +207,7 @@ def moduli_error(
             swelling = (free.area[:, None] * free.normal * moved).sum() / body.cells.volume.sum()
             return float(swelling / np.trace(exact) - 1.0)
     grips = model.cell_constants.grips
-    normal = (forces.held * grips.normal).sum(axis=1)
+    normal = (forces.wall * grips.normal).sum(axis=1)
     ends = np.abs(grips.normal[:, 0]) > 0.5 if name in "EM" else np.ones(len(normal), dtype=bool)
     mean = normal[ends].sum() / grips.area[ends].sum()
     return float(mean / (np.trace(stress) / 3.0 if name == "K" else stress[0, 0]) - 1.0)

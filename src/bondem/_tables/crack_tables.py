@@ -32,7 +32,7 @@ class YieldingCells(NamedTuple):
     plastic: Floats  #: P - 1 by rows, Σ Δγ, last increment of strain in space, energy dissipated [J], (n, 17)
     base_i: Int32s  #: levers of facets without plastic strain [pitch], (3, m)
     base_j: Int32s  #: levers of facets without plastic strain [pitch], (3, m)
-    base_wall: Floats  #: those of walls [m], (held, 3)
+    base_wall: Floats  #: those of walls [m], (supports, 3)
 
 
 class FacetStrengths(NamedTuple):

@@ -124,8 +124,8 @@ def _angle(orientation: Floats, axis: Triple, near: float) -> float:
 def _refuse_wall_jumps(grips: Grips, state: State, *, at_rest: bool) -> None:
     """Reject jumps of walls that hold cells; in a state `at_rest` the walls are in the reference."""
     extent = float(np.ptp(state.rest, axis=0).max()) if state.time > 0.0 else 0.0
-    for s, (schedule, rate) in enumerate(zip(grips.holds.drives, grips.holds.rate, strict=True)):
-        moved = grips.holds.drive == s
+    for s, (schedule, rate) in enumerate(zip(grips.fixed.drives, grips.fixed.rate, strict=True)):
+        moved = grips.fixed.drive == s
         if not rate and moved.any():
             where = state.grips[:, :3][moved] + schedule.at(state.time)
             dof = int(np.flatnonzero(moved.any(axis=0))[0])

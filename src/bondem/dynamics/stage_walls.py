@@ -10,14 +10,14 @@ from bondem.geometry.rotations import rotation_vector, turned_vectors
 from bondem.interactions.cells.cell_body import body_of
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.observables.cell_forces import held_arms, wall_places
+from bondem.observables.cell_forces import wall_arms, wall_places
 from bondem.observables.cell_stress import lambda_theta
 from bondem.observables.facet_loads import loads_on_facets
 
 
 def goes_on(model: Model, state: State) -> bool:
     """Return True if the walls of a model are those of the model of a state, and move in the same way."""
-    return model.interaction.grips.holds.same(state.model.interaction.grips.holds)
+    return model.interaction.grips.fixed.same(state.model.interaction.grips.fixed)
 
 
 def stage_walls(model: Model, state: State) -> Floats:
@@ -42,31 +42,31 @@ def stage_walls(model: Model, state: State) -> Floats:
     before = state.model.interaction.grips
     mine, theirs = _both(grips, before)
     base[mine, 3:] = _origins(grips, before, mine, theirs, state)
-    held = before.axes[theirs] > 0.0
+    fixed = before.axes[theirs] > 0.0
     fresh = grips.axes.copy()
-    fresh[mine] *= ~held
+    fresh[mine] *= ~fixed
     start = _of_facets(model, state, fresh) if fresh.any() else rest.copy()
-    start[mine] = np.where(held, wall_places(cast(Model, state.model), state)[theirs], start[mine])
+    start[mine] = np.where(fixed, wall_places(cast(Model, state.model), state)[theirs], start[mine])
     base[:, :3] = grips.axes * (start - rest)
-    same = held & _same_motion(grips, before, mine, theirs)
+    same = fixed & _same_motion(grips, before, mine, theirs)
     base[mine, :3] = np.where(same, state.grips[theirs, :3], base[mine, :3])
     return base
 
 
 def _both(grips: Grips, before: Grips) -> tuple[np.ndarray, np.ndarray]:
     """Return the rows in both tables of the facets that walls of both models hold."""
-    _, mine, theirs = np.intersect1d(grips.holds.facet, before.holds.facet, return_indices=True)
+    _, mine, theirs = np.intersect1d(grips.fixed.facet, before.fixed.facet, return_indices=True)
     return mine, theirs
 
 
 def _same_motion(grips: Grips, before: Grips, mine: np.ndarray, theirs: np.ndarray) -> np.ndarray:
     """Return a mask of facets that move as before along each axis, shape (k, 3)."""
     def motions(one: Grips) -> list[object]:
-        return [*zip(one.holds.drives, one.holds.rate, strict=True), None]  # -1 is the last: at rest
+        return [*zip(one.fixed.drives, one.fixed.rate, strict=True), None]  # -1 is the last: at rest
 
     known = motions(before)
     match = np.array([[motion == other for other in known] for motion in motions(grips)])
-    return match[grips.holds.drive[mine], before.holds.drive[theirs]]
+    return match[grips.fixed.drive[mine], before.fixed.drive[theirs]]
 
 
 def _origins(grips: Grips, before: Grips, mine: np.ndarray, theirs: np.ndarray, state: State) -> Floats:
@@ -88,8 +88,8 @@ def _of_facets(model: Model, state: State, fresh: Floats) -> Floats:
     cell itself from now on, and do not open the facet: its stress becomes that without these loads.
     """
     grips, constants, q = model.interaction.grips, model.cell_constants, state.orientation
-    facet, area = grips.holds.facet, body_of(model.lattice)[1].free.area[:, None]
-    rigid = state.displacement[grips.cell] + held_arms(model, state) - grips.lever
+    facet, area = grips.fixed.facet, body_of(model.lattice)[1].free.area[:, None]
+    rigid = state.displacement[grips.cell] + wall_arms(model, state) - grips.lever
     going_on = loads_on_facets(model, state.time, q)
     before = cast(Model, state.model)
     force = loads_on_facets(before, state.time, q) - going_on

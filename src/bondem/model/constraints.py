@@ -57,7 +57,7 @@ class Constraints:
         strain_part: stress-free strain of each bond, shape (g, m); strain_schedule: (g,).
         weight: mass of each connected element, else 0 [kg], shape (n,).
         press_value: contribution of tractions on free facets to V θ of each cell [m³], (l, n); press_schedule: (l,).
-        holding: True if walls hold facets of cells.
+        supported: True if walls hold facets of cells.
         wall_rate: True if velocities of such walls are prescribed.
     """
 
@@ -85,7 +85,7 @@ class Constraints:
     weight: PerElement
     press_value: Floats
     press_schedule: np.ndarray
-    holding: bool
+    supported: bool
     wall_rate: bool
 
     @classmethod
@@ -199,8 +199,8 @@ class Constraints:
             weight=np.where(lattice.connected, mass, 0.0)[layout.order],
             press_value=np.array([value for value, _ in presses], dtype=float).reshape(len(presses), n),
             press_schedule=np.array([s for _, s in presses], dtype=np.int64),
-            holding=len(law.grips.cell) > 0,
-            wall_rate=any(law.grips.holds.rate),
+            supported=len(law.grips.cell) > 0,
+            wall_rate=any(law.grips.fixed.rate),
         )
 
     @property
@@ -218,7 +218,7 @@ class Constraints:
         still = np.zeros((3, len(self.element), 6))
         return Rows(
             of=self.row_of, fixed=self.fixed, force=still[0], half=still[1], full=still[2], reaction=reaction,
-            grip=np.zeros((len(self.element) if self.holding else 0, 6)), work=work,
+            grip=np.zeros((len(self.element) if self.supported else 0, 6)), work=work,
         )  # fmt: skip
 
     def final_load(self, n: int, pose: Floats | None = None) -> Floats:
@@ -256,7 +256,7 @@ class Constraints:
         body = len(self.element)
         strain = body + (len(self.row_of) if len(self.body_on) else 0)
         # run files have one number behind them where walls or tractions do work, which versions before added up there
-        return body, strain, strain + bool(len(self.strain_part)) + bool(self.holding or len(self.press_schedule))
+        return body, strain, strain + bool(len(self.strain_part)) + bool(self.supported or len(self.press_schedule))
 
     def final_motion(self, n: int) -> Floats:
         """Return prescribed displacements and rotations at the end of all schedules [m, rad], shape (n, 6).

@@ -11,7 +11,7 @@ from bondem.errors import InputError
 from bondem.geometry.rotations import turned_vectors
 from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_constants import CellConstants
-from bondem.interactions.cells.cell_tables import STRESS, place_held_walls
+from bondem.interactions.cells.cell_tables import STRESS, place_supports
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observables.facet_loads import loads_on_facets
@@ -40,8 +40,8 @@ class CellForces:
     Attributes:
         force: force of each facet on its cell i, tension pointing to j [N], shape (m, 3).
         arm_i, arm_j: arms to the facet [m], shape (m, 3).
-        held: forces of walls on the facets that they hold [N], shape (g, 3).
-        held_arm: arms to these facets [m], shape (g, 3).
+        wall: forces of walls on the facets that they hold [N], shape (g, 3).
+        wall_arm: arms to these facets [m], shape (g, 3).
         load: forces of loads on the facets on the surface [N], in the order of `cells.free`, shape (k, 3).
         load_arm: arms to these facets [m], shape (k, 3).
         stress: λ θ of each cell [Pa], shape (n,).
@@ -50,8 +50,8 @@ class CellForces:
     force: PerBond3
     arm_i: PerBond3
     arm_j: PerBond3
-    held: Floats
-    held_arm: Floats
+    wall: Floats
+    wall_arm: Floats
     load: Floats
     load_arm: Floats
     stress: PerElement
@@ -85,7 +85,7 @@ def _small(model: Model, result: SmallMotion) -> CellForces:
     _, cells = body_of(body)
     return CellForces(
         force=found.forces(body, constants), arm_i=constants.lever_i, arm_j=constants.lever_j,
-        held=grips.nodal(found.held, result.rotation, stress)[:, :3], held_arm=grips.lever,
+        wall=grips.nodal(found.wall_gap, result.rotation, stress)[:, :3], wall_arm=grips.lever,
         load=loads_on_facets(model), load_arm=cells.free.centroid - cells.centroid[cells.free.cell],
         stress=stress,
     )  # fmt: skip
@@ -117,7 +117,7 @@ def _turned(model: Model, state: State) -> CellForces:
     outwards = free.centroid - cells.centroid[free.cell]
     return CellForces(
         force=whole[:, None] * force, arm_i=a, arm_j=b,
-        held=grips.k[:, None] * opened + stress[grips.cell, None] * grips.share, held_arm=arm,
+        wall=grips.k[:, None] * opened + stress[grips.cell, None] * grips.share, wall_arm=arm,
         load=loads_on_facets(model, state.time, q),
         load_arm=turned_vectors(q[free.cell], outwards),
         stress=stress,
@@ -141,7 +141,7 @@ def _failing(model: Model, state: State) -> CellForces:
         force=force,
         arm_i=turned_vectors(q[i], _deformed(state, i, constants.lever_i)),
         arm_j=turned_vectors(q[j], _deformed(state, j, constants.lever_j)),
-        held=grips.k[:, None] * opened + stress[grips.cell, None] * grips.share, held_arm=arm,
+        wall=grips.k[:, None] * opened + stress[grips.cell, None] * grips.share, wall_arm=arm,
         load=loads_on_facets(model, state.time, q),
         load_arm=turned_vectors(q[free.cell], free.centroid - cells.centroid[free.cell]),
         stress=stress,
@@ -167,7 +167,7 @@ def _grown(model: Model, state: State) -> CellConstants:
     return replace(constants, strain=own, grips=constants.grips.grown(layout.of_elements(strain)))
 
 
-def held_arms(model: Model, state: State) -> Floats:
+def wall_arms(model: Model, state: State) -> Floats:
     """Return the arms from the centres of mass to the facets that walls hold, in a state [m], shape (g, 3)."""
     grips = _grown(model, state).grips
     return turned_vectors(state.orientation[grips.cell], _deformed(state, grips.cell, grips.arm))
@@ -180,5 +180,5 @@ def wall_places(model: Model, state: State, base: Floats | None = None) -> Float
     """
     base = state.grips if base is None else base
     walls = model.interaction.grips.table(model.layout, model.constraints.row_of, base)
-    place_held_walls(walls, state.time)
+    place_supports(walls, state.time)
     return walls.wall

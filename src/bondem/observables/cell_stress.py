@@ -63,7 +63,7 @@ def mean_stress(model: Model, forces: CellForces) -> Floats:
     moment = np.zeros((len(cells.volume), 6))
     for owner, arm, force, sign in (
         (i, forces.arm_i, forces.force, 1.0), (j, forces.arm_j, forces.force, -1.0),
-        (grips.cell, forces.held_arm, forces.held, 1.0), (cells.free.cell, forces.load_arm, forces.load, 1.0),
+        (grips.cell, forces.wall_arm, forces.wall, 1.0), (cells.free.cell, forces.load_arm, forces.load, 1.0),
     ):  # fmt: skip
         add_force_moments(moment, owner, arm, force, sign)
     return (moment / cells.volume[:, None])[:, _OF_TENSOR]

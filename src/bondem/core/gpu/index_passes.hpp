@@ -40,7 +40,7 @@
     X(find_dilatation_inertia_of) X(find_inertia_force_of) X(add_inertia_force_of) \
     X(subtract_portion_of_dilatation) X(load_facet) X(place_wall) X(begin_walls_of_row) X(dilate_walls_of_row) \
     X(apply_walls_of_row) X(add_wall_load) X(follow_traction) X(give_dilatation) X(add_traction_work_of_row) \
-    X(check_portion_of_facets) X(sum_portion_of_facets) X(sum_portion_of_cells) X(add_energy_of_hold) \
+    X(check_portion_of_facets) X(sum_portion_of_facets) X(sum_portion_of_cells) X(add_energy_of_support) \
     X(check_travel_of_element) X(check_travel_of_wall) X(move_all_walls) X(press_pair) X(press_pair_or_faces) \
     X(add_faces_of_element) X(add_pairs_of_element) X(press_walls_on_element) X(add_contact_load) X(load_wall) \
     X(kick_free_wall) X(measure_overlaps) X(sum_portion_of_pairs) X(sum_portion_of_faces) X(sum_portion_at_walls) \

@@ -30,7 +30,7 @@ struct YieldingCells {
     Array<double, 2> plastic;  // (n, plastic_column::count)
     Array<int32_t, 2> base_i;  // levers of facets without plastic strain [pitch], (3, m)
     Array<int32_t, 2> base_j;  // levers of facets without plastic strain [pitch], (3, m)
-    Array<double, 2> base_wall;  // those of walls [m], (held, 3)
+    Array<double, 2> base_wall;  // those of walls [m], (supports, 3)
 };
 
 // Strengths of m facets.

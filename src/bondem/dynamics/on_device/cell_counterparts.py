@@ -75,5 +75,5 @@ COUNTERPARTS: dict[str, Counterpart] = {
     "check_facets": over(kernels.check_portion_of_facets, portions_of_bonds),
     "sum_facet_energies": over(kernels.sum_portion_of_facets, portions_of_bonds),
     "sum_dilatation_energies": over(kernels.sum_portion_of_cells, portions_of_elements),
-    "sum_energies_of_holds": over(kernels.add_energy_of_hold, _WALLS),
+    "sum_energies_of_supports": over(kernels.add_energy_of_support, _WALLS),
 }

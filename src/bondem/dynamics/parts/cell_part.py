@@ -108,7 +108,7 @@ def cells(
     energies: Passes = [
         *before, *dilate, *collect, *sums, steps.sum_dilatation_energies(body.cells, ledger), facets
     ]  # fmt: skip
-    holds: Passes = [steps.sum_energies_of_holds(moving, walls, ledger)] if walled else []
+    supports: Passes = [steps.sum_energies_of_supports(moving, walls, ledger)] if walled else []
     return Part(
         {
             "present": present,
@@ -118,7 +118,7 @@ def cells(
             "add": [*([steps.add_wall_loads(rows, blocks)] if walled else []), *torques],
             "guard": [steps.check_facets(moving, body.facets, ledger)],
         },
-        record=lambda _: [*(energies if kept is None else [facets]), *holds],
+        record=lambda _: [*(energies if kept is None else [facets]), *supports],
     )  # fmt: skip
 
 

@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 
 from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement, PerElement3
-from bondem.boundary.wall_constraints import Grips, Holds
+from bondem.boundary.wall_constraints import FixedFacets, Grips
 from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.interactions.cells.cell_body import body_of
@@ -85,14 +85,14 @@ class CellConstants:
 
     @classmethod
     def of(
-        cls, body: Lattice, bond: CellAssignment, holds: Holds, *, may_fail: bool = False
+        cls, body: Lattice, bond: CellAssignment, fixed: FixedFacets, *, may_fail: bool = False
     ) -> "CellConstants":
         """Return the constants of a body.
 
         Args:
             body: a lattice with facets and cells.
             bond: law of its material.
-            holds: free facets that walls hold.
+            fixed: free facets that walls hold.
             may_fail: True for facets that may fail, whose cells have no gradients of the dilatation.
 
         Raises:
@@ -110,14 +110,14 @@ class CellConstants:
         free = cells.free
         n_free = free.share / free.area[:, None]
         open_axes = np.ones((len(free.cell), 3))
-        open_axes[holds.facet] -= holds.axes
+        open_axes[fixed.facet] -= fixed.axes
         soft = free.area * free.depth * (open_axes * n_free**2).sum(axis=1)
         lame = np.maximum(lame, -2.0 * G / compliance(body))
         slack = 1.0 + np.bincount(free.cell, weights=soft, minlength=len(G)) / cells.volume * lame / (2.0 * G)
         slack = np.maximum(slack, _LEAST_SLACK)
         share_i, share_j = _single((area * w_i)[:, None] * way_i), _single((area * w_j)[:, None] * way_j)
-        walls = FreeWalls.of(body, holds.flat(free.normal))
-        grips = _grips(cells, holds, G, n_free, rotation, walls)
+        walls = FreeWalls.of(body, fixed.flat(free.normal))
+        grips = _grips(cells, fixed, G, n_free, rotation, walls)
         gradients = GradientConstants.none()
         if not may_fail and rotation == "bending":
             gradients = GradientConstants.of(body, G, lame, lame / slack, walls, (share_i, share_j), grips)
@@ -323,11 +323,11 @@ def compliance(body: Lattice) -> PerElement:
 
 
 def _grips(
-    cells: Cells, holds: Holds, G: PerElement, n_free: Floats, rotation: str, walls: FreeWalls
+    cells: Cells, fixed: FixedFacets, G: PerElement, n_free: Floats, rotation: str, walls: FreeWalls
 ) -> Grips:
     """Return the half facets between cells and walls."""
-    free, facet = cells.free, holds.facet
-    cell, normal, axes = free.cell[facet], free.normal[facet], holds.axes.astype(float)
+    free, facet = cells.free, fixed.facet
+    cell, normal, axes = free.cell[facet], free.normal[facet], fixed.axes.astype(float)
     stiffness = 2.0 * G[cell] / free.depth[facet]
     # a wall that holds the normal keeps the facet plane
     flat = ((axes * normal) ** 2).sum(axis=1)
@@ -335,16 +335,16 @@ def _grips(
     whole = resistance(free.moment[facet], normal, stiffness, rotation)
     if rotation == "full":  # a wall that only keeps the facet plane lets it turn in its plane
         bent = resistance(free.moment[facet], normal, stiffness * flat, "bending")
-        every = holds.clamped[:, None, None]
+        every = fixed.clamped[:, None, None]
         H = np.where(every, H, bent)
         whole = np.where(every, whole, resistance(free.moment[facet], normal, stiffness, "bending"))
     if rotation == "bending":
-        clamped = stiffness * holds.clamped
+        clamped = stiffness * fixed.clamped
         twist = twist_at_walls(free.moment[facet], free.area[facet], normal, clamped, walls, (cell, cell))
         H, whole = H + twist, whole + twist
     lever = free.centroid[facet] - cells.centroid[cell]
     return Grips(
         cell=cell, k=stiffness * free.area[facet], lever=lever, arm=lever,
-        share=axes * free.area[facet, None] * n_free[facet], H=H, axes=axes, motion=holds.final_motion(),
-        holds=holds, area=free.area[facet], normal=normal, way=n_free[facet], bend=whole,
+        share=axes * free.area[facet, None] * n_free[facet], H=H, axes=axes, motion=fixed.final_motion(),
+        fixed=fixed, area=free.area[facet], normal=normal, way=n_free[facet], bend=whole,
     )  # fmt: skip

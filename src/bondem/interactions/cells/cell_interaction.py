@@ -17,7 +17,7 @@ from bondem._threads import current_threads
 from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement, PerElement3, PerElement6
 from bondem.boundary.conditions import Drive, Fix, Load
 from bondem.boundary.loads import Pressure, is_face
-from bondem.boundary.wall_constraints import Grips, Holds, holds_wall
+from bondem.boundary.wall_constraints import FixedFacets, Grips, supports_facets
 from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.interactions.beams.bond_table import BondTable
@@ -49,10 +49,12 @@ class CellInteraction(CellsAtAnyPose):
     corrects_mass: ClassVar[bool] = True
     isotropic_springs: ClassVar[bool] = True
 
-    def __init__(self, lattice: Lattice, layout: Layout, laws: CellAssignment, holds: Holds, may_fail: bool) -> None:
+    def __init__(
+        self, lattice: Lattice, layout: Layout, laws: CellAssignment, fixed: FixedFacets, may_fail: bool
+    ) -> None:
         super().__init__(lattice, layout)
         self._laws, self._may_fail = laws, may_fail
-        self._own = CellConstants.of(lattice, laws, holds, may_fail=may_fail).ordered(layout)
+        self._own = CellConstants.of(lattice, laws, fixed, may_fail=may_fail).ordered(layout)
 
     @classmethod
     def join(cls, lattice: Lattice, layout: Layout, bond: Any, boundary: Boundary, may_fail: bool) -> Self:
@@ -61,7 +63,7 @@ class CellInteraction(CellsAtAnyPose):
             if not isinstance(law, cls.law):
                 advice = "give bd.CellBond(...) for all cells"
                 raise InputError(f"bond= has {shown(law)} in a part of the cells; {advice}")
-        return cls(lattice, layout, bond, Holds.of(lattice, boundary), may_fail)
+        return cls(lattice, layout, bond, FixedFacets.of(lattice, boundary), may_fail)
 
     def question(self) -> None:
         question_cells(self.lattice, self._laws, may_fail=self._may_fail)
@@ -75,7 +77,7 @@ class CellInteraction(CellsAtAnyPose):
         raise InputError(refusal)
 
     def on_elements(self, boundary: Boundary) -> Boundary:
-        return [one for one in boundary if not (isinstance(one, Fix | Drive) and holds_wall(one))]
+        return [one for one in boundary if not (isinstance(one, Fix | Drive) and supports_facets(one))]
 
     def facet_forces(self, load: Load | Pressure) -> tuple[Ints, Floats]:
         return load.on_facets(self.lattice) if is_face(load.region) else super().facet_forces(load)
@@ -127,8 +129,8 @@ class CellInteraction(CellsAtAnyPose):
         run_pass(calls.assemble_facets(facets, rows, DilatationRows(forms)), threads=current_threads())
         indptr, indices, data = rows.indptr, rows.indices, rows.data
         own, form = c.grips.blocks()
-        gripped = layout.rank[c.grips.cell]
-        diagonal = indptr[gripped] + (layout.in_start[gripped + 1] - layout.in_start[gripped])
+        supported = layout.rank[c.grips.cell]
+        diagonal = indptr[supported] + (layout.in_start[supported + 1] - layout.in_start[supported])
         np.add.at(data, diagonal, own)
         np.add.at(forms, diagonal, form[:, None])
         return Stiffness(
@@ -136,7 +138,7 @@ class CellInteraction(CellsAtAnyPose):
             bsr_array((forms, indices, indptr), shape=(n, 6 * n)),
             c.weight,
             c.gradients.coupling(c.weight),
-            c.gradients.turns((c.gradients.way_a, c.gradients.way_b, c.gradients.held_way), n),
+            c.gradients.turns((c.gradients.way_a, c.gradients.way_b, c.gradients.wall_way), n),
         )
 
     def loads(self, pose: Floats, arrays: Arrays) -> Floats:
@@ -181,7 +183,7 @@ class CellInteraction(CellsAtAnyPose):
         found = CellStrain.of(self.lattice, constants, displacement, rotation, wall=grips.motion, pressed=pressed)
         pull = traction - found.stress(constants)[free.cell, None] * constants.way
         moved = moved + constants.softness[:, None] * pull
-        moved[grips.holds.facet] = np.where(grips.axes > 0.0, grips.motion, moved[grips.holds.facet])
+        moved[grips.fixed.facet] = np.where(grips.axes > 0.0, grips.motion, moved[grips.fixed.facet])
         return moved
 
     def strain_load(self, strain: PerBond, pressed: PerElement) -> PerElement6:
@@ -213,14 +215,14 @@ class CellInteraction(CellsAtAnyPose):
         turned = (found.turn * facets.normal).sum(axis=1)
         along = np.einsum("ma,mab,mb->m", facets.normal, constants.H, facets.normal) * turned**2
         whole = np.einsum("ma,mab,mb->m", found.turn, constants.H, found.turn)
-        moments, held = constants.gradients.moments(found.turn, rotation)
+        moments, at_wall = constants.gradients.moments(found.turn, rotation)
         whole += (moments * found.turn).sum(axis=1)
         own = rotation[grips.cell]
-        gripped = (grips.k[:, None] * found.held**2).sum() + np.einsum("ga,gab,gb->", own, grips.H, own)
-        gripped -= (held * rotation).sum()
+        supported = (grips.k[:, None] * found.wall_gap**2).sum() + np.einsum("ga,gab,gb->", own, grips.H, own)
+        supported -= (at_wall * rotation).sum()
         stretched = (constants.k * normal**2).sum() + found.stress(constants) @ found.swelling
         return EnergyParts(
-            normal=0.5 * float(stretched + gripped + opened),
+            normal=0.5 * float(stretched + supported + opened),
             shear=0.5 * float((constants.k * ((found.gap**2).sum(axis=1) - normal**2)).sum()),
             bending=0.5 * float((whole - along).sum()),
             twisting=0.5 * float(along.sum()),

@@ -27,7 +27,7 @@ from bondem.statics.quasistatic.sawtooth import Teeth
 _TIE = 1e-9
 # A body whose stiffness is this share of that of the whole one is in two parts; and one that holds so much of its
 # energy in facets without integrity: these are a larger share of the stiffness of what is slender.
-_PARTED, _HELD = 1e-5, 0.5
+_PARTED, _RESIDUAL = 1e-5, 0.5
 # Share of the events, the last ones, that have to be below the load at which a run ends.
 _LAST = 0.05
 # … and so many over the band of the steps at least: as one facet softens from beginning to end, more or less, which
@@ -199,7 +199,7 @@ def _followed(
         path.settle(body.potential(motion), load, displacement)
         stiffness, size = load / displacement, body.size(found)
         first = first or stiffness
-        if stiffness < _PARTED * first or _held_by_none(body, found, motion, load * displacement):
+        if stiffness < _PARTED * first or _is_residual(body, found, motion, load * displacement):
             end = "parted"
             break
         failing, factor = _next(body, onset, following, found, close)
@@ -250,9 +250,9 @@ def _balance(body: DamagedBody, equilibrium: Equilibrium, motion: Floats, size: 
     return motion, found
 
 
-def _held_by_none(body: DamagedBody, found: Loaded, motion: Floats, worked: float) -> bool:
+def _is_residual(body: DamagedBody, found: Loaded, motion: Floats, worked: float) -> bool:
     """Return True if stiffness of zero integrity holds the body together; `worked` is load times displacement [J]."""
-    return body.held_by_none(found) > _HELD * 0.5 * max(abs(worked), abs(float(body.right @ motion)))
+    return body.residual_energy(found) > _RESIDUAL * 0.5 * max(abs(worked), abs(float(body.right @ motion)))
 
 
 def _folds(motion: Floats, factor: float) -> bool:

@@ -144,7 +144,7 @@ void take_off_changing(double sign, const Moving &all, const ElasticFacets &face
 void add_changed(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                  const FacetRelease &release, const Postponed &postponed, Index p) {
     if (loses_facet(postponed, p))
-        for_each_wall_of(release, p, [&](Index g) { load_hold(all.pose, all.rest, walls, g); });
+        for_each_wall_of(release, p, [&](Index g) { load_support(all.pose, all.rest, walls, g); });
     take_off_changing(-1.0, all, facets, walls, release, postponed, p);
 }
 
