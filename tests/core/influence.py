@@ -31,7 +31,7 @@ from tests.device_cases import Case
 #: First axes of columns of elements; of `*` those that `_OWNERS` names.
 OF_ELEMENTS = ("n", "sums", "rows", "supports", "layered", "halves")
 _ROWS_OF_SUMS = {"StepBlocks.sums", "Dashpots.sums", "FacetForces.sums", "Resistance.dashed"}
-_ELSE = {"CellDilatation.swelling": "n", "LaggedStresses.moment": "n", "Rows.grip": "rows",
+_ELSE = {"CellDilatation.swelling": "n", "LaggedStresses.moment": "n", "Rows.support": "rows",
          **dict.fromkeys(_ROWS_OF_SUMS, "sums")}  # fmt: skip
 _OF_BONDS = {"m", "bonds", "facets", "pairs", "places", "candidates", "strained"}
 _BONDS_TOO = {"ContactPairs.joined", "PartedReach.apart", "BeamIntegrity.hold", "SofteningBounds.hold"}

@@ -115,7 +115,7 @@ def test_stresses_of_cells_add_up_to_the_moment_of_what_acts_on_the_surface(clam
     model, static = clamped
     body = model.lattice
     forces = CellForces.of(model, static)
-    held = body.cells.free.centroid[model.cell_constants.grips.fixed.facet]
+    held = body.cells.free.centroid[model.cell_constants.supports.fixed.facet]
     outside = body.cells.free.centroid.T @ forces.load + held.T @ forces.wall
     stress = bd.cell_stress(model, static)
     inside = np.einsum("n,nab->ab", body.cells.volume, stress)

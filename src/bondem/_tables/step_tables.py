@@ -118,7 +118,7 @@ class Rows(NamedTuple):
     half: Floats  #: prescribed velocities over the step [m/s, rad/s], (rows, 6)
     full: Floats  #: prescribed velocities now, (rows, 6)
     reaction: Floats  #: minus the bond forces [N, N·m], (rows, 6)
-    grip: Floats  #: of walls that hold facets of cells [N, N·m], (r, 6), or (0, 6) without any, (*, 6)
+    support: Floats  #: of walls that hold facets of cells [N, N·m], (r, 6), or (0, 6) without any, (*, 6)
     #: of loads, drives, walls that hold cells and tractions on each row [J], then of body forces and strains,
     #: (works,)
     work: Floats

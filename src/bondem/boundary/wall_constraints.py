@@ -108,7 +108,7 @@ def supports_facets(condition: Fix | Drive) -> bool:
 
 
 @dataclass(frozen=True, eq=False)
-class Grips:
+class Supports:
     """The half facets between cells and the walls that hold them, g of them; elements in the user's order.
 
     Attributes:
@@ -142,7 +142,7 @@ class Grips:
     bend: Floats
 
     @classmethod
-    def none(cls) -> "Grips":
+    def none(cls) -> "Supports":
         """Return those of elements that no wall holds."""
         no, square, fixed = np.zeros((0, 3)), np.zeros((0, 3, 3)), FixedFacets.none()
         return cls(fixed.facet, no[:, 0], no, no, no, square, no, no, fixed, no[:, 0], no, no, square)
@@ -151,7 +151,7 @@ class Grips:
         """Return the held share of the normal of each facet, 0 … 1, with cells of these quaternions (g, 4), (g,)."""
         return ((self.axes * turned_vectors(orientation, self.normal)) ** 2).sum(axis=1)
 
-    def taken(self, base: Floats) -> "Grips":
+    def taken(self, base: Floats) -> "Supports":
         """Return held facets with rotated shares and H, for walls that hold cells since the poses `base`, (g, 7)."""
         other = (base[:, 4:] != 0.0).any(axis=1)
         if not other.any():
@@ -163,7 +163,7 @@ class Grips:
         H[other] = fixed * (R @ self.bend[other] @ np.swapaxes(R, 1, 2))
         return replace(self, share=share, H=H)
 
-    def grown(self, strain: PerElement) -> "Grips":
+    def grown(self, strain: PerElement) -> "Supports":
         """Return the held facets of cells with a stress-free strain [-], user's order, (n,)."""
         return replace(self, arm=self.lever * (1.0 + strain[self.cell, None]))
 

@@ -14,7 +14,7 @@ from bondem.boundary.conditions import Drive
 from bondem.boundary.frozen_conditions import Scheduled
 from bondem.boundary.gauges import Gauge
 from bondem.boundary.schedules import Schedule
-from bondem.boundary.wall_constraints import Grips
+from bondem.boundary.wall_constraints import Supports
 from bondem.boundary.wall_motions import Driven, Servo
 from bondem.boundary.wall_rows import wall_rows
 from bondem.boundary.wall_sides import doubts
@@ -56,7 +56,7 @@ def begin(model: Model, state: State | None) -> State:
         own.grips = stage_walls(model, state)
     _refuse_jumps(model, own, () if before is None else (*before.boundary, *before.walls))
     at_rest = state is None or (before is None and not moved and goes_on(model, state))
-    _refuse_wall_jumps(model.interaction.grips, own, at_rest=at_rest)
+    _refuse_wall_jumps(model.interaction.supports, own, at_rest=at_rest)
     if before is not None:
         _warn_of_lost_time(model, before, own.time)
     elif state is not None and moved:
@@ -121,11 +121,11 @@ def _angle(orientation: Floats, axis: Triple, near: float) -> float:
     return found + 2.0 * math.pi * round((near - found) / (2.0 * math.pi))
 
 
-def _refuse_wall_jumps(grips: Grips, state: State, *, at_rest: bool) -> None:
+def _refuse_wall_jumps(supports: Supports, state: State, *, at_rest: bool) -> None:
     """Reject jumps of walls that hold cells; in a state `at_rest` the walls are in the reference."""
     extent = float(np.ptp(state.rest, axis=0).max()) if state.time > 0.0 else 0.0
-    for s, (schedule, rate) in enumerate(zip(grips.fixed.drives, grips.fixed.rate, strict=True)):
-        moved = grips.fixed.drive == s
+    for s, (schedule, rate) in enumerate(zip(supports.fixed.drives, supports.fixed.rate, strict=True)):
+        moved = supports.fixed.drive == s
         if not rate and moved.any():
             where = state.grips[:, :3][moved] + schedule.at(state.time)
             dof = int(np.flatnonzero(moved.any(axis=0))[0])

@@ -24,7 +24,7 @@ from bondem._tables.stiffness_tables import BondTangents
 from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement, PerElement3, PerElement6
 from bondem.boundary.conditions import BoundaryCondition, Load
 from bondem.boundary.loads import Pressure
-from bondem.boundary.wall_constraints import Grips
+from bondem.boundary.wall_constraints import Supports
 from bondem.errors import InputError
 from bondem.interactions.beams.beam_tables import beam_energies, beam_tables, load_beams
 from bondem.interactions.beams.bond_law import BondStiffness
@@ -208,9 +208,9 @@ class Interaction(ABC):
         return self
 
     @property
-    def grips(self) -> Grips:
+    def supports(self) -> Supports:
         """Facets that walls hold."""
-        return Grips.none()
+        return Supports.none()
 
     def strained(self, strain: PerBond, base: Floats, motion: Floats, pressed: PerElement) -> Self:
         """Return the law at strains ε* [-], (m,) or (0,), and walls with initial places `base` and motions, (g, 3).

@@ -164,7 +164,7 @@ class Constraints:
         if (fixed.astype(bool) & driven).any():
             raise InputError("an element is both fixed and driven in one component; subtract the regions")
         fixed |= driven.astype(np.uint8)
-        owns[layout.rank[law.grips.cell]] = True
+        owns[layout.rank[law.supports.cell]] = True
         element = np.flatnonzero(owns)
         row_of = np.full(n, -1, dtype=np.int64)
         row_of[element] = np.arange(len(element))
@@ -199,8 +199,8 @@ class Constraints:
             weight=np.where(lattice.connected, mass, 0.0)[layout.order],
             press_value=np.array([value for value, _ in presses], dtype=float).reshape(len(presses), n),
             press_schedule=np.array([s for _, s in presses], dtype=np.int64),
-            supported=len(law.grips.cell) > 0,
-            wall_rate=any(law.grips.fixed.rate),
+            supported=len(law.supports.cell) > 0,
+            wall_rate=any(law.supports.fixed.rate),
         )
 
     @property
@@ -218,7 +218,7 @@ class Constraints:
         still = np.zeros((3, len(self.element), 6))
         return Rows(
             of=self.row_of, fixed=self.fixed, force=still[0], half=still[1], full=still[2], reaction=reaction,
-            grip=np.zeros((len(self.element) if self.supported else 0, 6)), work=work,
+            support=np.zeros((len(self.element) if self.supported else 0, 6)), work=work,
         )  # fmt: skip
 
     def final_load(self, n: int, pose: Floats | None = None) -> Floats:

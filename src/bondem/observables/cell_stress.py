@@ -57,13 +57,13 @@ def lambda_theta(model: Model, result: SmallMotion | State) -> PerElement:
 
 def mean_stress(model: Model, forces: CellForces) -> Floats:
     """Compute the mean stress tensor of every cell from known forces [Pa], shape (n, 3, 3)."""
-    body, grips = model.lattice, model.interaction.grips
+    body, supports = model.lattice, model.interaction.supports
     _, cells = body_of(body)
     i, j = body.pairs.T
     moment = np.zeros((len(cells.volume), 6))
     for owner, arm, force, sign in (
         (i, forces.arm_i, forces.force, 1.0), (j, forces.arm_j, forces.force, -1.0),
-        (grips.cell, forces.wall_arm, forces.wall, 1.0), (cells.free.cell, forces.load_arm, forces.load, 1.0),
+        (supports.cell, forces.wall_arm, forces.wall, 1.0), (cells.free.cell, forces.load_arm, forces.load, 1.0),
     ):  # fmt: skip
         add_force_moments(moment, owner, arm, force, sign)
     return (moment / cells.volume[:, None])[:, _OF_TENSOR]

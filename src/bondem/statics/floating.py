@@ -32,13 +32,13 @@ def refuse_floating(model: Model, position: Floats, prescribed: Mask) -> None:
     R = np.maximum(np.sqrt(np.bincount(piece, arms) / count), lattice.particles.mean_radius)
     motions[:, :, 3:] /= R[piece, None, None]
     element, freedom = np.nonzero(prescribed & connected[:, None])
-    grip = motions[element, freedom] * np.where(freedom < 3, 1.0, R[piece[element]])[:, None]
+    constrained = motions[element, freedom] * np.where(freedom < 3, 1.0, R[piece[element]])[:, None]
     owner = piece[element]
-    grips = model.interaction.grips
-    grip = np.concatenate([grip, grips.constraint(motions[layout.rank])])
-    owner = np.concatenate([owner, np.tile(np.repeat(lattice.pieces[grips.cell], 3), 2)])
+    supports = model.interaction.supports
+    constrained = np.concatenate([constrained, supports.constraint(motions[layout.rank])])
+    owner = np.concatenate([owner, np.tile(np.repeat(lattice.pieces[supports.cell], 3), 2)])
     resisted = np.zeros((len(count), 6, 6))
-    np.add.at(resisted, owner, grip[:, :, None] * grip[:, None, :])
+    np.add.at(resisted, owner, constrained[:, :, None] * constrained[:, None, :])
     size = np.linalg.eigvalsh(resisted)
     floating = np.unique(lattice.body[layout.order][connected & (size[:, 0] <= _LOOSE * size[:, -1])[piece]])
     if len(floating):

@@ -83,11 +83,11 @@ class System:
         metric = np.tile(np.repeat([1.0, lattice.particles.mean_radius], 3), len(order))
         loose = rigid_motions(position, lattice.particles.period is not None) * connected[:, None, None]
         loose = orthonormal(loose.reshape(len(metric), -1) * metric[:, None])
-        grip = loose[prescribed.ravel()]
+        constrained = loose[prescribed.ravel()]
         by_user = (loose / metric[:, None]).reshape(len(order), 6, loose.shape[1])[model.layout.rank]
-        grip = np.concatenate([grip, model.interaction.grips.constraint(by_user)])
-        if len(grip):
-            size, turn = np.linalg.eigh(grip.T @ grip)
+        constrained = np.concatenate([constrained, model.interaction.supports.constraint(by_user)])
+        if len(constrained):
+            size, turn = np.linalg.eigh(constrained.T @ constrained)
             loose = loose @ turn[:, size <= 1e-12 * size[-1]]
         return cls(
             matrix=model.interaction.stiffness(),
@@ -178,9 +178,9 @@ class Elimination:
         free = system.free.ravel().copy()
         loose = system.loose * np.tile(np.repeat([1.0, system.length], 3), len(system.free))[:, None]
         for _ in range(loose.shape[1]):
-            grip = np.argmax((loose**2).sum(axis=1) * free)
-            free[grip] = False
-            loose = loose @ np.linalg.svd(loose[grip][None])[2][1:].T
+            pinned = np.argmax((loose**2).sum(axis=1) * free)
+            free[pinned] = False
+            loose = loose @ np.linalg.svd(loose[pinned][None])[2][1:].T
         self._live = np.flatnonzero(free)
         matrix = csc_array(csc_array(system.matrix.tocsc()[:, self._live])[self._live])
         self._scale = 1.0 / np.sqrt(np.maximum(matrix.diagonal(), 1e-300))

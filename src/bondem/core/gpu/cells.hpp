@@ -97,7 +97,7 @@ BONDEM_INLINE void sum_row(Index r, const WallConstraints &walls, const RowOrder
     double sum[6] = {};
     for (Index e = order.start(r); e < order.start(r + 1); e++)
         for (Index c = 0; c < 6; c++) sum[c] += walls.load(order.load(e), c);
-    for (Index c = 0; c < 6; c++) rows.grip(r, c) = sum[c];
+    for (Index c = 0; c < 6; c++) rows.support(r, c) = sum[c];
 }
 BONDEM_INLINE void load_row(Index r, const Moving &all, const WallConstraints &walls, const RowOrder &order,
                             const Rows &rows) {
@@ -125,7 +125,7 @@ inline void apply_walls_of_row(Index r, const Moving &all, const WallConstraints
 // Tractions of element number h of those that own rows of the boundary.
 inline void add_wall_load(Index h, const Rows &rows, const StepBlocks &blocks) {
     const Index e = blocks.first_owner(0) + h;
-    const double *load = &rows.grip(rows.of(blocks.ready(e)), 0);
+    const double *load = &rows.support(rows.of(blocks.ready(e)), 0);
     for (Index axis = 0; axis < 3; axis++) {
         blocks.sums(blocks.ready_row(e), axis) += load[axis];
         blocks.sums(blocks.ready_row(e), 4 + axis) += load[3 + axis];

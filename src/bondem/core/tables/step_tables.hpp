@@ -105,7 +105,7 @@ struct Rows {
     Array<double, 2> half;  // prescribed velocities over the step [m/s, rad/s], (rows, 6)
     Array<double, 2> full;  // prescribed velocities now, (rows, 6)
     Array<double, 2> reaction;  // minus the bond forces [N, N·m], (rows, 6)
-    Array<double, 2> grip;  // of walls that hold facets of cells [N, N·m], (r, 6), or (0, 6) without any, (*, 6)
+    Array<double, 2> support;  // of walls that hold facets of cells [N, N·m], (r, 6), or (0, 6) without any, (*, 6)
     // of loads, drives, walls that hold cells and tractions on each row [J], then of body forces and strains
     Array<double, 1> work;  // (works,)
 };

@@ -53,7 +53,7 @@ class BodyOfCells(NamedTuple):
             beams, _ = beam_tables(bonds, layout, period, state.integrity, may_share=False)
             dashed = ((dashpots, beams._replace(integrity=facets.integrity)),)
         constraints = model.constraints
-        walls = constants.grips.table(layout, constraints.row_of, state.grips)
+        walls = constants.supports.table(layout, constraints.row_of, state.grips)
         if len(constraints.strain_part) or len(state.plastic):  # cells that grow or yield change levers
             facets = facets._replace(lever_i=facets.lever_i.copy(), lever_j=facets.lever_j.copy())
         return cls(
@@ -185,11 +185,11 @@ def _strains(model: Model, state: State) -> tuple[CellStrains, ...]:
         return ()
     count, own = len(constraints.strain_part), state.eigenstrain
     still = own if own.size else np.zeros(len(layout.i))
-    wall = cells.grips.cell
+    wall = cells.supports.cell
     return (CellStrains(
         schedule=constraints.strain_schedule, base_i=np.ascontiguousarray(cells.lever_i.T),
         base_j=np.ascontiguousarray(cells.lever_j.T), still=1.0 + still, part=constraints.strain_part,
-        wall_base=cells.grips.lever, wall_still=1.0 + layout.of_elements(still)[wall],
+        wall_base=cells.supports.lever, wall_still=1.0 + layout.of_elements(still)[wall],
         wall_part=np.array([layout.of_elements(part)[wall] for part in constraints.strain_part]),
         place=constraints.works[1], factor=np.zeros((4, count)),
         power=exact_sums(count), due=np.zeros(2, dtype=np.uint8),

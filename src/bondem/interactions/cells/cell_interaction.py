@@ -17,7 +17,7 @@ from bondem._threads import current_threads
 from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement, PerElement3, PerElement6
 from bondem.boundary.conditions import Drive, Fix, Load
 from bondem.boundary.loads import Pressure, is_face
-from bondem.boundary.wall_constraints import FixedFacets, Grips, supports_facets
+from bondem.boundary.wall_constraints import FixedFacets, Supports, supports_facets
 from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.interactions.beams.bond_table import BondTable
@@ -86,13 +86,13 @@ class CellInteraction(CellsAtAnyPose):
         return self.join(self.lattice, self.layout, self._laws, boundary, self._may_fail)
 
     @property
-    def grips(self) -> Grips:
-        return self._own.grips
+    def supports(self) -> Supports:
+        return self._own.supports
 
     def strained(self, strain: PerBond, base: Floats, motion: Floats, pressed: PerElement) -> Self:
         twin, cells = copy(self), self.constants.stretched(strain, self.layout)
-        grips = replace(cells.grips.taken(base), motion=motion)
-        twin.__dict__["constants"] = replace(cells, grips=grips, pressed=pressed)
+        supports = replace(cells.supports.taken(base), motion=motion)
+        twin.__dict__["constants"] = replace(cells, supports=supports, pressed=pressed)
         return twin
 
     def pressed(self, facet: Ints, force: Floats) -> PerElement:
@@ -128,8 +128,8 @@ class CellInteraction(CellsAtAnyPose):
         forms = np.empty((len(rows.indices), 1, 6))
         run_pass(calls.assemble_facets(facets, rows, DilatationRows(forms)), threads=current_threads())
         indptr, indices, data = rows.indptr, rows.indices, rows.data
-        own, form = c.grips.blocks()
-        supported = layout.rank[c.grips.cell]
+        own, form = c.supports.blocks()
+        supported = layout.rank[c.supports.cell]
         diagonal = indptr[supported] + (layout.in_start[supported + 1] - layout.in_start[supported])
         np.add.at(data, diagonal, own)
         np.add.at(forms, diagonal, form[:, None])
@@ -168,22 +168,23 @@ class CellInteraction(CellsAtAnyPose):
         self, displacement: PerElement3, rotation: PerElement3, strain: PerBond, pressed: PerElement
     ) -> CellStrain:
         """Return the deformation by small motions [m, rad], with walls at their final places; see `strain_load`."""
-        own, grips = np.empty(len(strain)), self.grips
+        own, supports = np.empty(len(strain)), self.supports
         own[self.layout.bond_order] = strain
-        wall = grips.motion + grips.lever - grips.grown(self.layout.of_elements(strain)).arm
+        wall = supports.motion + supports.lever - supports.grown(self.layout.of_elements(strain)).arm
         slip = -own[:, None] * self.lattice.branch
         return CellStrain.of(
             self.lattice, self.by_user, displacement, rotation, slip=slip, wall=wall, pressed=pressed
         )
 
     def surface_motion(self, displacement: PerElement3, rotation: PerElement3, traction: Floats) -> Floats:
-        moved, constants, grips = super().surface_motion(displacement, rotation, traction), self.by_user, self.grips
+        moved = super().surface_motion(displacement, rotation, traction)
+        constants, supports = self.by_user, self.supports
         free = body_of(self.lattice)[1].free
         pressed = constants.pressed_by(free.area[:, None] * traction)
-        found = CellStrain.of(self.lattice, constants, displacement, rotation, wall=grips.motion, pressed=pressed)
+        found = CellStrain.of(self.lattice, constants, displacement, rotation, wall=supports.motion, pressed=pressed)
         pull = traction - found.stress(constants)[free.cell, None] * constants.way
         moved = moved + constants.softness[:, None] * pull
-        moved[grips.fixed.facet] = np.where(grips.axes > 0.0, grips.motion, moved[grips.fixed.facet])
+        moved[supports.fixed.facet] = np.where(supports.axes > 0.0, supports.motion, moved[supports.fixed.facet])
         return moved
 
     def strain_load(self, strain: PerBond, pressed: PerElement) -> PerElement6:
@@ -192,7 +193,7 @@ class CellInteraction(CellsAtAnyPose):
         return found.nodal(self.lattice, self.by_user)[self.layout.order]
 
     def swelling_load(self, pressed: PerElement) -> PerElement6:
-        still, wall = np.zeros((len(pressed), 3)), np.zeros_like(self.grips.motion)
+        still, wall = np.zeros((len(pressed), 3)), np.zeros_like(self.supports.motion)
         found = CellStrain.of(self.lattice, self.by_user, still, still, wall=wall, pressed=pressed)
         return found.nodal(self.lattice, self.by_user)
 
@@ -205,7 +206,7 @@ class CellInteraction(CellsAtAnyPose):
         self, displacement: PerElement3, rotation: PerElement3, strain: PerBond, pressed: PerElement,
         traction: Floats,
     ) -> EnergyParts:  # fmt: skip
-        constants, grips = self.by_user, self.grips
+        constants, supports = self.by_user, self.supports
         found = self.small_strain(displacement, rotation, strain, pressed)
         facets, cells = body_of(self.lattice)
         # ½ V λ θ² is the potential of cells and loads; less the work of the loads on the openings of their facets
@@ -217,8 +218,8 @@ class CellInteraction(CellsAtAnyPose):
         whole = np.einsum("ma,mab,mb->m", found.turn, constants.H, found.turn)
         moments, at_wall = constants.gradients.moments(found.turn, rotation)
         whole += (moments * found.turn).sum(axis=1)
-        own = rotation[grips.cell]
-        supported = (grips.k[:, None] * found.wall_gap**2).sum() + np.einsum("ga,gab,gb->", own, grips.H, own)
+        own = rotation[supports.cell]
+        supported = (supports.k[:, None] * found.wall_gap**2).sum() + np.einsum("ga,gab,gb->", own, supports.H, own)
         supported -= (at_wall * rotation).sum()
         stretched = (constants.k * normal**2).sum() + found.stress(constants) @ found.swelling
         return EnergyParts(

@@ -59,9 +59,9 @@ class CellStrain:
         swelling = np.zeros(n) if pressed is None else pressed.copy()
         swelling += np.bincount(i, weights=(constants.share_i * gap).sum(axis=1), minlength=n)
         swelling += np.bincount(j, weights=(constants.share_j * gap).sum(axis=1), minlength=n)
-        grips = constants.grips
-        wall_gap = grips.gap(displacement, rotation, wall)
-        swelling += np.bincount(grips.cell, weights=(grips.share * wall_gap).sum(axis=1), minlength=n)
+        supports = constants.supports
+        wall_gap = supports.gap(displacement, rotation, wall)
+        swelling += np.bincount(supports.cell, weights=(supports.share * wall_gap).sum(axis=1), minlength=n)
         return cls(gap, rotation[j] - rotation[i], wall_gap, rotation, swelling)
 
     def stress(self, constants: CellConstants) -> PerElement:
@@ -90,18 +90,18 @@ class CellStrain:
 
     def of_walls(self, n: int, constants: CellConstants) -> PerElement6:
         """Return forces and torques of the walls on the elements that they hold [N, N·m], (n, 6)."""
-        grips = constants.grips
-        values = grips.nodal(self.wall_gap, self.rotation, self.stress(constants))
-        parts = [np.bincount(grips.cell, weights=column, minlength=n) for column in values.T]
+        supports = constants.supports
+        values = supports.nodal(self.wall_gap, self.rotation, self.stress(constants))
+        parts = [np.bincount(supports.cell, weights=column, minlength=n) for column in values.T]
         return np.stack(parts, axis=1).astype(float)
 
     def work(self, other: "CellStrain", constants: CellConstants) -> float:
         """Return the work of the stresses of one deformation on another [J]; for equal ones twice the energy."""
-        grips = constants.grips
+        supports = constants.supports
         bent = np.einsum("ma,mab,mb->", self.turn, constants.H, other.turn)
         moments, at_wall = constants.gradients.moments(self.turn, self.rotation)
         bent += (moments * other.turn).sum() - (at_wall * other.rotation).sum()
-        bent += np.einsum("ga,gab,gb->", self.rotation[grips.cell], grips.H, other.rotation[grips.cell])
+        bent += np.einsum("ga,gab,gb->", self.rotation[supports.cell], supports.H, other.rotation[supports.cell])
         opened = (constants.k[:, None] * self.gap * other.gap).sum()
-        opened += (grips.k[:, None] * self.wall_gap * other.wall_gap).sum()
+        opened += (supports.k[:, None] * self.wall_gap * other.wall_gap).sum()
         return float(opened + bent + self.stress(constants) @ other.swelling)

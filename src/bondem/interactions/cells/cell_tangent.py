@@ -55,8 +55,8 @@ class BodyTables:
     ) -> "BodyTables":
         """Return the tables of a body with facets of some integrity [-], (m,); see `Interaction.energy`."""
         layout = law.layout
-        base, motion, pressed = surface or (None, constants.grips.motion, constants.pressed)
-        walls = constants.grips.table(layout, np.zeros(len(layout.order), dtype=np.int64), base)
+        base, motion, pressed = surface or (None, constants.supports.motion, constants.pressed)
+        walls = constants.supports.table(layout, np.zeros(len(layout.order), dtype=np.int64), base)
         walls.wall[:] = motion
         facets, cells = cell_tables(constants, layout, law.period, integrity, layout.i)
         cells.given[:] = pressed
@@ -147,20 +147,21 @@ class CellsAtAnyPose(Interaction):
             else:
                 leaving = layout.i[layout.out_bond]
                 forms[diagonal[leaving] + 1 + place - layout.out_start[leaving], 0] = towards[layout.out_bond]
-        grips = cells.grips
-        supported = layout.rank[grips.cell]
-        lever = turned_vectors(pose[supported, 4:], grips.arm)
-        np.add.at(forms[:, 0], diagonal[supported], -np.hstack([grips.share, np.cross(lever, grips.share)]))
+        supports = cells.supports
+        supported = layout.rank[supports.cell]
+        lever = turned_vectors(pose[supported, 4:], supports.arm)
+        np.add.at(forms[:, 0], diagonal[supported], -np.hstack([supports.share, np.cross(lever, supports.share)]))
         return bsr_array((forms, pattern.indices, start), shape=(len(pose), 6 * len(pose)))
 
     def _support_blocks(self, pose: Floats) -> tuple[np.ndarray, Floats]:
         """Return the cells that walls hold, (g,), and their parts of diagonal blocks in a pose, (g, 6, 6)."""
-        grips = self.constants.grips
-        supported = self.layout.rank[grips.cell]
-        arm = turned_vectors(pose[supported, 4:], grips.arm)
-        moved = pose[supported, :3] + arm - self._rest[supported] - grips.lever
-        force = grips.k[:, None] * grips.axes * (grips.motion - moved) + pose[supported, STRESS, None] * grips.share
-        own, _ = grips.blocks(arm)
+        supports = self.constants.supports
+        supported = self.layout.rank[supports.cell]
+        arm = turned_vectors(pose[supported, 4:], supports.arm)
+        moved = pose[supported, :3] + arm - self._rest[supported] - supports.lever
+        force = supports.k[:, None] * supports.axes * (supports.motion - moved)
+        force = force + pose[supported, STRESS, None] * supports.share
+        own, _ = supports.blocks(arm)
         # the lever turns under the force
         along = (arm * force).sum(axis=1)[:, None, None] * np.eye(3) - arm[:, :, None] * force[:, None, :]
         own[:, 3:, 3:] += 0.5 * (along + np.swapaxes(along, 1, 2))

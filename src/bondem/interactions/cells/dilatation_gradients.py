@@ -21,7 +21,7 @@ import numpy as np
 from scipy.sparse import bsr_array, coo_array, csr_array
 
 from bondem._types import Floats, Ints, PerBond, PerElement
-from bondem.boundary.wall_constraints import Grips
+from bondem.boundary.wall_constraints import Supports
 from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.free_walls import FreeWalls
 from bondem.specimen.lattice import Lattice
@@ -44,7 +44,7 @@ class GradientConstants:
         facet: numbers of these facets, shape (l,).
         way_a, way_b: n × s of both cells for each direction across their layer [m²], shape (l, 2, 3): V χ is
             Σ ρ·way, with ρ = θ_b - θ_a.
-        wall: numbers of the walls that hold cells of layers, as in `CellConstants.grips`, shape (h,).
+        wall: numbers of the walls that hold cells of layers, as in `CellConstants.supports`, shape (h,).
         wall_cell: cells that these walls hold, shape (h,).
         wall_way: n × s of these walls [m²], shape (h, 2, 3): V χ has -θ·way more.
         weight: J λ_p / V² of each cell and direction, shape (n, 2); (0, 2) without layers [Pa/m].
@@ -70,7 +70,7 @@ class GradientConstants:
     @classmethod
     def of(
         cls, body: Lattice, G: PerElement, lame: PerElement, layered: PerElement, walls: FreeWalls,
-        shares: tuple[Floats, Floats], grips: Grips,
+        shares: tuple[Floats, Floats], supports: Supports,
     ) -> "GradientConstants":  # fmt: skip
         """Return the constants of a body.
 
@@ -80,7 +80,7 @@ class GradientConstants:
             layered: λ_p of each cell [Pa], (n,).
             walls: free walls of the cells.
             shares: shares of the facets in both cells [m²], (m, 3) each.
-            grips: walls that hold facets.
+            supports: walls that hold facets.
         """
         _, cells = body_of(body)
         i, j = body.pairs.T
@@ -93,13 +93,13 @@ class GradientConstants:
         inertia = 0.5 * np.einsum("naa->n", cells.inertia)[:, None]
         second = inertia - np.einsum("nxa,nab,nxb->nx", layer, cells.inertia, layer)
         weight = second * np.maximum(layered / cells.volume**2, 0.0)[:, None] * layer.any(axis=2)
-        wall_way = np.cross(layer[grips.cell], grips.share[:, None])
+        wall_way = np.cross(layer[supports.cell], supports.share[:, None])
         wall = np.flatnonzero(wall_way.any(axis=(1, 2)))
         if not len(facet) or not weight.any():
             facet, wall, weight = facet[:0], wall[:0], weight[:0]
         return cls(
             partial(_springs, body, G, lame), i[facet], j[facet], facet, way_a[facet], way_b[facet], wall,
-            grips.cell[wall], wall_way[wall], weight,
+            supports.cell[wall], wall_way[wall], weight,
         )  # fmt: skip
 
     def ordered(self, layout: Layout | Reversed) -> "GradientConstants":

@@ -51,7 +51,7 @@ class Reading:
         self._element = model.layout.rank[drive.select(model.lattice)]
         self._wall: Mask | None = None
         if self._driven and not on_elements:
-            self._wall = np.isin(model.interaction.grips.fixed.facet, facet_numbers(drive, model.lattice))
+            self._wall = np.isin(model.interaction.supports.fixed.facet, facet_numbers(drive, model.lattice))
 
     def read(self, found: Loaded, motion: Floats) -> tuple[float, float]:
         """Return load [N] and displacement [m]."""

@@ -178,7 +178,7 @@ BONDEM_PASS(restore_facets, of_events, "own arm base wall; ends flag pose.stress
 void renew_wall_rows(const Range &, const WallConstraints &walls, const Rows &rows, const Candidates &candidates) {
     if (any_fails(candidates)) set_rows(walls, rows);
 }
-BONDEM_PASS(renew_wall_rows, of_rows, "own load; writes grip")
+BONDEM_PASS(renew_wall_rows, of_rows, "own load; writes support")
 
 // Computes the weights of all cells from their unbroken facets at the start of a run.
 Index weigh_cells(Index, const ElasticFacets &facets, const FacetRelease &release) {

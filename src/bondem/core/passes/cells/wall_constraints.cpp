@@ -43,18 +43,18 @@ void apply_walls(const Range &, const Moving &all, const WallConstraints &walls,
     load_all(all, walls, rows);
     add_half_works(walls, rows);
 }
-BONDEM_PASS(apply_walls, of_rows, "own arm pose pose.stress; changes base load loss wall; writes grip")
+BONDEM_PASS(apply_walls, of_rows, "own arm pose pose.stress; changes base load loss wall; writes support")
 
 // Adds the forces of walls to the sums of their cells.
 void add_wall_loads(const Range &range, const Rows &rows, const StepBlocks &blocks) {
     for (Index e = range.first_owner; e < range.last; e++) {
-        const double *load = &rows.grip(rows.of(range.element[e]), 0);
+        const double *load = &rows.support(rows.of(range.element[e]), 0);
         for (Index axis = 0; axis < 3; axis++) {
             blocks.sums(range.row[e], axis) += load[axis];
             blocks.sums(range.row[e], 4 + axis) += load[3 + axis];
         }
     }
 }
-BONDEM_PASS(add_wall_loads, elements_of_blocks, "own grip; changes sums")
+BONDEM_PASS(add_wall_loads, elements_of_blocks, "own support; changes sums")
 
 }  // namespace bondem

@@ -100,10 +100,10 @@ inline void load_support(const Pose &pose, const Array<const double, 2> &rest, c
 
 // Sets the forces of walls on the rows of the boundary that their cells own.
 inline void set_rows(const WallConstraints &walls, const Rows &rows) {
-    for (Index r = 0; r < rows.grip.size(); r++)
-        for (Index c = 0; c < 6; c++) rows.grip(r, c) = 0.0;
+    for (Index r = 0; r < rows.support.size(); r++)
+        for (Index c = 0; c < 6; c++) rows.support(r, c) = 0.0;
     for (Index g = 0; g < walls.cell.size(); g++)
-        for (Index c = 0; c < 6; c++) rows.grip(walls.row(g), c) += walls.load(g, c);
+        for (Index c = 0; c < 6; c++) rows.support(walls.row(g), c) += walls.load(g, c);
 }
 
 // Adds half the work of a wall that moves to the row of its cell.
