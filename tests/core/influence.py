@@ -34,7 +34,7 @@ _ROWS_OF_SUMS = {"StepBlocks.sums", "Dashpots.sums", "FacetForces.sums", "Resist
 _ELSE = {"CellDilatation.swelling": "n", "LaggedStresses.moment": "n", "Rows.support": "rows",
          **dict.fromkeys(_ROWS_OF_SUMS, "sums")}  # fmt: skip
 _OF_BONDS = {"m", "bonds", "facets", "pairs", "places", "candidates", "strained"}
-_BONDS_TOO = {"ContactPairs.joined", "PartedReach.apart", "BeamIntegrity.hold", "SofteningBounds.hold"}
+_BONDS_TOO = {"ContactPairs.joined", "PartedReach.apart", "BeamIntegrity.per_length", "SofteningBounds.per_length"}
 # Columns whose numbers stand for places.
 _PLACES = {"FacePairs.chosen", "SofteningBeams.row", "EventLog.event"}
 _BOND_KINDS = {"bonds_of_blocks", "of_bonds", "of_cracks", "of_events"}

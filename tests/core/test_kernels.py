@@ -30,7 +30,7 @@ def has_nvrtc() -> bool:
 
 
 @pytest.mark.skipif(not has_nvrtc(), reason="needs NVRTC: pip install -e '.[gpu]'")
-@pytest.mark.parametrize("name", ["load_beam", "load_alike_beam", "move_gathered", "dilate_facet", "load_facet"])
+@pytest.mark.parametrize("name", ["load_beam", "load_uniform_beam", "move_gathered", "dilate_facet", "load_facet"])
 def test_passes_of_every_step_keep_their_registers(name: str) -> None:
     """All bonds or elements go through them in every step."""
     cubin, found = _cuda.compiled_passes("sm_90", name)

@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 import bondem as bd
 from bondem._tables.columns import CrackStatus, PlasticColumn
 from bondem.damage.crack_columns import FACET, LEFT, SLIP, STATUS
-from bondem.damage.crack_rows import alike_left, axes_along, crack_rows
+from bondem.damage.crack_rows import axes_along, crack_rows, isotropic_left
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.errors import InputError
 from tests.bits import assert_same_fracture, most_threads, threads
@@ -33,7 +33,7 @@ def cracked(model: bd.Model, integrity: dict[int, float]) -> bd.State:
     state = model.state()
     facet, s = np.array(list(integrity)), np.array(list(integrity.values()))
     axes = axes_along(model.cell_law.constants.normal[facet])
-    state.cracks = crack_rows(facet, STRENGTH, axes, alike_left(s), np.ones(len(facet), dtype=bool))
+    state.cracks = crack_rows(facet, STRENGTH, axes, isotropic_left(s), np.ones(len(facet), dtype=bool))
     state.integrity[facet] = s
     return state
 

@@ -16,7 +16,7 @@ class SofteningBounds(NamedTuple):
     tear: Floats  #: G_f A [J], (bonds,)
     slide: Floats  #: G_II A [J], (bonds,)
     integrity: Floats  #: 1 whole … 0 broken [-], (m,)
-    hold: Floats  #: integrity over rest length of beams that share their constants [1/m], (*,)
+    per_length: Floats  #: integrity over rest length of beams that share their constants [1/m], (*,)
     press: Floats  #: stiffness of the softened part of a beam in compression, (1 - s) kn [N/m], (m,)
     onset: Floats  #: openings [√J] and energies [J] of beams that begin in this step, (bonds, 4)
 

@@ -35,10 +35,10 @@ class Beams(NamedTuple):
     period: Floats  #: edges of the periodic cell and their inverses, zero where there is none, (6,)
 
 
-class AlikeBeams(NamedTuple):
+class UniformBeams(NamedTuple):
     """Constants of beams that differ in length only."""
 
-    hold: Floats  #: integrity over rest length [1/m], (m,)
+    per_length: Floats  #: integrity over rest length [1/m], (m,)
     knL: float  #: kn L [N]
     AL: float  #: A L = C L [N·m²]
     BL: float  #: B L [N·m²]

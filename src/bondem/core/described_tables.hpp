@@ -24,7 +24,7 @@
 namespace bondem {
 
 #define F BONDEM_FIELD
-BONDEM_TABLE(SofteningBounds, F(limit, "m"), F(of_force, ""), F(of_moment, ""), F(coefficient, "bonds 4"), F(station, "bonds"), F(tear, "bonds"), F(slide, "bonds"), F(integrity, "m"), F(hold, "*"), F(press, "m"), F(onset, "bonds 4"))
+BONDEM_TABLE(SofteningBounds, F(limit, "m"), F(of_force, ""), F(of_moment, ""), F(coefficient, "bonds 4"), F(station, "bonds"), F(tear, "bonds"), F(slide, "bonds"), F(integrity, "m"), F(per_length, "*"), F(press, "m"), F(onset, "bonds 4"))
 BONDEM_TABLE(SofteningBeams, F(row, "bonds 7"), F(begun, "1"), F(listed, "bonds"), F(number, "bond_portions"), F(parted, "bond_portions"), F(lost, "1 68"))
 BONDEM_TABLE(ElasticFacets, F(i, "m"), F(j, "m"), F(integrity, "m"), F(k, "m"), F(pitch, "3"), F(lever_i, "3 m"), F(lever_j, "3 m"), F(share_i, "3 m"), F(share_j, "3 m"), F(H, "6 m"), F(normal, "3 m"), F(period, "6"))
 BONDEM_TABLE(CellDilatation, F(weight, "n"), F(given, "n"), F(swelling, "*"), F(to_i, "m"))
@@ -75,7 +75,7 @@ BONDEM_TABLE(Strengths, F(coefficient, "bonds 4"), F(station, "bonds"))
 BONDEM_TABLE(Candidates, F(begin, "blocks+1"), F(marked, "bonds"), F(mode, "bonds"), F(count, "blocks"), F(any, "1"))
 BONDEM_TABLE(Postponed, F(flag, "n"), F(element, "n"), F(row, "n"), F(first_row, ""), F(sum, "n 8"))
 BONDEM_TABLE(EventLog, F(event, "bonds 10"), F(written, "2"), F(released, "1"), F(crushed, "1"))
-BONDEM_TABLE(BeamIntegrity, F(integrity, "m"), F(hold, "*"))
+BONDEM_TABLE(BeamIntegrity, F(integrity, "m"), F(per_length, "*"))
 BONDEM_TABLE(FailureIndices, F(index, "m"))
 BONDEM_TABLE(LoadedTractions, F(normal, "m 3"), F(traction, "m 3"), F(area, "m"))
 BONDEM_TABLE(StressCandidates, F(bond, "candidates"), F(stress, "candidates 3 3"), F(found, "candidates"), F(number, "bond_portions"), F(total, "1"))
@@ -115,7 +115,7 @@ BONDEM_TABLE(DynamicRelaxation, F(pose, "n 8"), F(velocity, "n 6"), F(before, "n
 BONDEM_TABLE(RelaxationSpan, F(first, ""), F(steps, ""), F(done, "1"), F(ratio, "1"))
 BONDEM_TABLE(Moving, F(pose, "n 8"), F(motion, "n 8"), F(acceleration, "n 6"), F(loss, "n 3"), F(rest, "n 3"))
 BONDEM_TABLE(Beams, F(i, "m"), F(j, "m"), F(X0, "m"), F(Y0, "m"), F(Z0, "m"), F(length, "m"), F(kn, "m"), F(A, "m"), F(B, "m"), F(C, "m"), F(kt, "m"), F(ks, "m"), F(lever, "m"), F(integrity, "m"), F(period, "6"))
-BONDEM_TABLE(AlikeBeams, F(hold, "m"), F(knL, ""), F(AL, ""), F(BL, ""), F(ktL, ""))
+BONDEM_TABLE(UniformBeams, F(per_length, "m"), F(knL, ""), F(AL, ""), F(BL, ""), F(ktL, ""))
 BONDEM_TABLE(Poses, F(pose, "n 8"))
 BONDEM_TABLE(BeamSums, F(row_i, "m"), F(row_j, "m"), F(sums, "sums 8"))
 BONDEM_TABLE(BeamEnergies, F(energy, "4"))
@@ -262,7 +262,7 @@ BONDEM_TABLE(WallLoad, F(force, "3"), F(normal, ""), F(torque, "3"))
     described<RelaxationSpan>(), \
     described<Moving>(), \
     described<Beams>(), \
-    described<AlikeBeams>(), \
+    described<UniformBeams>(), \
     described<Poses>(), \
     described<BeamSums>(), \
     described<BeamEnergies>(), \

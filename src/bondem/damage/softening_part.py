@@ -8,7 +8,7 @@ from bondem._cache_lines import exact_sums
 from bondem._passes import steps
 from bondem._tables.beam_softening_tables import SofteningBeams, SofteningBounds
 from bondem._tables.columns import BONDS_OF_PORTION, SoftColumn
-from bondem._tables.step_tables import AlikeBeams, Beams
+from bondem._tables.step_tables import Beams, UniformBeams
 from bondem.damage.beam_softening import BeamSoftening
 from bondem.damage.damage_part import DamageTables
 from bondem.damage.failing_state import FailingState, StepTables
@@ -31,7 +31,7 @@ class SofteningTables:
     @classmethod
     def of(
         cls, energies: BeamSoftening, damage: DamageTables, state: FailingState, beams: Beams,
-        alike: AlikeBeams | None, *, handed: bool,
+        uniform: UniformBeams | None, *, handed: bool,
     ) -> "SofteningTables":  # fmt: skip
         """Return the tables of a run from a state with the beams that have begun to soften.
 
@@ -54,7 +54,7 @@ class SofteningTables:
         return cls(
             bounds=SofteningBounds(
                 *damage.bounds, *strengths_of(damage.table), energies.tear, energies.shear, beams.integrity,
-                np.zeros(0) if alike is None else alike.hold, press, np.zeros((m, 4)),
+                np.zeros(0) if uniform is None else uniform.per_length, press, np.zeros((m, 4)),
             ),
             soft=SofteningBeams(
                 row=row, begun=np.array([begun], dtype=np.int64), listed=listed, number=count,

@@ -8,7 +8,7 @@ from bondem._core import run_pass
 from bondem._passes import calls
 from bondem._progress import staged
 from bondem._tables.statics_tables import DynamicRelaxation, RelaxationSpan
-from bondem._tables.step_tables import AlikeBeams, Beams, BeamSums
+from bondem._tables.step_tables import Beams, BeamSums, UniformBeams
 from bondem._types import Floats, PerElement
 from bondem.errors import ConvergenceError, InputError
 from bondem.geometry.rotations import rotation_vector
@@ -75,7 +75,7 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
 
     state, model = State(model), strained(model, 1.0)
     bonds = model.bonds
-    beams, alike = beam_tables(bonds, model.layout, model.period, state.integrity)
+    beams, uniform = beam_tables(bonds, model.layout, model.period, state.integrity)
     sums = BeamSums(beams.i, beams.j, lines(n))
     fastest = max(np.abs(motion[:, :3]).max() / bonds.length.min(initial=np.inf), np.abs(motion[:, 3:]).max())
     relaxation = DynamicRelaxation(
@@ -90,7 +90,7 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
         goal = min(_TURNING if turning else _CHUNK, most - done)
         if turning:  # the forces of moments turn with their regions
             load[:] = constraints.final_load(n, state.pose)
-        taken, ratio, balanced = relaxed(beams, alike, sums, relaxation, done, goal)
+        taken, ratio, balanced = relaxed(beams, uniform, sums, relaxation, done, goal)
         finished = taken == 0 if turning else balanced
         done += taken
         _, lost, sick = count_turned(state.pose, beams)
@@ -115,14 +115,14 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
 
 
 def relaxed(
-    beams: Beams, alike: AlikeBeams | None, sums: BeamSums, relaxation: DynamicRelaxation, first: int, most: int
+    beams: Beams, uniform: UniformBeams | None, sums: BeamSums, relaxation: DynamicRelaxation, first: int, most: int
 ) -> tuple[int, float, bool]:
     """Take steps; return how many, the unbalanced share of the forces, and whether they balance."""
     span = RelaxationSpan(first, most, np.zeros(1, dtype=np.int64), np.full(1, np.inf))
-    if alike is None:
+    if uniform is None:
         ending = run_pass(calls.relax_beams(beams, sums, relaxation, span))
     else:
-        ending = run_pass(calls.relax_alike_beams(beams, alike, sums, relaxation, span))
+        ending = run_pass(calls.relax_uniform_beams(beams, uniform, sums, relaxation, span))
     return int(span.done[0]), float(span.ratio[0]), ending == "balanced"
 
 

@@ -27,11 +27,11 @@
 
 #define BONDEM_INDEX_PASSES(X) \
     X(adhere_one_pair) X(add_adhesion_of_element) X(adhere_element_at_walls) X(sum_portion_of_adhesion) \
-    X(sum_portion_of_adhesion_at_walls) X(load_beam) X(load_alike_beam) X(load_dashpot) X(check_portion) \
+    X(sum_portion_of_adhesion_at_walls) X(load_beam) X(load_uniform_beam) X(load_dashpot) X(check_portion) \
     X(sum_portion_of_beams) X(begin_contact_of_event) X(add_begun_contacts_of_element) X(take_over_energies) \
     X(touch_parted_face) X(open_face) X(begin_faces_of_pair) X(settle_face) X(settle_faces_of_cell) \
     X(take_over_from_cracks) X(clear_row) X(follow_loads_of_row) X(follow_all_couples) X(follow_drive) \
-    X(follow_body_group) X(load_marked_beam) X(load_marked_alike_beam) X(rank_failing) X(count_failures) \
+    X(follow_body_group) X(load_marked_beam) X(load_marked_uniform_beam) X(rank_failing) X(count_failures) \
     X(remove_failing_beam) X(take_beams_off_element) X(load_failing_dashpot) X(take_dashpots_off_element) \
     X(keep_gathered_sum) X(keep_sum) X(keep_dashed_sum) X(resume_free) X(resume_resisted) X(resume_row) \
     X(resume_resisted_row) X(reopen_work_of_body) X(release_element) X(end_all_failures) X(write_released_energy) \
@@ -62,7 +62,7 @@
     X(sum_portion_of_springs) X(set_clock) X(count_record) X(sum_portion_of_elements) X(judge_all_energy) \
     X(write_whole_ledger) X(read_part_of_gauge) X(write_gauge) X(roll_one_pair) X(add_rolling_of_element) \
     X(roll_element_at_walls) X(sum_portion_of_rolling) X(sum_portion_of_rolling_at_walls) X(soften_listed) \
-    X(end_portion_of_softening) X(log_all_softened) X(load_softening_beam) X(load_softening_alike_beam) \
+    X(end_portion_of_softening) X(log_all_softened) X(load_softening_beam) X(load_softening_uniform_beam) \
     X(begin_all_softening) X(release_all_pressure) X(begin_all_softened_contacts) X(sum_portion_of_pressure) \
     X(write_all_crushing_of_beams) X(load_stored_beam) X(sum_portion_of_stored) X(follow_strain_factors) \
     X(stretch_strained_beam) X(add_work_of_strains) X(follow_cell_factors) X(stretch_facet_of_step) \

@@ -69,7 +69,7 @@ BONDEM_INLINE void move_free_one(Index e, const DeviceSpan &span, const Moving &
 }
 template <class Load, class Resisted>
 BONDEM_INLINE void move_owner(Index h, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
-                                 const Rows &rows, const Load &load, const Resisted &resistance) {
+                              const Rows &rows, const Load &load, const Resisted &resistance) {
     const Index e = blocks.first_owner(0) + h;
     const One one(range_of(span, blocks, e), e);
     const Index r = rows.of(one.element);

@@ -183,8 +183,8 @@ BONDEM_INLINE SwellingHalf<T> swelling_half(T k, T part, const CrackFaces<T> &at
     }
     half.grip = (one - at.left.grip) * soft;
     for (int d = 0; d < 3; d++) {  // none where both are alike
-        const Mask<T> alike = half.loose[d] == (d == 0 ? T{} : half.grip);
-        half.turns[d] = select(alike, all<T>(infinity), T(-half.pulled[d] / (half.along[d] * half.inverse)));
+        const Mask<T> equal = half.loose[d] == (d == 0 ? T{} : half.grip);
+        half.turns[d] = select(equal, all<T>(infinity), T(-half.pulled[d] / (half.along[d] * half.inverse)));
     }
     return half;
 }

@@ -14,7 +14,7 @@ struct SofteningBounds {
     Array<const double, 1> tear;  // G_f A [J], (bonds,)
     Array<const double, 1> slide;  // G_II A [J], (bonds,)
     Array<double, 1> integrity;  // 1 whole … 0 broken [-], (m,)
-    Array<double, 1> hold;  // integrity over rest length of beams that share their constants [1/m], (*,)
+    Array<double, 1> per_length;  // integrity over rest length of beams that share their constants [1/m], (*,)
     Array<double, 1> press;  // stiffness of the softened part of a beam in compression, (1 - s) kn [N/m], (m,)
     Array<double, 2> onset;  // openings [√J] and energies [J] of beams that begin in this step, (bonds, 4)
 };

@@ -38,8 +38,8 @@ struct Beams {
     Array<const double, 1> period;  // edges of the periodic cell and their inverses, zero where there is none, (6,)
 };
 // Constants of beams that differ in length only.
-struct AlikeBeams {
-    Array<const double, 1> hold;  // integrity over rest length [1/m], (m,)
+struct UniformBeams {
+    Array<const double, 1> per_length;  // integrity over rest length [1/m], (m,)
     double knL;  // kn L [N]
     double AL;  // A L = C L [N·m²]
     double BL;  // B L [N·m²]

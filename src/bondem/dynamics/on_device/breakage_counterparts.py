@@ -94,7 +94,7 @@ def end(run: Translation, late: Postponement) -> list[Launch]:
 
 COUNTERPARTS: dict[str, Counterpart] = {
     "add_marked_beam_loads": over(kernels.load_marked_beam, bonds, MARKS),
-    "add_marked_alike_beam_loads": over(kernels.load_marked_alike_beam, bonds, MARKS),
+    "add_marked_uniform_beam_loads": over(kernels.load_marked_uniform_beam, bonds, MARKS),
     **{
         f"judge_beams_by_{name}": in_order(over(one, bonds, MARKS), RANKED)
         for name, one in kernels.JUDGE_BEAM_BY.items()

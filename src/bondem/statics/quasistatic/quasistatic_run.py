@@ -271,14 +271,14 @@ def _next(
     limit, going = np.full(len(found.cracked), np.inf), np.isfinite(following[found.cracked])
     softening = found.cracked[going]
     limit[going] = following[softening] * onset.again(found, softening, found.opening[going])
-    alike = max(close, _TIE)
-    least = float(limit.min(initial=np.inf)) * (1.0 + alike)
-    whole, factor = onset.factors(found, np.flatnonzero(body.integrity == 1.0), least, alike)
+    tie = max(close, _TIE)
+    least = float(limit.min(initial=np.inf)) * (1.0 + tie)
+    whole, factor = onset.factors(found, np.flatnonzero(body.integrity == 1.0), least, tie)
     facet, factor = np.concatenate([found.cracked, whole]), np.concatenate([limit, factor])
     least = float(factor.min(initial=np.inf))
     if not np.isfinite(least):
         return facet[:0], least
-    failing = facet[factor <= least * (1.0 + alike)]
+    failing = facet[factor <= least * (1.0 + tie)]
     failing = failing[np.argsort(body.model.layout.bond_order[failing])]
     return failing if close > 0.0 else failing[:1], least * (1.0 + 0.5 * close)
 

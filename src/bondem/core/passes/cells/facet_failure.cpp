@@ -13,13 +13,14 @@
 namespace bondem {
 namespace {
 
-void hold_with_neighbours(const ElasticFacets &facets, const FacetRelease &release, const Postponed &postponed, Index p) {
+void postpone_with_neighbours(const ElasticFacets &facets, const FacetRelease &release, const Postponed &postponed,
+                              Index p) {
     for_each_facet_of(release, p, [&](Index k) {
         const Index other = other_cell(facets, k, p);
         if (facets.integrity(k) > 0.0 && !is_postponed(postponed, other))
-            hold(postponed, other, postponed_for::neighbour);
+            postpone_element(postponed, other, postponed_for::neighbour);
     });
-    hold(postponed, p, postponed_for::own_facet);
+    postpone_element(postponed, p, postponed_for::own_facet);
 }
 
 // Evaluates marked facets by a criterion at the present stresses, and postpones cells that lose facets and their
@@ -34,8 +35,8 @@ void judge_facets(const Range &range, const Moving &all, const ElasticFacets &fa
             block, candidates, [&](Index k) { return facets.integrity(k) > 0.0; },
             [&](Index k) { return verdict_of<Criterion>(all.pose.data, facets, strengths, k); },
             [&](Index k) {
-                hold_with_neighbours(facets, release, postponed, facets.i(k));
-                hold_with_neighbours(facets, release, postponed, facets.j(k));
+                postpone_with_neighbours(facets, release, postponed, facets.i(k));
+                postpone_with_neighbours(facets, release, postponed, facets.j(k));
             });
     }
 }

@@ -22,7 +22,7 @@ template <class T> struct SupportedFacet {
 };
 template <class Pose>
 inline SupportedFacet<NumberOf<Pose>> supported_facet(const Pose &pose, const Array<const double, 2> &rest,
-                                            const WallConstraints &walls, Index g) {
+                                                      const WallConstraints &walls, Index g) {
     using T = NumberOf<Pose>;
     const Index p = walls.cell(g);
     const Row<T> at = gather(pose, Short(p));
@@ -49,7 +49,7 @@ inline CellTurn<NumberOf<Pose>> support_turn(const Pose &pose, const WallConstra
 // Contribution of a wall to V θ of its cell [m³].
 template <class Pose>
 inline double dilatation_of_support(const Pose &pose, const Array<const double, 2> &rest, const WallConstraints &walls,
-                                 Index g) {
+                                    Index g) {
     const auto share = constant<NumberOf<Pose>>(walls.share.row<const Vector>(g));
     return written(dot(share, supported_facet(pose, rest, walls, g).gap));
 }
@@ -114,7 +114,7 @@ inline void add_half_work(const WallConstraints &walls, const Rows &rows, Index 
 
 // Energy of the half facet at a wall, without dilatation [J].
 inline double energy_of_support(const Array<double, 2> &pose, const Array<const double, 2> &rest,
-                             const WallConstraints &walls, Index g) {
+                                const WallConstraints &walls, Index g) {
     const Vector gap = supported_facet(pose, rest, walls, g).gap, v = support_turn(pose, walls, g).v;
     return 0.5 * walls.k(g) * dot(gap, gap) + 2.0 * dot(v, walls.H.row<const Symmetric3<double>>(g) * v);
 }

@@ -47,8 +47,8 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
         if (any(falls | at.now.rubs)) {
             const Vector3<T> increment = select<T>(at.now.rubs, now - slip, none);
             const Vector3<T> was_rub = select<T>(at.now.rubs, stored, none);
-            const CrackRates<T> was = rates_before(at.facet, at.now, at.alike, half, group.pull(cracks), bending.energy,
-                                                   before, past.column + 4);
+            const CrackRates<T> was = rates_before(at.facet, at.now, at.isotropic, half, group.pull(cracks),
+                                                   bending.energy, before, past.column + 4);
             lost = crack_losses(at.facet.k, CrackStep<T>{before, left, was, rates, was_rub, rub, increment});
         }
         // work of the force on the slip of the faces of a crack of the material

@@ -20,7 +20,7 @@ BONDEM_INLINE void measure_each(const Group &group, const Moving &all, const Ela
     group.put_halves(lists, i.second, j.second, 8);
     if (!changes) return;
     const CrackIntegrity<T> &left = at.now.left;
-    const Mask<T> whole = opposite(at.alike) & (left.s[0] == bondem::all<T>(1.0));
+    const Mask<T> whole = opposite(at.isotropic) & (left.s[0] == bondem::all<T>(1.0));
     if (any(whole))
         group.where(whole, [&](Index k, Index, int) { choose_axes(all, facets, slack, stresses, cracks, lists, k); });
     const Mask<T> gone = (left.s[0] == T{}) & (left.grip == T{});

@@ -14,7 +14,7 @@ struct SingleCrack {
     OfCells<double> stress;
     FacetCompliance<double> stiffness;
     double area;
-    bool alike;
+    bool isotropic;
     CrackFaces<double> now;
 
     SingleCrack(const Array<double, 2> &pose, const ElasticFacets &facets, const CohesiveCracks &cracks, Index k)
@@ -25,7 +25,7 @@ struct SingleCrack {
         const CrackFrameRow &frame = frame_of(cracks, k);
         stiffness = {face.k, face.part};
         area = face.area;
-        alike = state.kind == crack::alike;
+        isotropic = state.kind == crack::isotropic;
         const CrackIntegrity<double> left = left_of(frame.left);
         now = crack_faces(ends, facet_shape(cracks, k), {face.normal[0], face.normal[1], face.normal[2]},
                           quaternion_of(frame.axes), left, state.kind > crack::of_material,
@@ -135,7 +135,7 @@ inline void begin_crack(const ElasticFacets &facets, const FacetForces &kept, co
     const bool loose = onset.marked(k) != 1;
     state_of(cracks, k) = {};
     state_of(cracks, k).fresh = 1.0;
-    state_of(cracks, k).kind = loose || strengths.plane(k) != 0.0 ? crack::alike : crack::of_material;
+    state_of(cracks, k).kind = loose || strengths.plane(k) != 0.0 ? crack::isotropic : crack::of_material;
     frame_of(cracks, k) = {};
     past_of(cracks, k) = {};
     for (int d = 0; d < 4; d++) frame_of(cracks, k).left[d] = past_of(cracks, k).left[d] = 1.0;

@@ -93,12 +93,12 @@ class Marks {
 // ---- judging
 
 // Postpones an element at the end of the step. Several threads may postpone an element that domains share.
-inline void hold(const Postponed &postponed, Index element, Byte as = 1) {
+inline void postpone_element(const Postponed &postponed, Index element, Byte as = 1) {
     put_shared(postponed.flag(element), as);
 }
-inline void hold_ends(const Postponed &postponed, const Beams &beams, Index k) {
-    hold(postponed, beams.i(k));
-    hold(postponed, beams.j(k));
+inline void postpone_ends(const Postponed &postponed, const Beams &beams, Index k) {
+    postpone_element(postponed, beams.i(k));
+    postpone_element(postponed, beams.j(k));
 }
 inline bool is_postponed(const Postponed &postponed, Index element) {
     return get_shared(postponed.flag(element)) != 0;

@@ -31,7 +31,7 @@ BONDEM_INLINE void move_free(const Range &range, const Moving &all, const StepBl
 
 template <class Resisted>
 inline void move_owners(const Range &range, const Moving &all, const StepBlocks &blocks, const Rows &rows,
-                      const Resisted &resistance) {
+                        const Resisted &resistance) {
     for (Index e = range.first_owner; e < range.last; e++) {
         const One one(range, e);
         const Index r = rows.of(one.element);
