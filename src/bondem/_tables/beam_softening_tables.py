@@ -25,7 +25,7 @@ class SofteningBeams(NamedTuple):
     """Beams that soften."""
 
     row: Floats  #: beams in the order in which they began, columns of `SoftColumn`, (bonds, 7)
-    begun: Ints  #: number of rows, (1,)
+    rows: Ints  #: number of rows, (1,)
     listed: Ints  #: rows that have not broken, those of a portion of bonds from its first bond on, (bonds,)
     number: Ints  #: number of rows of each portion, (bond_portions,)
     parted: Ints  #: number of those that break in this step, behind the others, (bond_portions,)

@@ -107,7 +107,7 @@ class FacePairs(NamedTuple):
     #: torque on the earlier one [N·m], (pairs, 12)
     output: Floats
     gained: Floats  #: energy taken over from facets that part [J], (pairs,)
-    begun: Ints  #: exact sum of it, zero between steps, (1, 68)
+    gained_sum: Ints  #: exact sum of it, zero between steps, (1, 68)
     count: Ints  #: close pairs of each portion of elements, (element_portions,)
 
 

@@ -25,7 +25,7 @@ namespace bondem {
 
 #define F BONDEM_FIELD
 BONDEM_TABLE(SofteningBounds, F(limit, "m"), F(of_force, ""), F(of_moment, ""), F(coefficient, "bonds 4"), F(station, "bonds"), F(tear, "bonds"), F(slide, "bonds"), F(integrity, "m"), F(per_length, "*"), F(press, "m"), F(onset, "bonds 4"))
-BONDEM_TABLE(SofteningBeams, F(row, "bonds 7"), F(begun, "1"), F(listed, "bonds"), F(number, "bond_portions"), F(parted, "bond_portions"), F(lost, "1 68"))
+BONDEM_TABLE(SofteningBeams, F(row, "bonds 7"), F(rows, "1"), F(listed, "bonds"), F(number, "bond_portions"), F(parted, "bond_portions"), F(lost, "1 68"))
 BONDEM_TABLE(ElasticFacets, F(i, "m"), F(j, "m"), F(integrity, "m"), F(k, "m"), F(pitch, "3"), F(lever_i, "3 m"), F(lever_j, "3 m"), F(share_i, "3 m"), F(share_j, "3 m"), F(H, "6 m"), F(normal, "3 m"), F(period, "6"))
 BONDEM_TABLE(CellDilatation, F(weight, "n"), F(given, "n"), F(swelling, "*"), F(to_i, "m"))
 BONDEM_TABLE(DilatationGradients, F(start, "n+1"), F(other, "springs"), F(spring, "springs"), F(difference, "n"), F(layer, "layered+1"), F(next, "turns"), F(way, "turns 12"), F(wall_start, "layered+1"), F(wall, "layer_walls"), F(wall_way, "layer_walls 6"), F(weight, "layered 2"), F(bend, "layered 4"), F(torque, "layered 3"))
@@ -48,7 +48,7 @@ BONDEM_TABLE(NearPairs, F(near, "pairs+1"), F(close, "pairs+1"), F(output, "pair
 BONDEM_TABLE(AdheringPairs, F(force, "pairs 3"))
 BONDEM_TABLE(RolledPairs, F(rolled, "pairs 3"), F(output, "pairs 4"))
 BONDEM_TABLE(RolledWalls, F(rolled, "wall_contacts 3"))
-BONDEM_TABLE(FacePairs, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"), F(lever_i, "3 m"), F(lever_j, "3 m"), F(pitch, "3"), F(normal, "3 m"), F(j, "m"), F(k, "m"), F(area, "m"), F(listed, "m"), F(plane, "m"), F(open, "m"), F(faced, "n"), F(outer, "n"), F(earlier_start, "n+1"), F(earlier, "pairs"), F(chosen, "pairs"), F(whole, "pairs"), F(close, "pairs"), F(output, "pairs 12"), F(gained, "pairs"), F(begun, "1 68"), F(count, "element_portions"))
+BONDEM_TABLE(FacePairs, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"), F(lever_i, "3 m"), F(lever_j, "3 m"), F(pitch, "3"), F(normal, "3 m"), F(j, "m"), F(k, "m"), F(area, "m"), F(listed, "m"), F(plane, "m"), F(open, "m"), F(faced, "n"), F(outer, "n"), F(earlier_start, "n+1"), F(earlier, "pairs"), F(chosen, "pairs"), F(whole, "pairs"), F(close, "pairs"), F(output, "pairs 12"), F(gained, "pairs"), F(gained_sum, "1 68"), F(count, "element_portions"))
 BONDEM_TABLE(Travel, F(listed, "n 3"), F(measured, "n 3"), F(portion, "element_portions 3"), F(far, "2"), F(reach, ""))
 BONDEM_TABLE(ContactSums, F(sums, "n 8"))
 BONDEM_TABLE(WallContacts, F(start, "n+1"), F(element, "wall_contacts"), F(wall, "wall_contacts"), F(gap, "wall_contacts"), F(memory, "wall_contacts 6"), F(touch, "wall_contacts"), F(output, "wall_contacts 7"), F(sums, "* 68"))

@@ -37,9 +37,9 @@ class SofteningTables:
 
         Contacts carry the pressure on beams that have broken if it is `handed` to them.
         """
-        m, begun = len(state.integrity), len(state.softened)
+        m, rows = len(state.integrity), len(state.softened)
         row = np.zeros((m, SoftColumn.COUNT))
-        row[:begun] = state.softened
+        row[:rows] = state.softened
         bond = state.softened[:, SoftColumn.BOND].astype(np.int64)
         press = np.zeros(len(beams.i))
         press[bond] = (1.0 - state.integrity[bond]) * beams.kn[bond]
@@ -57,7 +57,7 @@ class SofteningTables:
                 np.zeros(0) if uniform is None else uniform.per_length, press, np.zeros((m, 4)),
             ),
             soft=SofteningBeams(
-                row=row, begun=np.array([begun], dtype=np.int64), listed=listed, number=count,
+                row=row, rows=np.array([rows], dtype=np.int64), listed=listed, number=count,
                 parted=np.zeros(portions, dtype=np.int64), lost=exact_sums(),
             ),
         )  # fmt: skip
@@ -70,7 +70,7 @@ def softening(
     moving, bounds, soft, candidates = shared.moving, tables.bounds, tables.soft, damage.candidates
 
     def keep() -> None:
-        state.softened = soft.row[: soft.begun[0]].copy()
+        state.softened = soft.row[: soft.rows[0]].copy()
         state.integrity[:] = beams.integrity[: len(state.integrity)]
         damage.keep(beams.integrity, state)
 

@@ -78,21 +78,21 @@ def integrate(
         progress(state.step / total)
     joined = f"{model.interaction.bond}s"
     status, message = Status.COMPLETED, f"{total} steps of {dt:.4g} s"
-    kept = (state.copy(),)
+    copies = (state.copy(),)
     strains = StrainGauges(model, plan)
-    begun = loop.look()  # whether it is kept or not: guards need its energy
-    strains.fill(begun, state)
+    start = loop.look()  # whether it is kept or not: guards need its energy
+    strains.fill(start, state)
     fresh = plan.every > 0 and len(written.so_far) == 0
     if fresh:
-        written.append(begun)
-    stop = fresh and callback is not None and bool(callback(state, History(begun, names)))
+        written.append(start)
+    stop = fresh and callback is not None and bool(callback(state, History(start, names)))
     warning = f"; {remark}" if remark else ""
     turned = ""
     if sink is not None and plan.snapshot_every and state.step == 0:
         sink.checkpoint(state, written.so_far)  # a file that can be seen can be gone on from
         sink.snapshot(state)
     before = written.so_far.records
-    sent, first = None, (before if len(before) else begun)[:1]
+    sent, first = None, (before if len(before) else start)[:1]
     check = None
     if plan.imbalance is not None and plan.scheme.conserves:
         check = EnergyCheck(model, state, dt, plan.imbalance, first)
@@ -100,7 +100,7 @@ def integrate(
     missed = "" if check is None else check.examine(before[1:])
     pace = max(_WORK // (len(state.pose) + len(state.integrity)), 1)
     while state.step < total and not stop and not missed:
-        goal = min(total, kept[-1].step + _CHUNK, state.step + pace)
+        goal = min(total, copies[-1].step + _CHUNK, state.step + pace)
         looked = plan.every if plan.events or callback is not None or strains else 0
         for interval in (plan.save_every, plan.snapshot_every if sink is not None else 0, looked):
             if interval:
@@ -115,7 +115,7 @@ def integrate(
         written.append(records)
         if lost or sick != FINE:
             cause = _CAUSES.get(sick, f"{lost} unbroken {joined} are turned beyond 90 degrees")
-            good = kept[-1] if state.step - kept[-1].step >= _RISE else kept[0]
+            good = copies[-1] if state.step - copies[-1].step >= _RISE else copies[0]
             status = Status.UNSTABLE
             message = (
                 f"stopped at step {state.step}: {cause}; the state is that of step {good.step}."
@@ -142,8 +142,8 @@ def integrate(
             sink.snapshot(state)
         if plan.save_every and state.step % plan.save_every == 0 and sink is not None:
             sink.checkpoint(state, written.so_far)
-        if state.step - kept[-1].step >= _CHUNK:
-            kept = (kept[-1], state.copy())
+        if state.step - copies[-1].step >= _CHUNK:
+            copies = (copies[-1], state.copy())
         if callback is not None and len(records) and callback(state, History(records, names)):
             stop = True
         elif any(event.happened(state, written.so_far) for event in plan.events):

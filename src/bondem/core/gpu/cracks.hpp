@@ -108,7 +108,7 @@ inline void wake_crack(Index k, const Moving &all, const ElasticFacets &facets, 
                        const CrackLists &lists) {
     if (lists.waking(k) != crack::wakes) return;
     const SingleCrack one(all.pose, facets, cracks, k);
-    if (one.is_gone() && turned_away(one.now, one.area, slide_of(cracks, k))) {
+    if (one.is_separate() && turned_away(one.now, one.area, slide_of(cracks, k))) {
         part_resting(facets, cracks, k);
         lists.waking(k) = crack::parts;
         return;

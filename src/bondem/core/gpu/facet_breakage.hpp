@@ -77,9 +77,9 @@ inline void write_facet_failure(Index e, const DeviceSpan &span, const Moving &a
     const Index k = candidates.marked(e);
     Removal removal = removal_of_facet(all, facets, k);
 #pragma unroll 1
-    for (Index gone = 0; gone < 2; gone++) {
-        const double energy = energy_of_cells(all, facets, walls, release, marks, k, k + gone);
-        removal.energy += gone == 0 ? energy : -energy;
+    for (Index removed = 0; removed < 2; removed++) {
+        const double energy = energy_of_cells(all, facets, walls, release, marks, k, k + removed);
+        removal.energy += removed == 0 ? energy : -energy;
     }
     write_failure(e, span, candidates, log, removal);
 }

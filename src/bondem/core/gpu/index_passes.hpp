@@ -3,7 +3,6 @@
 #pragma once
 #include "adhesion.hpp"
 #include "beams.hpp"
-#include "begun_contacts.hpp"
 #include "boundary.hpp"
 #include "breakage.hpp"
 #include "cells.hpp"
@@ -15,6 +14,7 @@
 #include "for_each.hpp"
 #include "heap_sort.hpp"
 #include "motion.hpp"
+#include "new_contacts.hpp"
 #include "non_local_pairs.hpp"
 #include "ranges.hpp"
 #include "record.hpp"
@@ -28,9 +28,7 @@
 #define BONDEM_INDEX_PASSES(X) \
     X(adhere_one_pair) X(add_adhesion_of_element) X(adhere_element_at_walls) X(sum_portion_of_adhesion) \
     X(sum_portion_of_adhesion_at_walls) X(load_beam) X(load_uniform_beam) X(load_dashpot) X(check_portion) \
-    X(sum_portion_of_beams) X(begin_contact_of_event) X(add_begun_contacts_of_element) X(take_over_energies) \
-    X(touch_parted_face) X(open_face) X(begin_faces_of_pair) X(settle_face) X(settle_faces_of_cell) \
-    X(take_over_from_cracks) X(clear_row) X(follow_loads_of_row) X(follow_all_couples) X(follow_drive) \
+    X(sum_portion_of_beams) X(clear_row) X(follow_loads_of_row) X(follow_all_couples) X(follow_drive) \
     X(follow_body_group) X(load_marked_beam) X(load_marked_uniform_beam) X(rank_failing) X(count_failures) \
     X(remove_failing_beam) X(take_beams_off_element) X(load_failing_dashpot) X(take_dashpots_off_element) \
     X(keep_gathered_sum) X(keep_sum) X(keep_dashed_sum) X(resume_free) X(resume_resisted) X(resume_row) \
@@ -56,9 +54,11 @@
     X(gather_dashpots) X(move_gathered) X(move_gathered_resisted) X(move_summed) X(move_summed_resisted) \
     X(move_gathered_row) X(move_gathered_resisted_row) X(move_summed_row) X(move_summed_resisted_row) \
     X(open_element) X(open_element_or_row) X(open_work_of_body) X(add_body_force) X(add_work_of_body) \
+    X(begin_contact_of_event) X(add_new_contacts_of_element) X(take_over_energies) X(touch_parted_face) \
+    X(open_face) X(begin_faces_of_pair) X(settle_face) X(settle_faces_of_cell) X(take_over_from_cracks) \
     X(find_force_of_pair) X(turn_stress_of_element) X(gather_moments) X(add_pair_moments_of_element) \
     X(add_wall_moments_of_element) X(find_stress_of_element) X(judge_pair) X(write_pair_failure) \
-    X(take_pairs_off_element) X(relieve_element) X(end_failing_pair) X(add_all_begun_contacts) \
+    X(take_pairs_off_element) X(relieve_element) X(end_failing_pair) X(add_all_new_contacts) \
     X(sum_portion_of_springs) X(set_clock) X(count_record) X(sum_portion_of_elements) X(judge_all_energy) \
     X(write_whole_ledger) X(read_part_of_gauge) X(write_gauge) X(roll_one_pair) X(add_rolling_of_element) \
     X(roll_element_at_walls) X(sum_portion_of_rolling) X(sum_portion_of_rolling_at_walls) X(soften_listed) \

@@ -111,7 +111,7 @@ inline void relieve_element(Index p, const Moving &all, const NonLocalBonds &bon
 inline void end_failing_pair(Index e, const NonLocalBonds &bonds, const BeamIntegrity &state, const Candidates &candidates) {
     if (e < candidates.count(0)) end_pair(bonds, state, candidates.marked(e));
 }
-constexpr auto add_all_begun_contacts = once<add_begun_contacts>;
+constexpr auto add_all_new_contacts = once<add_new_contacts>;
 
 // ---- sums for the history
 

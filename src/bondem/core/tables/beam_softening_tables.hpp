@@ -22,7 +22,7 @@ struct SofteningBounds {
 struct SofteningBeams {
     // beams in the order in which they began, columns of `SoftColumn`
     Array<double, 2> row;  // (bonds, soft_column::count)
-    Array<Index, 1> begun;  // number of rows, (1,)
+    Array<Index, 1> rows;  // number of rows, (1,)
     Array<Index, 1> listed;  // rows that have not broken, those of a portion of bonds from its first bond on, (bonds,)
     Array<Index, 1> number;  // number of rows of each portion, (bond_portions,)
     Array<Index, 1> parted;  // number of those that break in this step, behind the others, (bond_portions,)

@@ -98,7 +98,7 @@ struct FacePairs {
     // torque on the earlier one [N·m]
     Array<double, 2> output;  // (pairs, 12)
     Array<double, 1> gained;  // energy taken over from facets that part [J], (pairs,)
-    Array<Index, 2> begun;  // exact sum of it, zero between steps, (1, exact_word::count)
+    Array<Index, 2> gained_sum;  // exact sum of it, zero between steps, (1, exact_word::count)
     Array<Index, 1> count;  // close pairs of each portion of elements, (element_portions,)
 };
 // Motion of the elements since their distances were measured, and since the list was made.

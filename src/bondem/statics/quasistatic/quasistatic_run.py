@@ -383,9 +383,9 @@ def _begin(model: Model) -> tuple[DamagedBody, Equilibrium, FacetOnset]:
         body = DamagedBody(model, system, np.tile(np.eye(6), (len(system.free), 1, 1)))
         equilibrium = Eliminated(body.system)
     else:
-        begun = Iteration(system)
-        body = DamagedBody(model, system, begun.root)
-        equilibrium = Iterated(body.system, body.matrix, begun, body.integrity)
+        iteration = Iteration(system)
+        body = DamagedBody(model, system, iteration.root)
+        equilibrium = Iterated(body.system, body.matrix, iteration, body.integrity)
     if soft is not None:
         return body, equilibrium, StressOnset(body, soft)
     assert brittle is not None

@@ -32,7 +32,7 @@ struct SingleCrack {
                           {state.slip[0], state.slip[1], state.slip[2]});
     }
     // True if a crack transmits only pressure along its normal.
-    bool is_gone() const { return now.left.s[0] == 0.0 && now.left.grip == 0.0; }
+    bool is_separate() const { return now.left.s[0] == 0.0 && now.left.grip == 0.0; }
 };
 // Stores the axes of crack k, given in space.
 inline void put_axes(const CohesiveCracks &cracks, Index k, Quaternion<double> cell, const CrackAxes<double> &axes) {

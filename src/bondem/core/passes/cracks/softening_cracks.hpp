@@ -211,10 +211,10 @@ BONDEM_INLINE void soften_each(const Group &group, const Moving &all, const Elas
     const CrackPlace<T> at = place_of(group, all.pose, facets.period.data, cracks);
     const CrackFaces<T> &now = at.now;
     const Mask<T> fresh = at.state.column[6] > zero, treated = opposite(group.flagged(lists.flag));
-    const Mask<T> gone = (now.left.s[0] == zero) & (now.left.grip == zero);
+    const Mask<T> separate = (now.left.s[0] == zero) & (now.left.grip == zero);
     const Vector3<T> whole = whole_force(at.facet.k, now, at.stress);
-    Mask<T> calm = treated & opposite(fresh) & gone;
-    const Mask<T> softens = treated & opposite(gone);
+    Mask<T> calm = treated & opposite(fresh) & separate;
+    const Mask<T> softens = treated & opposite(separate);
     if (any(softens)) {
         const CrackJudgement<T> of = judgement_of(group, cracks);
         const T bent = bending_traction(at.ends, of.bends, of.H), strength = of.by.tension.strength;

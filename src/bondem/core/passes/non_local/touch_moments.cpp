@@ -20,8 +20,8 @@ void add_to_stress(const double *pose, const LaggedStresses &stresses, Short p, 
 
 }  // namespace
 
-void add_begun_contacts(const Range &, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
-                        const LaggedStresses &stresses, const EventLog &log) {
+void add_new_contacts(const Range &, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+                      const LaggedStresses &stresses, const EventLog &log) {
     const double *const pose = all.pose.data;
     for_each_event(log, [&](Index bond, Index) {
         const Index k = pairs.of_bond(bond);
@@ -33,7 +33,7 @@ void add_begun_contacts(const Range &, const Moving &all, const ContactConstants
         add_to_stress(pose, stresses, pairs.second(k), lever.of_second, force);
     });
 }
-BONDEM_PASS(add_begun_contacts, of_events, "ends motion; still pose; adds stress")
+BONDEM_PASS(add_new_contacts, of_events, "ends motion; still pose; adds stress")
 
 // Adds contacts of pairs to the stresses of the elements of a range, in the order of the pairs.
 void add_pair_moments(const Range &range, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
