@@ -46,10 +46,10 @@ class CoreLoop:
         self._threads = current_threads() if busy >= SERIAL_BONDS else 1
         domains = min(self._threads, max(busy // _DOMAIN, 1))
         # elements that a failure delays keep their sums in rows of their own
-        kept = 0 if model.breaking is None else self._n
+        postponed = 0 if model.breaking is None else self._n
         # the corrected mass needs the sums of all elements at once, but rows of sums are reused by later blocks
         size = BLOCK if model.correction is None else max(self._n, 1)
-        blocks = Blocks.of(model.layout, size, domains, model.constraints.row_of >= 0).table(kept)
+        blocks = Blocks.of(model.layout, size, domains, model.constraints.row_of >= 0).table(postponed)
         self._tables, self._parts = parts_of(model, terms, state, blocks, gauge_tables(model, plan), dt)
         self._still = noticeable(model, dt)
         # tables of all parts whose lists are not renewed

@@ -42,7 +42,7 @@
     X(check_travel_of_element) X(check_travel_of_wall) X(move_all_walls) X(press_pair) X(press_pair_or_faces) \
     X(add_faces_of_element) X(add_pairs_of_element) X(press_walls_on_element) X(add_contact_load) X(load_wall) \
     X(kick_free_wall) X(measure_overlaps) X(sum_portion_of_pairs) X(sum_portion_of_faces) X(sum_portion_at_walls) \
-    X(count_work_of_walls) X(write_all_walls) X(load_kept_facet) X(gather_facet_moments) X(sum_moments_of_cell) \
+    X(count_work_of_walls) X(write_all_walls) X(load_stored_facet) X(gather_facet_moments) X(sum_moments_of_cell) \
     X(find_cell_stress) X(find_still_stress) X(add_surface_stress) X(add_still_surface_stress) X(judge_cell) \
     X(mark_facet) X(mark_plane) X(begin_marked_crack) X(sum_stressed_portion) X(sum_portion_of_cracks) \
     X(sum_portion_of_crushing) X(write_all_crushing_of_facets) X(begin_all_levers) X(restore_crack) X(weigh_cell) \

@@ -68,7 +68,7 @@ def cells(
     model: Model,
     state: State,
     body: BodyOfCells,
-    kept: FacetForces | None = None,
+    stored: FacetForces | None = None,
     damage: DamageTables | None = None,
     stretch: Sequence[StepEntry] = (),
     powers: Sequence[StepEntry] = (),
@@ -80,7 +80,7 @@ def cells(
         model: model of the body.
         state: state from which the run begins.
         body: tables of the body.
-        kept: forces of facets and moments of cells where cracks need them, or None. Then the energies of dilatation
+        stored: forces of facets and moments of cells where cracks need them, or None. Then the energies of dilatation
             are those of another part, which knows the stresses of cells with cracks.
         damage: tables of facets that break at once, or None.
         stretch: passes that follow where stress-free strains have changed levers.
@@ -96,10 +96,10 @@ def cells(
     collect: Passes = [steps.collect_dilatation(blocks, body.cells)]
     loads: Passes = [steps.add_facet_loads(moving, body.facets, blocks)]
     gather: Passes = []
-    if kept is not None:
+    if stored is not None:
         mark = [steps.accumulate_left_dilatation(moving, body.facets, body.cells)]
-        loads = [steps.add_and_keep_facet_loads(moving, body.facets, kept, blocks)]
-        gather = [steps.collect_facet_moments(blocks, kept), steps.take_moments(kept)]
+        loads = [steps.add_and_keep_facet_loads(moving, body.facets, stored, blocks)]
+        gather = [steps.collect_facet_moments(blocks, stored), steps.take_moments(stored)]
     loads += [steps.add_dashpot_loads(moving, beams, dashpots, blocks) for dashpots, beams in body.dashed]
     present, beside, behind = _changing(shared, body, stretch, powers)
     constrain: Passes = [*beside, steps.apply_walls(moving, walls, rows)] if walled else [*beside]
@@ -118,7 +118,7 @@ def cells(
             "add": [*([steps.add_wall_loads(rows, blocks)] if walled else []), *torques],
             "guard": [steps.check_facets(moving, body.facets, ledger)],
         },
-        record=lambda _: [*(energies if kept is None else [facets]), *supports],
+        record=lambda _: [*(energies if stored is None else [facets]), *supports],
     )  # fmt: skip
 
 

@@ -117,20 +117,20 @@ template <class Strong> inline Coefficients<double> coefficients_of(const Strong
 template <class MayFail, class IndexOf, class Postpone>
 inline void judge(const Range &range, const Candidates &candidates, MayFail may_fail, IndexOf index, Postpone postpone) {
     const Index first = candidates.begin(range.block);
-    Index kept = 0;
+    Index failing = 0;
     if (!range.clock.first)
         for (Index e = first; e < first + candidates.count(range.block); e++) {
             const Index k = candidates.marked(e);
             if (!may_fail(k)) continue;
             const Verdict<double> verdict = index(k);
             if (!(verdict.index >= 1.0)) continue;
-            candidates.marked(first + kept) = k;
-            candidates.mode(first + kept) = Index(verdict.mode);
-            kept++;
+            candidates.marked(first + failing) = k;
+            candidates.mode(first + failing) = Index(verdict.mode);
+            failing++;
             postpone(k);
         }
-    candidates.count(range.block) = kept;
-    if (kept > 0) put_shared(candidates.any(0), Index(1));
+    candidates.count(range.block) = failing;
+    if (failing > 0) put_shared(candidates.any(0), Index(1));
 }
 
 // ---- removal

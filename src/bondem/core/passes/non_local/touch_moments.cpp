@@ -27,8 +27,8 @@ void add_new_contacts(const Range &, const Moving &all, const ContactConstants &
         const Index k = pairs.of_bond(bond);
         if (k < 0 || pairs.touch(k) != touching) return;
         const TouchLevers lever(c, pairs, k, branch_of(pose, pairs, k));
-        const Vector *const kept = &pairs.memory.row<Vector>(k);
-        const Vector force = present_loads(all, c, pairs, k, {kept[0], kept[1]}).contact.force;
+        const Vector *const memory = &pairs.memory.row<Vector>(k);
+        const Vector force = present_loads(all, c, pairs, k, {memory[0], memory[1]}).contact.force;
         add_to_stress(pose, stresses, pairs.first(k), lever.of_first, -force);
         add_to_stress(pose, stresses, pairs.second(k), lever.of_second, force);
     });
