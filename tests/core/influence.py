@@ -335,7 +335,7 @@ def states(case: Case, steps: list[int]) -> Iterator[State]:
     """Yield the states of a case after numbers of steps."""
     model, start, _, dt, options = case
     loop = CoreLoop(model, Plan(duration=1.0, dt=dt, **{**options, "every": 0}), start(model), dt)
-    loop.look()
+    loop.record_present()
     for step in steps:
         if step > loop.state.step:
             loop.run(step - loop.state.step)

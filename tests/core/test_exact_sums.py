@@ -204,9 +204,9 @@ BUSY = ["dissipative and brittle", "pressed brittle cells", "warming brittle cel
 def test_a_device_records_the_bits_of_the_cpu_whichever_element_is_first(case: str) -> None:
     model, start, _, dt, options = ALL[case]()
     plan = Plan(duration=dt, dt=dt, **options)
-    cpu = CoreLoop(model, plan, start(model), dt).look()
+    cpu = CoreLoop(model, plan, start(model), dt).record_present()
     for device in (Host, Backwards):
-        np.testing.assert_array_equal(DeviceLoop(model, plan, start(model), dt, device()).look(), cpu)
+        np.testing.assert_array_equal(DeviceLoop(model, plan, start(model), dt, device()).record_present(), cpu)
 
 
 @pytest.mark.filterwarnings("ignore")
@@ -240,7 +240,7 @@ def test_energies_of_beams_are_the_exact_sums_of_those_of_single_beams() -> None
     state.pose[:, 4:] += rng.uniform(-0.01, 0.01, state.pose[:, 4:].shape)
     state.pose[:, 4:] /= np.linalg.norm(state.pose[:, 4:], axis=1, keepdims=True)
     loop = CoreLoop(model, Plan(duration=dt, dt=dt), state, dt)
-    record = loop.look()[0, HistoryColumn.NORMAL : HistoryColumn.TWISTING + 1]
+    record = loop.record_present()[0, HistoryColumn.NORMAL : HistoryColumn.TWISTING + 1]
     entries = [one for part in loop._parts for one in part.record(HistoryRows(np.zeros((1, loop._width))))]
     moving, beams, _ = next(tables for name, tables in entries if name == "sum_beam_energies")
     single = np.zeros((len(model.layout.i), 4))

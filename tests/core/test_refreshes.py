@@ -74,7 +74,7 @@ def differing(name: str, steps: int, left_out: int | None = None) -> int:
     options = {key: value for key, value in options.items() if key not in ("every", "gauges")}
     case = model, start, steps, dt, options
     whole = CoreLoop(model, Plan(duration=1.0, dt=dt, every=0, **options), start(model), dt)
-    whole.look()
+    whole.record_present()
     state, parts = whole.state.copy(), parts_of(case)
     whole.run(steps)
     owner = np.random.default_rng(0).integers(0, 3, len(state.pose))

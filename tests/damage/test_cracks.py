@@ -53,7 +53,7 @@ def look(model: bd.Model, state: bd.State) -> tuple[float, np.ndarray, np.ndarra
     state.stale = True
     dt = 1e-9
     plan = bd.Plan(duration=1.0, dt=dt, every=1)
-    record = bd.History(CoreLoop(model, plan, state, dt).look())
+    record = bd.History(CoreLoop(model, plan, state, dt).record_present())
     energy = sum(float(record.energy[part][0]) for part in ELASTIC)
     force = state.acceleration[:, :3] / state.motion[:, 3:4]
     torque = state.acceleration[:, 3:] / state.motion[:, 7:8]

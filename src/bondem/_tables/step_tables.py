@@ -243,7 +243,7 @@ class StepSpan(NamedTuple):
     step: int  #: number of the present one
     steps: int  #: how many to go
     every: int  #: steps between records, 0 for none
-    looks: int  #: whether it takes none, and records the present
+    records_present: int  #: whether it takes none, and records the present
     stale: int  #: whether the acceleration is to be found for that
     moved: int  #: whether elements and walls have moved already in the first step, whose list was out of date
     n: int  #: elements

@@ -176,7 +176,7 @@ Index take_steps(Index threads, const StepPasses &passes, const StepBlocks &bloc
     Clock clock = clock_at(scheme, span.step);
     clock.first = 1;
     if (!span.moved) driver.through(present, clock);
-    if (span.looks) {
+    if (span.records_present) {
         if (span.stale) {
             Clock still = clock;
             still.dt = still.finish = still.begin = still.extra = 0.0;

@@ -45,7 +45,7 @@ void do_share(int member, int members) {
 }
 
 uint64_t next_call(uint64_t seen) {
-    for (int look = 0; look < spins; look++) {
+    for (int turn = 0; turn < spins; turn++) {
         const uint64_t now = __atomic_load_n(&team.call, __ATOMIC_ACQUIRE);
         if (now != seen) return now;
         pause();
@@ -104,7 +104,7 @@ int started(int wanted) {
 }
 
 void wait_for_all() {
-    for (int look = 0; look < spins; look++) {
+    for (int turn = 0; turn < spins; turn++) {
         if (__atomic_load_n(&team.left, __ATOMIC_ACQUIRE) == 0) return;
         pause();
     }

@@ -80,7 +80,7 @@ def integrate(
     status, message = Status.COMPLETED, f"{total} steps of {dt:.4g} s"
     copies = (state.copy(),)
     strains = StrainGauges(model, plan)
-    start = loop.look()  # whether it is kept or not: guards need its energy
+    start = loop.record_present()  # whether it is kept or not: guards need its energy
     strains.fill(start, state)
     fresh = plan.every > 0 and len(written.so_far) == 0
     if fresh:
@@ -101,8 +101,8 @@ def integrate(
     pace = max(_WORK // (len(state.pose) + len(state.integrity)), 1)
     while state.step < total and not stop and not missed:
         goal = min(total, copies[-1].step + _CHUNK, state.step + pace)
-        looked = plan.every if plan.events or callback is not None or strains else 0
-        for interval in (plan.save_every, plan.snapshot_every if sink is not None else 0, looked):
+        watched = plan.every if plan.events or callback is not None or strains else 0
+        for interval in (plan.save_every, plan.snapshot_every if sink is not None else 0, watched):
             if interval:
                 goal = min(goal, (state.step // interval + 1) * interval)
         steps, began = goal - state.step, time.perf_counter()
@@ -110,7 +110,7 @@ def integrate(
         taken = time.perf_counter() - began
         pace = max(round(steps * _PATIENCE / max(taken, 1e-9)), 1)
         if state.step == total and plan.every and total % plan.every and not lost and sick == FINE:
-            records = np.vstack([records, loop.look()])  # the end of the run
+            records = np.vstack([records, loop.record_present()])  # the end of the run
         strains.fill(records, state)
         written.append(records)
         if lost or sick != FINE:
@@ -126,9 +126,9 @@ def integrate(
         if wide:
             turned = f"; {wide} {joined} were turned so far (c < 0.7 or w² < 0.75) that {model.interaction.turned}"
         if sinking is not None:
-            sinking.look(state)
+            sinking.examine(state)
         if check is not None:
-            missed = check.examine(records if plan.every else loop.look())
+            missed = check.examine(records if plan.every else loop.record_present())
             if missed:
                 break
         if progress is not None:
@@ -160,7 +160,7 @@ def integrate(
         warning = f"; {check.remark}{warning}"
     ended = status is not Status.UNSTABLE and not message.startswith("interrupted")
     if ended and plan.every and written.so_far.time[-1] < state.time:  # stopped between two records
-        end = loop.look()
+        end = loop.record_present()
         strains.fill(end, state)
         written.append(end)
     history = written.so_far

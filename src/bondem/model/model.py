@@ -144,8 +144,8 @@ class Model:
     def _check_magnitudes(self) -> None:
         with np.errstate(all="ignore"):
             mass, inertia, stiffness = self.mass, self.inertia, self.stiffness
-        held = [(item.name, getattr(stiffness, item.name)) for item in fields(stiffness)]
-        for name, values in (("masses", mass), ("moments of inertia", inertia), *held):
+        stiffnesses = [(item.name, getattr(stiffness, item.name)) for item in fields(stiffness)]
+        for name, values in (("masses", mass), ("moments of inertia", inertia), *stiffnesses):
             if not np.isfinite(values).all() or (name.startswith("m") and not (values > 0.0).all()):
                 raise InputError(
                     f"the {name} of this model exceed the range of numbers; check the units of density, bonds, radii"

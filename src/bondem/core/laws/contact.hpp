@@ -90,8 +90,8 @@ BONDEM_INLINE ContactStiffness<T> contact_stiffness(const Law &, const ContactSp
 // largest F_t / F_n.
 template <class T, class Number> BONDEM_INLINE T sliding_limit(Number friction, T N, T h) {
     const T wide = 4.0 * N * h, square = T{} + friction * friction;
-    const T held = select(square * wide > all<T>(1.0), 1.0 / wide, square);
-    return 2.0 * root(held) * N / (1.0 + root(positive(1.0 - held * wide)));
+    const T bounded = select(square * wide > all<T>(1.0), 1.0 / wide, square);
+    return 2.0 * root(bounded) * N / (1.0 + root(positive(1.0 - bounded * wide)));
 }
 
 template <class T> BONDEM_INLINE Vector3<T> tangential(Vector3<T> v, Vector3<T> n) { return minus(v, dot(v, n), n); }

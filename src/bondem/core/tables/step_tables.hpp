@@ -209,7 +209,7 @@ struct StepSpan {
     Index step;  // number of the present one
     Index steps;  // how many to go
     Index every;  // steps between records, 0 for none
-    Index looks;  // whether it takes none, and records the present
+    Index records_present;  // whether it takes none, and records the present
     Index stale;  // whether the acceleration is to be found for that
     Index moved;  // whether elements and walls have moved already in the first step, whose list was out of date
     Index n;  // elements

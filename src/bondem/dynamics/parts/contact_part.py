@@ -219,7 +219,7 @@ class ContactTables:
             pairs.first, pairs.second, pairs.bond, pairs.joined, at_walls.element, self._velocity_of_walls(),
             self._deepest,
         )  # fmt: skip
-        self._check.look(listed, self._state.motion, self._state.time)
+        self._check.examine(listed, self._state.motion, self._state.time)
 
     def _velocity_of_walls(self) -> Floats:
         """Return the velocity of the wall at the element of each contact with one [m/s], (b, 3)."""

@@ -134,7 +134,7 @@ template <class T> void flow(const YieldSamples &samples, Index e) {
     const PlasticStep<T> step = samples.cone ? cone_step(p, at, by) : slip_step(p, by);
     const Symmetric3<T> strain = plastic_strain(p, step);
     WriteColumns<T> found(samples.found, e);
-    found(yield_bound(at, by, samples.cone != 0)), found(step.gamma), found(step.held);
+    found(yield_bound(at, by, samples.cone != 0)), found(step.gamma), found(step.carry);
     found(Vector3<T>{strain.xx, strain.yy, strain.zz}), found(Vector3<T>{strain.xy, strain.xz, strain.yz});
     found(Vector3<T>{p.stress[0], p.stress[1], p.stress[2]});
     found(yield_load(p, at, by.slope, samples.cone != 0));
