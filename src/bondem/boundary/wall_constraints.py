@@ -25,11 +25,11 @@ BASE = 7
 
 @dataclass(frozen=True, eq=False)
 class FixedFacets:
-    """Held free facets of a body, with the held axes and the motion of their walls.
+    """Free facets of a body that walls hold, with the fixed axes and the motion of their walls.
 
     Attributes:
         facet: indices into `cells.free`, ascending, shape (g,).
-        axes: mask of held axes x, y, z of each facet, shape (g, 3).
+        axes: mask of fixed axes x, y, z of each facet, shape (g, 3).
         drives: schedules of walls that move.
         drive: schedule that each facet follows along x, y, z, or -1, shape (g, 3).
         rate: mask of the schedules that are velocities.
@@ -102,7 +102,7 @@ class FixedFacets:
 
 
 def supports_facets(condition: Fix | Drive) -> bool:
-    """Return True if a condition holds a wall: one on a face that prescribes translations."""
+    """Return True if a condition holds facets by a wall: one on a face that prescribes translations."""
     first = condition.components if isinstance(condition, Fix) else [dof for dof, *_ in condition.motion]
     return is_face(condition.region) and min(first) < 3
 
@@ -116,11 +116,11 @@ class Supports:
         k: 2 G A / d [N/m], shape (g,).
         lever: lever from the centre of mass of the cell to the centroid of the facet [m], shape (g, 3).
         arm: lever without stress, longer for cells with a stress-free strain [m], shape (g, 3).
-        share: A m along the held axes: V θ of the cell is Σ share·δ [m²], shape (g, 3).
+        share: A m along the fixed axes: V θ of the cell is Σ share·δ [m²], shape (g, 3).
         H: resistance to rotation if the normal is held [N·m], shape (g, 3, 3).
-        axes: 1 for held and 0 for free axes x, y, z, shape (g, 3).
+        axes: 1 for fixed and 0 for free axes x, y, z, shape (g, 3).
         motion: displacement of the wall at the end of all schedules [m], shape (g, 3).
-        fixed: motion of the walls.
+        fixed: facets that walls hold, and the motion of the walls.
         area: areas of the facets [m²], shape (g,).
         normal: normals of the facets [-], shape (g, 3).
         way: m [-], shape (g, 3).
@@ -148,11 +148,11 @@ class Supports:
         return cls(fixed.facet, no[:, 0], no, no, no, square, no, no, fixed, no[:, 0], no, no, square)
 
     def flatness(self, orientation: Floats) -> Floats:
-        """Return the held share of the normal of each facet, 0 … 1, with cells of these quaternions (g, 4), (g,)."""
+        """Return the fixed share of the normal of each facet, 0 … 1, with cells of these quaternions (g, 4), (g,)."""
         return ((self.axes * turned_vectors(orientation, self.normal)) ** 2).sum(axis=1)
 
     def taken(self, base: Floats) -> "Supports":
-        """Return held facets with rotated shares and H, for walls that hold cells since the poses `base`, (g, 7)."""
+        """Return fixed facets with rotated shares and H, for walls that hold cells since the poses `base`, (g, 7)."""
         other = (base[:, 4:] != 0.0).any(axis=1)
         if not other.any():
             return self
@@ -164,11 +164,11 @@ class Supports:
         return replace(self, share=share, H=H)
 
     def grown(self, strain: PerElement) -> "Supports":
-        """Return the held facets of cells with a stress-free strain [-], user's order, (n,)."""
+        """Return the fixed facets of cells with a stress-free strain [-], user's order, (n,)."""
         return replace(self, arm=self.lever * (1.0 + strain[self.cell, None]))
 
     def gap(self, displacement: PerElement3, rotation: PerElement3, wall: Floats | None = None) -> Floats:
-        """Return the gaps between walls and their facets along the held axes, for small motions [m], shape (g, 3).
+        """Return the gaps between walls and their facets along the fixed axes, for small motions [m], shape (g, 3).
 
         Args:
             displacement, rotation: motions of the elements [m, rad], (n, 3).
@@ -192,7 +192,7 @@ class Supports:
     def constraint(self, motion: Floats) -> Floats:
         """Return the constrained motions for motions (n, 6, k) of the elements [m], (6 g, k).
 
-        These are the motion of the held points along the held axes, and √(H/k) θ: a wall that holds the normal of a
+        These are the motion of the fixed points along the fixed axes, and √(H/k) θ: a wall that holds the normal of a
         facet holds a plane, which resists a rotation even if no other facet is held.
         """
         own = motion[self.cell]
@@ -204,7 +204,7 @@ class Supports:
         return np.concatenate([fixed, turned]).reshape(-1, motion.shape[-1])
 
     def blocks(self, lever: Floats | None = None) -> tuple[Floats, Floats]:
-        """Return parts of held facets in diagonal blocks [N/m, N, N·m], (g, 6, 6), and in V θ of cells, (g, 6).
+        """Return parts of fixed facets in diagonal blocks [N/m, N, N·m], (g, 6, 6), and in V θ of cells, (g, 6).
 
         Args:
             lever: levers as rotated by the cells [m], (g, 3); None for those of the reference.
@@ -219,7 +219,7 @@ class Supports:
         return own, -np.hstack([self.share, np.cross(b, self.share)])
 
     def table(self, layout: Layout, row_of: Ints, base: Floats | None = None) -> WallConstraints:
-        """Return the held facets as the core takes them; arrays that change are those of the table.
+        """Return the fixed facets as the core takes them; arrays that change are those of the table.
 
         Args:
             layout: order of the elements.

@@ -16,7 +16,7 @@ class CellStrain:
     Attributes:
         gap: δ = u_j + θ_j × b_j - u_i - θ_i × b_i, gap between the faces of each facet [m], (m, 3).
         turn: θ_j - θ_i [rad], (m, 3).
-        wall_gap: gaps at the facets that walls hold, along the held axes [m], (g, 3).
+        wall_gap: gaps at the facets that walls hold, along the fixed axes [m], (g, 3).
         rotation: rotations of the elements [rad], (n, 3).
         swelling: V θ of each cell, without the opening of free facets by its own stress [m³], (n,).
     """

@@ -7,7 +7,7 @@
 // A wall with friction μ holds a facet across its pressure N as long as |f_t| ≤ μ N; beyond, the facet slides: the wall is
 // moved after it, by as much as brings f_t to μ N, and the work ½ (f before + f after) · slip is lost to friction.
 //
-// P keeps the held axes, k = 2 G A / d is that of the half facet of the cell, and v the vector part of q q₀*, the
+// P keeps the fixed axes, k = 2 G A / d is that of the half facet of the cell, and v the vector part of q q₀*, the
 // rotation of the cell since the wall holds it. A wall that begins to hold a moved face starts at the place of the
 // face: `base` has the displacement there and q₀.
 #pragma once
@@ -16,7 +16,7 @@
 
 namespace bondem {
 
-// A held facet in space: its gap, and its lever turned with the cell [m].
+// A fixed facet in space: its gap, and its lever turned with the cell [m].
 template <class T> struct SupportedFacet {
     Vector3<T> gap, arm;
 };
@@ -119,7 +119,7 @@ inline double energy_of_support(const Array<double, 2> &pose, const Array<const 
     return 0.5 * walls.k(g) * dot(gap, gap) + 2.0 * dot(v, walls.H.row<const Symmetric3<double>>(g) * v);
 }
 
-// Moves the wall of a held facet to its place at a time; `increment` is its displacement.
+// Moves the wall of a fixed facet to its place at a time; `increment` is its displacement.
 inline void place_support(const WallConstraints &walls, double time, Index g) {
     const Timeline timeline = {walls.times, walls.values, walls.start};
     for (Index axis = 0; axis < 3; axis++) {
