@@ -55,6 +55,6 @@ def main(count: int = 1200, cycles: int = 8, folder: Path | None = None) -> Cour
 
 if __name__ == "__main__":
     course = main(folder=Path(sys.argv[1]) if len(sys.argv) > 1 else None)
-    print("φ = {:.3f}, pressure held over asked {:.3f} ± {:.3f}".format(course.fraction[-1], *course.held))
+    print("φ = {:.3f}, pressure held over asked {:.3f} ± {:.3f}".format(course.fraction[-1], *course.reached))
     if len(sys.argv) > 1:
         draw_compaction(Path(sys.argv[1]) / "shear_compaction.png", course)

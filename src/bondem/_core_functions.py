@@ -37,8 +37,8 @@ class StressCallback:
     def __init__(self, function: Callable[..., Any], count: int) -> None:
         self._function, self._count = function, count
         self._error: BaseException | None = None
-        self._kept = _KIND(self._call)
-        self.address = int(ctypes.cast(self._kept, ctypes.c_void_p).value or 0)
+        self._callback = _KIND(self._call)
+        self.address = int(ctypes.cast(self._callback, ctypes.c_void_p).value or 0)
 
     def _call(self, count: int, stress: Any, parameter: Any, index: Any) -> None:
         found = np.ctypeslib.as_array(index, (count,))

@@ -98,7 +98,7 @@ def _registers(log: str) -> dict[str, Registers]:
 
 
 @cache
-def _kept() -> Path:
+def _cached() -> Path:
     """Return the folder of the passes compiled from these sources by this compiler."""
     digest = hashlib.sha256(str(nvrtc.nvrtcVersion()).encode())
     for path in core_sources("*.cpp", "*.hpp", "*.cu"):
@@ -108,7 +108,7 @@ def _kept() -> Path:
 
 def _cubin(name: str, architecture: str) -> bytes:
     """Return a compiled pass, from the cache if it is stored there."""
-    place = _kept() / f"{architecture}.{name}.cubin"
+    place = _cached() / f"{architecture}.{name}.cubin"
     try:
         return place.read_bytes()
     except OSError:

@@ -102,9 +102,9 @@ class DeviceTables:
         """Return the address of an array on the device, where it is copied at the first request."""
         whole = _whole(array)
         if id(whole) not in self._arrays:
-            address, kept = self.device.allocate(whole.nbytes + _LINE)
+            address, memory = self.device.allocate(whole.nbytes + _LINE)
             address += (whole.ctypes.data - address) % _LINE  # the same place of a line as on the CPU
-            self._arrays[id(whole)] = whole, address, kept
+            self._arrays[id(whole)] = whole, address, memory
             if id(whole) not in self._unread:
                 self.device.send(whole, address)
         return self._arrays[id(whole)][1] + array.ctypes.data - whole.ctypes.data
@@ -172,9 +172,9 @@ class DeviceTables:
                     self._written[id(_whole(value))] = _whole(value)
             for whole in _arrays_of(table):
                 self._uses[id(whole)] = self._uses.get(id(whole), 0) + 1
-            address, kept = self.device.allocate(words.nbytes)
+            address, memory = self.device.allocate(words.nbytes)
             self.device.send(words, address)
-            self._tables[id(table)] = table, address, kept
+            self._tables[id(table)] = table, address, memory
         return self._tables[id(table)][1]
 
 

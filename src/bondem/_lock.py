@@ -12,7 +12,7 @@ from typing import Any
 
 _POSIX: Any = importlib.import_module("fcntl") if os.name == "posix" else None
 # Time between two attempts to lock a file [s].
-_LOOK = 0.02
+_POLL = 0.02
 # Position of the byte that a claim locks.
 _FAR = 1 << 62
 
@@ -27,16 +27,16 @@ def alone(place: Path, *, patience: float) -> Iterator[None]:
         place: path of the lock, a file that is created and stays empty.
         patience: longest time until the block starts [s].
     """
-    with ExitStack() as held:
+    with ExitStack() as stack:
         with suppress(OSError):
             place.parent.mkdir(parents=True, exist_ok=True)
-            lock = held.enter_context(place.open("w"))
+            lock = stack.enter_context(place.open("w"))
             last = time.monotonic() + patience
             while _POSIX is not None and time.monotonic() < last:
                 try:
                     _POSIX.flock(lock, _POSIX.LOCK_EX | _POSIX.LOCK_NB)
                 except BlockingIOError:
-                    time.sleep(_LOOK)
+                    time.sleep(_POLL)
                 else:
                     break
         yield
@@ -65,11 +65,11 @@ def sole(place: Path) -> Iterator[bool]:
     Args:
         place: path of the file; in a folder that is missing or read-only every claim succeeds.
     """
-    with ExitStack() as held:
+    with ExitStack() as stack:
         file = None
         with suppress(OSError):
             while True:
-                file = held.enter_context(place.open("a"))
+                file = stack.enter_context(place.open("a"))
                 if not claim(file.fileno()):
                     yield False
                     return

@@ -144,7 +144,7 @@ def solve_explicit(
     plan = replace(plan, dt=step.dt)
     plan.steps  # noqa: B018  rejects excessive numbers of steps
     if resume:
-        found = _kept(out, model, plan, own, callback)
+        found = _file_of_run(out, model, plan, own, callback)
         if found is not None:
             known = model.failure if isinstance(model.failure, StressCriterion) else None
             return _going_on(found, read_run(found, failure=known), device, progress)
@@ -177,7 +177,7 @@ def _warn(result: ExplicitResult) -> None:
     warn_of_openings(result.state, result.dt)
 
 
-def _kept(
+def _file_of_run(
     out: str | Path | None, model: Model, plan: Plan, initial: State, callback: Callback | None
 ) -> str | Path | None:
     """Return the path of a run file if it holds this very run, None if there is no file.
@@ -229,36 +229,36 @@ def resume(
 
 
 def _going_on(
-    path: str | Path, kept: Checkpoint, device: str, progress: Callable[[float], None] | None
+    path: str | Path, saved: Checkpoint, device: str, progress: Callable[[float], None] | None
 ) -> ExplicitResult:
     """Continue a run from its checkpoint, or return its result if it is over already."""
-    over = _over(kept)
+    over = _over(saved)
     if over is not None:
         _warn(over)
         return over
-    loop_of = _loop_on(device, kept.model)
-    cracks = GrowingCracks(kept.model.lattice)
-    with RunFile(path, kept.model, kept.plan, cracks=cracks, goes_on=kept) as sink, noticing() as halt:
+    loop_of = _loop_on(device, saved.model)
+    cracks = GrowingCracks(saved.model.lattice)
+    with RunFile(path, saved.model, saved.plan, cracks=cracks, goes_on=saved) as sink, noticing() as halt:
         result = integrate(
-            kept.model, kept.plan, state=kept.state, history=kept.history, sink=sink, progress=progress,
+            saved.model, saved.plan, state=saved.state, history=saved.history, sink=sink, progress=progress,
             loop_of=loop_of, halt=halt,
         )  # fmt: skip
         stopped = halt()
     return _unless(stopped, result, sink)
 
 
-def _over(kept: Checkpoint) -> ExplicitResult | None:
+def _over(saved: Checkpoint) -> ExplicitResult | None:
     """Return the result of a run that is over at its checkpoint, None for another run."""
-    state, plan = kept.state, kept.plan
-    if state.step and any(event.happened(state, kept.history) for event in plan.events):
+    state, plan = saved.state, saved.plan
+    if state.step and any(event.happened(state, saved.history) for event in plan.events):
         status, message = Status.STOPPED, f"had been stopped by an event at t = {state.time:.6g} s"
     elif 0 < plan.steps <= state.step:
         status, message = Status.COMPLETED, f"{plan.steps} steps of {plan.dt:.4g} s"
     else:
         return None
     return ExplicitResult(
-        status=status, iterations=state.step, residual=kept.history.imbalance, state=state, history=kept.history,
-        dt=plan.dt or 0.0, message=message, quasistatic=measured(kept.model, plan, kept.history, state),
+        status=status, iterations=state.step, residual=saved.history.imbalance, state=state, history=saved.history,
+        dt=plan.dt or 0.0, message=message, quasistatic=measured(saved.model, plan, saved.history, state),
     )  # fmt: skip
 
 

@@ -5,8 +5,10 @@ whose names contain one of these.
 """
 
 import ast
+import io
 import re
 import sys
+import tokenize
 import tomllib
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -31,6 +33,10 @@ _SECTION = "bond"
 _NON_LOCAL = re.compile(r"non_local|NonLocal")
 _OWN_OF_NON_LOCAL = re.compile(r"interactions/non_local/|/_(?:tables|passes)/")
 _KIND_OF_PASS = re.compile(r"^ *BONDEM_PASS(?:_AS)?\(\w+(?:##\w+)?, (\w+)")
+# Words in names that do not say what is meant.
+_VAGUE = frozenset({"hold", "holds", "held", "told", "tell", "begun", "kept", "came", "gone", "alike", "look"})
+_NAME = re.compile(r"(?<!\w)[A-Za-z_]\w*")
+_WORD = re.compile(r"[A-Z]?[a-z]+|[A-Z]+")
 _LOWERED = re.compile(r"\bintegrity\(\w+\) [-*]?= ")
 # Sources that a command writes: the stub of the public names, the version, tables, passes and lists.
 _GENERATED = re.compile(
@@ -144,6 +150,16 @@ def _questions() -> dict[str, list[str]]:
     return found
 
 
+def _asked(capability: str) -> list[str]:
+    """Places that read this attribute of a law; a method of the same name, such as that of a load, is called."""
+    found = []
+    for module, tree in modules().items():
+        called = {id(node.func) for node in ast.walk(tree) if isinstance(node, ast.Call)}
+        read = (node for node in ast.walk(tree) if isinstance(node, ast.Attribute) and node.attr == capability)
+        found += [f"{module}:{node.lineno} {ast.unparse(node)}" for node in read if id(node) not in called]
+    return found
+
+
 def _tests_for_none() -> list[str]:
     return [f"{module}:{line} {name}" for module, name, _, line in _all_compared() if name in _PARTS]
 
@@ -165,6 +181,17 @@ def _of_core(wanted: Callable[[str], object]) -> list[str]:
 
 def _passes_of_kind(kind: str) -> list[str]:
     return _of_core(lambda line: (found := _KIND_OF_PASS.match(line)) and found[1] == kind)
+
+
+def _vague_names() -> list[str]:
+    """Names in code that contain a vague word, each once."""
+    found: set[str] = set()
+    for path in sources(".py"):
+        tokens = tokenize.generate_tokens(io.StringIO(path.read_text()).readline)
+        found |= {token.string for token in tokens if token.type == tokenize.NAME}
+    for path in sources(".hpp", ".cpp", ".cu"):
+        found |= set(_NAME.findall(re.sub(r"//[^\n]*|\"[^\"\n]*\"", "", path.read_text())))
+    return sorted(name for name in found if _VAGUE & {word.lower() for word in _WORD.findall(name)})
 
 
 def _lines(*suffixes: str) -> list[str]:
@@ -220,9 +247,11 @@ CAPS = (
     Cap("questions to a model about its law", lambda: _questions()["model"], 0),
     Cap("questions to a lattice about its shape", lambda: _questions()["lattice"], 20),
     Cap("questions to a study about its law", lambda: _questions()["study"], 0),
+    Cap("questions to a law whether it is on facets", lambda: _asked("on_facets"), 4),
     Cap("tests of a part for None", _tests_for_none, 65),
     Cap("files of Python that name the non-local law", _files_of_the_non_local_law, 3),
     Cap("places of the core that lower integrity", lambda: _of_core(_LOWERED.search), 1),
+    Cap("names of vague words", _vague_names, 5),
     Cap("passes that are single", lambda: _passes_of_kind("single"), 5),
     Cap("passes that are serial", lambda: _passes_of_kind("serial"), 0),
     Cap("device counterparts written by hand", _counterparts_by_hand, 9),

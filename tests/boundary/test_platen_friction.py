@@ -63,7 +63,7 @@ def test_shear_forces_stay_within_friction_times_pressure_at_all_times():
     model = pressed(mu)
 
     def look(state: bd.State, record: bd.History) -> None:
-        force = CellForces.of(model, state).held
+        force = CellForces.of(model, state).wall
         shear, pressure = np.linalg.norm(force[:, 1:], axis=1), np.abs(force[:, 0])
         shares.append(shear[pressure > 0.0] / pressure[pressure > 0.0])
 

@@ -29,12 +29,12 @@ from tests.core.passes import kinds_of_passes
 from tests.device_cases import Case
 
 #: First axes of columns of elements; of `*` those that `_OWNERS` names.
-OF_ELEMENTS = ("n", "sums", "rows", "held", "layered", "halves")
+OF_ELEMENTS = ("n", "sums", "rows", "supports", "layered", "halves")
 _ROWS_OF_SUMS = {"StepBlocks.sums", "Dashpots.sums", "FacetForces.sums", "Resistance.dashed"}
-_ELSE = {"CellDilatation.swelling": "n", "LaggedStresses.moment": "n", "Rows.grip": "rows",
+_ELSE = {"CellDilatation.swelling": "n", "LaggedStresses.moment": "n", "Rows.support": "rows",
          **dict.fromkeys(_ROWS_OF_SUMS, "sums")}  # fmt: skip
 _OF_BONDS = {"m", "bonds", "facets", "pairs", "places", "candidates", "strained"}
-_BONDS_TOO = {"ContactPairs.joined", "PartedReach.apart", "BeamIntegrity.hold", "SofteningBounds.hold"}
+_BONDS_TOO = {"ContactPairs.joined", "PartedReach.apart", "BeamIntegrity.per_length", "SofteningBounds.per_length"}
 # Columns whose numbers stand for places.
 _PLACES = {"FacePairs.chosen", "SofteningBeams.row", "EventLog.event"}
 _BOND_KINDS = {"bonds_of_blocks", "of_bonds", "of_cracks", "of_events"}
@@ -206,7 +206,7 @@ class Step:
             return self.row_of_sums[:count] if count <= len(self.row_of_sums) else None
         if kind == "rows":
             return self.row_element
-        if kind == "held":
+        if kind == "supports":
             walls = next((t for t in one.tables if type(t).__name__ == "WallConstraints"), None)
             return None if walls is None else walls.cell.astype(int)
         if kind == "halves":  # 2 k + 1 on cell i of facet k, and 2 k + 2 on cell j
@@ -335,7 +335,7 @@ def states(case: Case, steps: list[int]) -> Iterator[State]:
     """Yield the states of a case after numbers of steps."""
     model, start, _, dt, options = case
     loop = CoreLoop(model, Plan(duration=1.0, dt=dt, **{**options, "every": 0}), start(model), dt)
-    loop.look()
+    loop.record_present()
     for step in steps:
         if step > loop.state.step:
             loop.run(step - loop.state.step)

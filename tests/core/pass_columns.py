@@ -25,7 +25,7 @@ USES = {
 }
 #: First axes of columns of elements, `*` for some of them. Columns of bonds are not declared: ranks that share a bond
 #: compute the same for it.
-OF_ELEMENTS = {"n", "sums", "rows", "held", "layered", "halves", "*"}
+OF_ELEMENTS = {"n", "sums", "rows", "supports", "layered", "halves", "*"}
 
 
 @cache

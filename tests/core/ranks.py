@@ -28,8 +28,8 @@ from tests.device_cases import Case
 _GUARDED = 100  # steps between two passes of the guard, behind which elements open the next step by themselves
 _OUT_OF_DATE = 3
 # Columns that are 0 of bonds that do not act, and the byte of facets that do not crack, that of a parted crack.
-_HOLD = {"Beams.integrity", "ElasticFacets.integrity", "BeamIntegrity.hold", "SofteningBounds.hold",
-         "AlikeBeams.hold"}  # fmt: skip
+_HOLD = {"Beams.integrity", "ElasticFacets.integrity", "BeamIntegrity.per_length", "SofteningBounds.per_length",
+         "UniformBeams.per_length"}  # fmt: skip
 _PARTED = 3
 
 

@@ -100,7 +100,7 @@ def test_a_softened_beam_carries_pressure_as_a_whole_one():
     state.stale = True
     plan = plan_of_pair(model)
     assert plan.dt is not None
-    record = CoreLoop(model, plan, state, plan.dt).look()[0]
+    record = CoreLoop(model, plan, state, plan.dt).record_present()[0]
     force = state.acceleration[:, 0] / state.motion[:, 3]
     np.testing.assert_allclose(force, [-0.01 * kn, 0.01 * kn], rtol=1e-10)
     assert record[3] == pytest.approx(0.5 * kn * 0.01**2, rel=1e-10)
@@ -121,14 +121,14 @@ def test_contact_carries_the_pressure_on_a_beam_from_the_step_in_which_it_breaks
     plan = plan_of_pair(model)
     assert plan.dt is not None
     loop = CoreLoop(model, plan, state, plan.dt)
-    before = loop.look()[0]
+    before = loop.record_present()[0]
     force = state.acceleration[:, 0] / state.motion[:, 3]
     np.testing.assert_allclose(force, [-0.01 * kn, 0.01 * kn], rtol=1e-3)
     loop.run(1)
     assert state.integrity[0] == 0.0
     assert len(state.broken) == 1
     np.testing.assert_allclose(state.acceleration[:, 0] / state.motion[:, 3], force, rtol=1e-3)
-    after = loop.look()[0]
+    after = loop.record_present()[0]
     assert after[3] == 0.0
     assert after[7] == pytest.approx(before[3], rel=1e-3)  # of contact, and of normal force before
     assert state.released[0] > 0.0

@@ -68,7 +68,7 @@ def test_results_are_those_of_the_former_loop(conditions, monkeypatch):
     model = model_of(conditions, with_former_law(monkeypatch, crooked_cells(**GRID), CONDITIONS[conditions]))
     damping = None if conditions == "free" else bd.BondDamping(eta=0.01)
     result, former = run_of(model, 250, CoreLoop, every=50, damping=damping), FormerLoop("cells", conditions)
-    names = ("reaction", "loss") if model.constraints.holding else ("reaction", "work", "loss")  # see decision 0068
+    names = ("reaction", "loss") if model.constraints.supported else ("reaction", "work", "loss")  # see decision 0068
     former.assert_close(1e-10, **movement(result.state), **{name: getattr(result.state, name) for name in names})
     former.assert_records(1e-10, result.history.records, alike=slice(1, 9))
 

@@ -49,12 +49,12 @@ def ran(kind: str, steps: int, *, lattice=None, factor: float = 0.5, pieces: int
     model, state, dt = moving(kind, lattice or body(), factor)
     plan = Plan(duration=dt * steps, dt=dt, every=20)
     loop = CoreLoop(model, plan, state, dt)
-    records = [loop.look()]
+    records = [loop.record_present()]
     for _ in range(pieces):
         if resumed:
             state = state.copy()
             loop = CoreLoop(model, plan, state, dt)
-            loop.look()
+            loop.record_present()
         records.append(loop.run(steps // pieces)[0])
     return state, np.concatenate(records)
 
@@ -112,7 +112,7 @@ def test_cells_touch_where_faces_have_parted():
         state.set_motion(velocity=velocity)
         with threads(1):
             loop = CoreLoop(model, Plan(duration=2400 * dt, dt=dt, every=100), state, dt)
-            records = [loop.look(), *(loop.run(2400 // pieces)[0] for _ in range(pieces))]
+            records = [loop.record_present(), *(loop.run(2400 // pieces)[0] for _ in range(pieces))]
         ends.append(state)
         assert bd.History(np.concatenate(records)).imbalance < 1e-3
     for name in KEPT:
@@ -137,7 +137,7 @@ def test_no_bit_depends_on_threads_where_cells_touch():
         state.set_motion(velocity=velocity)
         with threads(count):
             loop = CoreLoop(model, Plan(duration=800 * dt, dt=dt, every=80), state, dt)
-            rows.append(np.concatenate([loop.look(), loop.run(800)[0]]))
+            rows.append(np.concatenate([loop.record_present(), loop.run(800)[0]]))
         ends.append(state)
     assert (ends[0].cracks[:, STATUS] == CrackStatus.PARTED).sum() > 5
     assert len(ends[0].cracks) > 2000

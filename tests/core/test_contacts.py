@@ -176,7 +176,7 @@ def test_a_pair_whose_beam_breaks_takes_over_what_presses_it():
     plan = plan_of(model, 1, every=1)
     assert plan.dt is not None
     loop = CoreLoop(model, plan, state, 1e-3 * plan.dt)
-    energy = loop.look()[0, 3:7].sum()
+    energy = loop.record_present()[0, 3:7].sum()
     records, *_ = loop.run(1)
     kn = 1e7 * math.pi * 0.2**2
     overlap = 1.0 - math.hypot(1.0 - u, shift)

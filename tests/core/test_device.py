@@ -76,7 +76,7 @@ def test_these_runs_have_all_that_acts_on_bodies() -> None:
         assert (np.abs(records[-1, HistoryColumn.COUNT:]) > 0.0).all()
     for make in (*CASES.values(), *CRACKING.values(), *YIELDING.values()):
         model, start, _, dt, options = make()
-        DeviceLoop(model, Plan(duration=dt, dt=dt, **options), start(model), dt, Noting()).look()
+        DeviceLoop(model, Plan(duration=dt, dt=dt, **options), start(model), dt, Noting()).record_present()
     assert set(pass_tables("kernels")) - ONSET == LAUNCHED - ONSET
 
 

@@ -57,7 +57,7 @@ def test_forces_of_an_unchanged_state_are_found_again(case: str) -> None:
     cpu, device = state.copy(), state.copy()
     for again, loop in ((cpu, CoreLoop), (device, on_device)):
         again.stale = True
-        loop(model, plan, again, dt).look()
+        loop(model, plan, again, dt).record_present()
     assert_same_state(cpu, device)
     if "contact" not in case:
         for array in ("history", "stress", "acceleration"):

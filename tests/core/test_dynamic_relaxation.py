@@ -23,15 +23,16 @@ def loaded(law: str) -> bd.Model:
 
 def parts_of(model: bd.Model) -> tuple[np.ndarray, ...]:
     """Load, 1 / mass and 1 / inertia, free degrees of freedom, prescribed motion."""
-    n, held = len(model.layout.order), model.constraints
-    return held.final_load(n), 1.0 / np.column_stack(masses(model)), ~held.held(n), held.final_motion(n)
+    n, constraints = len(model.layout.order), model.constraints
+    inverse = 1.0 / np.column_stack(masses(model))
+    return constraints.final_load(n), inverse, ~constraints.prescribed(n), constraints.final_motion(n)
 
 
 def by_core(model: bd.Model, chunk: int, steps: int = 2000) -> tuple[np.ndarray, int, bool]:
     """Poses, steps and whether forces balance."""
     load, inverse, free, motion = parts_of(model)
     state, n = State(model), len(load)
-    beams, alike = beam_tables(model.bonds, model.layout, model.period, state.integrity)
+    beams, uniform = beam_tables(model.bonds, model.layout, model.period, state.integrity)
     sums = BeamSums(beams.i, beams.j, lines(n))
     table = DynamicRelaxation(
         state.pose, np.zeros((n, 6)), np.zeros((n, 6)), load, inverse, free.astype(np.uint8), motion, np.zeros(2),
@@ -39,7 +40,7 @@ def by_core(model: bd.Model, chunk: int, steps: int = 2000) -> tuple[np.ndarray,
     )  # fmt: skip
     done, balanced = 0, False
     while done < steps and not balanced:
-        gone, _, balanced = relaxed(beams, alike, sums, table, done, min(chunk, steps - done))
+        gone, _, balanced = relaxed(beams, uniform, sums, table, done, min(chunk, steps - done))
         done += gone
     return state.pose, done, balanced
 
@@ -47,7 +48,7 @@ def by_core(model: bd.Model, chunk: int, steps: int = 2000) -> tuple[np.ndarray,
 @pytest.mark.parametrize("law", ["Timoshenko", "Euler–Bernoulli"])
 def test_steps_are_those_of_the_former_loop(law):
     model, former = loaded(law), FormerLoop("steps", f"relaxed, {law}")
-    assert (model.bonds.alike is None) == (law == "Timoshenko")
+    assert (model.bonds.uniform is None) == (law == "Timoshenko")
     pose, steps, balanced = by_core(model, 2000)
     assert balanced
     assert steps == former.numbers["steps"] > 0

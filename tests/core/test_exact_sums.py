@@ -80,8 +80,8 @@ def carried_out(record: Passes, ledger: Ledger, n: int = 0, m: int = 0, threads:
     """Carry out the passes of a record, on tables of n elements and m bonds."""
     composer, none, short = Composer(), np.zeros(1, dtype=np.int64), np.zeros(0, dtype=np.uint32)
     blocks = StepBlocks(
-        domain=none, bond=none, move=none, held=none[:0], ready=short, ready_row=short, row_i=short, row_j=short,
-        shared=short, shared_row=short, shared_held=0, part=none, parts=1, sums=np.zeros((0, 8)),
+        domain=none, bond=none, move=none, first_owner=none[:0], ready=short, ready_row=short, row_i=short,
+        row_j=short, shared=short, shared_row=short, shared_first_owner=0, part=none, parts=1, sums=np.zeros((0, 8)),
     )  # fmt: skip
     lists = StepPasses(*[composer([])] * len(StepPasses._fields))._replace(record=composer(record))
     span = StepSpan(0, 0, 0, True, False, True, n, m, np.zeros(4, dtype=np.int64))
@@ -204,9 +204,9 @@ BUSY = ["dissipative and brittle", "pressed brittle cells", "warming brittle cel
 def test_a_device_records_the_bits_of_the_cpu_whichever_element_is_first(case: str) -> None:
     model, start, _, dt, options = ALL[case]()
     plan = Plan(duration=dt, dt=dt, **options)
-    cpu = CoreLoop(model, plan, start(model), dt).look()
+    cpu = CoreLoop(model, plan, start(model), dt).record_present()
     for device in (Host, Backwards):
-        np.testing.assert_array_equal(DeviceLoop(model, plan, start(model), dt, device()).look(), cpu)
+        np.testing.assert_array_equal(DeviceLoop(model, plan, start(model), dt, device()).record_present(), cpu)
 
 
 @pytest.mark.filterwarnings("ignore")
@@ -240,7 +240,7 @@ def test_energies_of_beams_are_the_exact_sums_of_those_of_single_beams() -> None
     state.pose[:, 4:] += rng.uniform(-0.01, 0.01, state.pose[:, 4:].shape)
     state.pose[:, 4:] /= np.linalg.norm(state.pose[:, 4:], axis=1, keepdims=True)
     loop = CoreLoop(model, Plan(duration=dt, dt=dt), state, dt)
-    record = loop.look()[0, HistoryColumn.NORMAL : HistoryColumn.TWISTING + 1]
+    record = loop.record_present()[0, HistoryColumn.NORMAL : HistoryColumn.TWISTING + 1]
     entries = [one for part in loop._parts for one in part.record(HistoryRows(np.zeros((1, loop._width))))]
     moving, beams, _ = next(tables for name, tables in entries if name == "sum_beam_energies")
     single = np.zeros((len(model.layout.i), 4))

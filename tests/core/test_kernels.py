@@ -30,7 +30,7 @@ def has_nvrtc() -> bool:
 
 
 @pytest.mark.skipif(not has_nvrtc(), reason="needs NVRTC: pip install -e '.[gpu]'")
-@pytest.mark.parametrize("name", ["load_beam", "load_alike_beam", "move_gathered", "dilate_facet", "load_facet"])
+@pytest.mark.parametrize("name", ["load_beam", "load_uniform_beam", "move_gathered", "dilate_facet", "load_facet"])
 def test_passes_of_every_step_keep_their_registers(name: str) -> None:
     """All bonds or elements go through them in every step."""
     cubin, found = _cuda.compiled_passes("sm_90", name)
@@ -56,13 +56,13 @@ def test_all_passes_over_an_index_compile_without_a_device(architecture: str) ->
 @pytest.mark.skipif(not has_nvrtc(), reason="needs NVRTC: pip install -e '.[gpu]'")
 def test_what_is_compiled_is_kept(monkeypatch, tmp_path) -> None:
     monkeypatch.setattr(_cuda, "cache_folder", lambda: tmp_path)
-    _cuda._kept.cache_clear()
+    _cuda._cached.cache_clear()
     try:
         first = _cuda._cubin("set_clock", "sm_80")
         monkeypatch.setattr(_cuda, "compiled_passes", None)
         assert _cuda._cubin("set_clock", "sm_80") == first
     finally:
-        _cuda._kept.cache_clear()
+        _cuda._cached.cache_clear()
 
 
 # ---- a device of which only the memory and the order are real

@@ -122,7 +122,7 @@ def test_forces_of_an_unchanged_state_are_found_again(name):
     again = state.copy()
     again.stale = True
     assert plan.dt is not None
-    CoreLoop(model, plan, again, plan.dt).look()
+    CoreLoop(model, plan, again, plan.dt).record_present()
     for array in ("history", "stress", "acceleration", "reaction", "pose", "motion"):
         np.testing.assert_array_equal(getattr(again, array), getattr(state, array), err_msg=array)
 
@@ -289,7 +289,7 @@ def test_stresses_after_a_failure_are_those_of_the_state(touching):
             continue
         again = state.copy()
         again.stale = True
-        CoreLoop(model, plan, again, plan.dt).look()
+        CoreLoop(model, plan, again, plan.dt).record_present()
         size = np.abs(state.stress).max()
         np.testing.assert_allclose(again.stress, state.stress, rtol=0, atol=1e-10 * size)
         assert len(again.broken) == len(state.broken)

@@ -123,7 +123,7 @@ class Sides:
         options = {key: value for key, value in options.items() if key not in ("every", "gauges")}
         case, plan = (*case[:4], options), Plan(duration=1.0, dt=dt, every=0, **options)
         self.owner, self.whole = owner, CoreLoop(model, plan, start(model), dt)
-        self.whole.look()
+        self.whole.record_present()
         parts = parts_of(case)
         wanted = [one for place, one in enumerate(refreshes(parts)) if place != left_out]
         self.ranks = Ranks(case, self.whole.state.copy(), owner, wanted, given or layers(parts))

@@ -85,7 +85,7 @@ def test_forces_are_the_gradient_of_the_energy(law):
         state.pose[:, 4:] = np.hstack([np.cos(angle / 2), np.sin(angle / 2) * turn / angle])
         plan = plan_of(model, 1)
         loop = loop_of(model, plan, state)
-        return state, float(loop.look()[0, 3:7].sum())
+        return state, float(loop.record_present()[0, 3:7].sum())
 
     state, _ = looked_at(shift, turn)
     force = state.acceleration[:, :3] / state.motion[:, 3:4]

@@ -28,7 +28,7 @@ def accelerations(model: bd.Model, state: bd.State, dt: float) -> tuple[np.ndarr
     """Those a state holds, and those found anew."""
     again = state.copy()
     again.stale = True
-    CoreLoop(model, bd.Plan(duration=1.0, dt=dt, every=0), again, dt).look()
+    CoreLoop(model, bd.Plan(duration=1.0, dt=dt, every=0), again, dt).record_present()
     return state.acceleration, again.acceleration
 
 

@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 import bondem as bd
 from bondem._tables.columns import CrackStatus, PlasticColumn
 from bondem.damage.crack_columns import FACET, LEFT, SLIP, STATUS
-from bondem.damage.crack_rows import alike_left, axes_along, crack_rows
+from bondem.damage.crack_rows import axes_along, crack_rows, isotropic_left
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.errors import InputError
 from tests.bits import assert_same_fracture, most_threads, threads
@@ -33,7 +33,7 @@ def cracked(model: bd.Model, integrity: dict[int, float]) -> bd.State:
     state = model.state()
     facet, s = np.array(list(integrity)), np.array(list(integrity.values()))
     axes = axes_along(model.cell_law.constants.normal[facet])
-    state.cracks = crack_rows(facet, STRENGTH, axes, alike_left(s), np.ones(len(facet), dtype=bool))
+    state.cracks = crack_rows(facet, STRENGTH, axes, isotropic_left(s), np.ones(len(facet), dtype=bool))
     state.integrity[facet] = s
     return state
 
@@ -53,7 +53,7 @@ def look(model: bd.Model, state: bd.State) -> tuple[float, np.ndarray, np.ndarra
     state.stale = True
     dt = 1e-9
     plan = bd.Plan(duration=1.0, dt=dt, every=1)
-    record = bd.History(CoreLoop(model, plan, state, dt).look())
+    record = bd.History(CoreLoop(model, plan, state, dt).record_present())
     energy = sum(float(record.energy[part][0]) for part in ELASTIC)
     force = state.acceleration[:, :3] / state.motion[:, 3:4]
     torque = state.acceleration[:, 3:] / state.motion[:, 7:8]

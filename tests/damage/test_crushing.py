@@ -138,13 +138,13 @@ def test_beams_crush_beyond_the_energy_that_they_absorb(one_thread: None) -> Non
         [2.0, 1.0, 1.05, 0.0, spent, shear, 0.0],
     ])
     absorbed = [8e-6, 10.0 * area, 30.0 * area]
-    record = bd.History(CoreLoop(model, bd.Plan(duration=1.0, dt=1e-9, every=1), state, 1e-9).look())
+    record = bd.History(CoreLoop(model, bd.Plan(duration=1.0, dt=1e-9, every=1), state, 1e-9).record_present())
     assert record.energy["crushing"][0] == pytest.approx(3.0 * spent - sum(absorbed), rel=1e-12)
     (one,) = fracture_energies(state)
     assert (one.area, one.dissipated) == (pytest.approx(3.0 * area), pytest.approx(3.0 * spent))
     assert one.entered == pytest.approx(sum(absorbed) / (3.0 * area))
     state.begin(model)
-    again = bd.History(CoreLoop(model, bd.Plan(duration=1.0, dt=1e-9, every=1), state, 1e-9).look())
+    again = bd.History(CoreLoop(model, bd.Plan(duration=1.0, dt=1e-9, every=1), state, 1e-9).record_present())
     assert again.energy["crushing"][0] == 0.0
 
 

@@ -197,7 +197,7 @@ def test_forces_are_the_gradient_of_one_energy(contact: bd.LinearContact | None,
         now = state.copy()
         now.set_pose(position=place + moved, orientation=q)
         loop = CoreLoop(model, bd.Plan(duration=1.0, dt=1e-9, every=1), now, 1e-9)
-        energy = bd.History(loop.look()).energy
+        energy = bd.History(loop.record_present()).energy
         own = sum(float(energy[part][0]) for part in ("normal", "shear", "bending", "twisting", "contact"))
         return own, (now.acceleration[:, :3] / now.motion[:, 3:4])[model.layout.rank]
 

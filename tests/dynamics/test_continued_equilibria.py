@@ -60,8 +60,8 @@ def test_a_run_begins_with_the_forces_of_the_equilibrium(body, paths, most: int)
     state = path.state
     assert (len(state.cracks) > 20) == (most > 1)
     own = CellForces.of(state.model, state)
-    right = np.isin(state.model.cell_constants.grips.cell, RIGHT.select(body))
-    assert own.held[right, 0].sum() == pytest.approx(path.load[-1], rel=1e-7)
+    right = np.isin(state.model.cell_constants.supports.cell, RIGHT.select(body))
+    assert own.wall[right, 0].sum() == pytest.approx(path.load[-1], rel=1e-7)
     size = np.abs(state.facet_force).max()
     for boundary in (state.model.boundary, *((HELD, one) for one in after(path).values())):
         run = go(model_of(body, *boundary), state)

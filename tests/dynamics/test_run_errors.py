@@ -280,4 +280,4 @@ def test_parted_elements_that_sink_into_each_other_give_a_warning() -> None:
     with pytest.warns(ContactWarning, match="separated elements overlap at t = .*no contact law"):
         end(1.0)
     closed = model.state()
-    SinkingCheck(model).look(closed)  # nothing is broken
+    SinkingCheck(model).examine(closed)  # nothing is broken

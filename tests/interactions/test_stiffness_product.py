@@ -131,7 +131,7 @@ def test_the_tangent_of_a_beam_at_rest_is_the_textbook_matrix() -> None:
     assert np.abs(found - expected[np.ix_(flipped, flipped)]).max() <= 3e-16 * expected.max()
 
 
-@pytest.mark.parametrize("model", [case for case in CASES.values() if not len(case.interaction.grips.cell)])
+@pytest.mark.parametrize("model", [case for case in CASES.values() if not len(case.interaction.supports.cell)])
 def test_tangents_of_single_bonds_sum_up_to_the_product(model: bd.Model) -> None:
     """Those of facets to the product at unchanged stresses of cells."""
     pose, motion, law, layout = shaken(model), motion_of(model), model.interaction, model.layout

@@ -158,7 +158,7 @@ def test_the_example_shows_the_walls_at_work(tmp_path):
     course = example.main(count=200, cycles=2, folder=tmp_path)
     assert course.fraction[0] < 0.4
     assert 0.52 < course.fraction[-1] < 0.62
-    assert course.held[0] == pytest.approx(1.0, abs=0.05)
+    assert course.reached[0] == pytest.approx(1.0, abs=0.05)
     for part, centre in zip(course.parts, course.frames[1:], strict=True):
         wide = course.width + part["sway"][-1, 0], course.width, course.top + part["platen"][-1, 2]
         out = np.maximum(course.radius[:, None] - centre, centre + course.radius[:, None] - wide)

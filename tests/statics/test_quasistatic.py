@@ -130,16 +130,16 @@ def test_the_matrix_changed_in_place_is_that_of_the_forces(nu: float) -> None:
         shut = rng.random(2) < 0.3
         body.weaken(np.array([k]), float(rng.choice([0.0, 0.3, 0.8])), (bool(shut[0]), bool(shut[1])))
     motion = 1e-6 * rng.standard_normal(6 * n)
-    found, c, grips = body.loaded(motion), body.constants, body.model.cell_constants.grips
+    found, c, supports = body.loaded(motion), body.constants, body.model.cell_constants.supports
     force = found.traction * body.area[:, None]
     phi = motion.reshape(-1, 6)[:, 3:]
     load = np.zeros((n, 6))
     bent = body.integrity[:, None] * np.einsum("mab,mb->ma", c.H, phi[body.j] - phi[body.i])
     for end, lever, sign in ((body.i, c.lever_i, 1.0), (body.j, c.lever_j, -1.0)):
         np.add.at(load, end, sign * np.hstack([force, np.cross(lever, force) + bent]))
-    held = body.model.layout.rank[grips.cell]
-    turned = -np.einsum("gab,gb->ga", grips.H, phi[held])
-    np.add.at(load, held, np.hstack([found.wall, np.cross(grips.lever, found.wall) + turned]))
+    held = body.model.layout.rank[supports.cell]
+    turned = -np.einsum("gab,gb->ga", supports.H, phi[held])
+    np.add.at(load, held, np.hstack([found.wall, np.cross(supports.lever, found.wall) + turned]))
     off = body.system.matrix @ motion - body.right + load.ravel()
     assert np.abs(off).max() < 1e-10 * np.abs(load).max()
     root = Iteration(body.system).root

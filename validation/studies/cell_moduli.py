@@ -38,7 +38,7 @@ def bar_test(body: bd.Lattice, nu: float, law: bd.CellBond | None = None) -> dic
     design = np.column_stack([body.particles.position[inside], np.ones(inside.sum())])
     fit = np.linalg.lstsq(design, static.displacement[inside], rcond=None)[0]
     found = CellStrain.of(
-        body, model.cell_constants, static.displacement, static.rotation, wall=model.cell_constants.grips.motion
+        body, model.cell_constants, static.displacement, static.rotation, wall=model.cell_constants.supports.motion
     )
     force = found.forces(body, model.cell_constants)
     assert body.facets is not None

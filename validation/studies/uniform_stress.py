@@ -206,10 +206,10 @@ def moduli_error(
             moved = surface_displacement(model, motion.displacement, motion.rotation, traction=traction)
             swelling = (free.area[:, None] * free.normal * moved).sum() / body.cells.volume.sum()
             return float(swelling / np.trace(exact) - 1.0)
-    grips = model.cell_constants.grips
-    normal = (forces.held * grips.normal).sum(axis=1)
-    ends = np.abs(grips.normal[:, 0]) > 0.5 if name in "EM" else np.ones(len(normal), dtype=bool)
-    mean = normal[ends].sum() / grips.area[ends].sum()
+    supports = model.cell_constants.supports
+    normal = (forces.wall * supports.normal).sum(axis=1)
+    ends = np.abs(supports.normal[:, 0]) > 0.5 if name in "EM" else np.ones(len(normal), dtype=bool)
+    mean = normal[ends].sum() / supports.area[ends].sum()
     return float(mean / (np.trace(stress) / 3.0 if name == "K" else stress[0, 0]) - 1.0)
 
 

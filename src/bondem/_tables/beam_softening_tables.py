@@ -16,7 +16,7 @@ class SofteningBounds(NamedTuple):
     tear: Floats  #: G_f A [J], (bonds,)
     slide: Floats  #: G_II A [J], (bonds,)
     integrity: Floats  #: 1 whole … 0 broken [-], (m,)
-    hold: Floats  #: integrity over rest length of beams that share their constants [1/m], (*,)
+    per_length: Floats  #: integrity over rest length of beams that share their constants [1/m], (*,)
     press: Floats  #: stiffness of the softened part of a beam in compression, (1 - s) kn [N/m], (m,)
     onset: Floats  #: openings [√J] and energies [J] of beams that begin in this step, (bonds, 4)
 
@@ -25,7 +25,7 @@ class SofteningBeams(NamedTuple):
     """Beams that soften."""
 
     row: Floats  #: beams in the order in which they began, columns of `SoftColumn`, (bonds, 7)
-    begun: Ints  #: number of rows, (1,)
+    rows: Ints  #: number of rows, (1,)
     listed: Ints  #: rows that have not broken, those of a portion of bonds from its first bond on, (bonds,)
     number: Ints  #: number of rows of each portion, (bond_portions,)
     parted: Ints  #: number of those that break in this step, behind the others, (bond_portions,)

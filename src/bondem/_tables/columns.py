@@ -178,7 +178,7 @@ class CrackKind(IntEnum):
     """
 
     OF_MATERIAL = 0
-    ALIKE = 1
+    ISOTROPIC = 1
     LET_GO = 2
 
 

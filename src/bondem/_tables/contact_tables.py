@@ -107,7 +107,7 @@ class FacePairs(NamedTuple):
     #: torque on the earlier one [N·m], (pairs, 12)
     output: Floats
     gained: Floats  #: energy taken over from facets that part [J], (pairs,)
-    begun: Ints  #: exact sum of it, zero between steps, (1, 68)
+    gained_sum: Ints  #: exact sum of it, zero between steps, (1, 68)
     count: Ints  #: close pairs of each portion of elements, (element_portions,)
 
 
@@ -180,9 +180,9 @@ class PairSources(NamedTuple):
     rest_start: Ints  #: start of the pairs of each later element that overlap in the reference, (n + 1,)
     rest_first: Uint32s  #: (rest,)
     rest_gap: Floats  #: [m], (rest,)
-    kept_start: Ints  #: start of the pairs of each later element that touch, (n + 1,)
-    kept_first: Uint32s  #: (kept,)
-    kept_memory: Floats  #: (kept, 8)
+    touching_start: Ints  #: start of the pairs of each later element that touch, (n + 1,)
+    touching_first: Uint32s  #: (touching,)
+    touching_memory: Floats  #: (touching, 8)
 
 
 class FoundPairs(NamedTuple):
@@ -204,9 +204,9 @@ class WallSources(NamedTuple):
     rest_start: Ints  #: start of the contacts of each element that overlap in the reference, (n + 1,)
     rest_wall: Uint32s  #: (rest,)
     rest_gap: Floats  #: [m], (rest,)
-    kept_start: Ints  #: start of the contacts of each element that touch, (n + 1,)
-    kept_wall: Uint32s  #: (kept,)
-    kept_memory: Floats  #: (kept, 6)
+    touching_start: Ints  #: start of the contacts of each element that touch, (n + 1,)
+    touching_wall: Uint32s  #: (touching,)
+    touching_memory: Floats  #: (touching, 6)
     skin: float  #: largest gap [m]
     start: Ints  #: start of the found contacts of each element, (n + 1,)
 

@@ -36,7 +36,7 @@ class YieldSamples(NamedTuple):
     """Cells that yield (`laws/plasticity.hpp`)."""
 
     stress: Floats  #: [Pa], (6, m)
-    strength: Floats  #: cohesion [Pa], slope, dilation, stiffness [Pa], slip held, (5, m)
+    strength: Floats  #: cohesion [Pa], slope, dilation, stiffness [Pa], slip carried over, (5, m)
     cone: int  #: whether by Drucker and Prager
     wide: int
     #: bound of F [Pa], Δγ, its part for the next step, strain xx, yy, zz, xy, xz, yz; principal stresses [Pa]; F and

@@ -28,11 +28,11 @@ class YieldingCells(NamedTuple):
     near_start: Ints  #: cells near cell p are near[near_start[p]] …, (n + 1,)
     near: Uint32s  #: (*,)
     slipped: Floats  #: Σ Δγ before this step, which other cells read, (n,)
-    held: Floats  #: that of a state: slip that the next step begins with, (n,)
+    carry: Floats  #: that of a state: slip that the next step begins with, (n,)
     plastic: Floats  #: P - 1 by rows, Σ Δγ, last increment of strain in space, energy dissipated [J], (n, 17)
     base_i: Int32s  #: levers of facets without plastic strain [pitch], (3, m)
     base_j: Int32s  #: levers of facets without plastic strain [pitch], (3, m)
-    base_wall: Floats  #: those of walls [m], (held, 3)
+    base_wall: Floats  #: those of walls [m], (supports, 3)
 
 
 class FacetStrengths(NamedTuple):

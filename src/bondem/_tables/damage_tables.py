@@ -53,7 +53,7 @@ class BeamIntegrity(NamedTuple):
     """Integrity of beams, which failure changes."""
 
     integrity: Floats  #: 1 intact … 0 broken [-], (m,)
-    hold: Floats  #: integrity over rest length of beams that share their constants [1/m], (*,)
+    per_length: Floats  #: integrity over rest length of beams that share their constants [1/m], (*,)
 
 
 class FailureIndices(NamedTuple):

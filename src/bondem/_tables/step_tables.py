@@ -35,10 +35,10 @@ class Beams(NamedTuple):
     period: Floats  #: edges of the periodic cell and their inverses, zero where there is none, (6,)
 
 
-class AlikeBeams(NamedTuple):
+class UniformBeams(NamedTuple):
     """Constants of beams that differ in length only."""
 
-    hold: Floats  #: integrity over rest length [1/m], (m,)
+    per_length: Floats  #: integrity over rest length [1/m], (m,)
     knL: float  #: kn L [N]
     AL: float  #: A L = C L [N·m²]
     BL: float  #: B L [N·m²]
@@ -85,14 +85,14 @@ class StepBlocks(NamedTuple):
     domain: Ints  #: (domains + 1,)
     bond: Ints  #: (blocks + 1,)
     move: Ints  #: (blocks + 1,)
-    held: Ints  #: (blocks,)
+    first_owner: Ints  #: (blocks,)
     ready: Uint32s  #: (ready,)
     ready_row: Uint32s  #: (ready,)
     row_i: Uint32s  #: (m,)
     row_j: Uint32s  #: (m,)
     shared: Uint32s  #: (shared,)
     shared_row: Uint32s  #: (shared,)
-    shared_held: int
+    shared_first_owner: int
     part: Ints  #: (shared + 1,)
     parts: int
     sums: Floats  #: force and torque of the bonds on each element [N, N·m], (sums, 8)
@@ -110,7 +110,7 @@ class StepScheme(NamedTuple):
 
 
 class Rows(NamedTuple):
-    """Rows of the elements that are held, driven or loaded, r of them; passes write all but `of` and `fixed`."""
+    """Rows of the elements that are fixed, driven or loaded, r of them; passes write all but `of` and `fixed`."""
 
     of: Ints  #: row of each element, or -1, (n,)
     fixed: Bytes  #: degrees of freedom with prescribed motion, (rows, 6)
@@ -118,7 +118,7 @@ class Rows(NamedTuple):
     half: Floats  #: prescribed velocities over the step [m/s, rad/s], (rows, 6)
     full: Floats  #: prescribed velocities now, (rows, 6)
     reaction: Floats  #: minus the bond forces [N, N·m], (rows, 6)
-    grip: Floats  #: of walls that hold facets of cells [N, N·m], (r, 6), or (0, 6) without any, (*, 6)
+    support: Floats  #: of walls that hold facets of cells [N, N·m], (r, 6), or (0, 6) without any, (*, 6)
     #: of loads, drives, walls that hold cells and tractions on each row [J], then of body forces and strains,
     #: (works,)
     work: Floats
@@ -243,7 +243,7 @@ class StepSpan(NamedTuple):
     step: int  #: number of the present one
     steps: int  #: how many to go
     every: int  #: steps between records, 0 for none
-    looks: int  #: whether it takes none, and records the present
+    records_present: int  #: whether it takes none, and records the present
     stale: int  #: whether the acceleration is to be found for that
     moved: int  #: whether elements and walls have moved already in the first step, whose list was out of date
     n: int  #: elements

@@ -24,12 +24,12 @@ BASE = 7
 
 
 @dataclass(frozen=True, eq=False)
-class Holds:
-    """Held free facets of a body, with the held axes and the motion of their walls.
+class FixedFacets:
+    """Free facets of a body that walls hold, with the fixed axes and the motion of their walls.
 
     Attributes:
         facet: indices into `cells.free`, ascending, shape (g,).
-        axes: mask of held axes x, y, z of each facet, shape (g, 3).
+        axes: mask of fixed axes x, y, z of each facet, shape (g, 3).
         drives: schedules of walls that move.
         drive: schedule that each facet follows along x, y, z, or -1, shape (g, 3).
         rate: mask of the schedules that are velocities.
@@ -47,7 +47,7 @@ class Holds:
     across: Ints
 
     @classmethod
-    def none(cls) -> "Holds":
+    def none(cls) -> "FixedFacets":
         """Return no facets."""
         no, none = np.zeros((0, 3)), np.zeros(0, dtype=np.int64)
         return cls(none, no > 0.0, (), no.astype(np.int64), (), no[:, 0], none)
@@ -58,7 +58,7 @@ class Holds:
         return self.axes.all(axis=1) & np.isnan(self.friction)
 
     @classmethod
-    def of(cls, body: Lattice, boundary: Sequence[BoundaryCondition]) -> "Holds":
+    def of(cls, body: Lattice, boundary: Sequence[BoundaryCondition]) -> "FixedFacets":
         """Return the facets held by the conditions on faces."""
         count = len(body.elements.require_cells().cells.free.cell)
         axes, drive = np.zeros((count, 3), dtype=bool), np.full((count, 3), -1)
@@ -66,7 +66,7 @@ class Holds:
         drives: list[Schedule] = []
         rate: list[bool] = []
         for condition in boundary:
-            if not isinstance(condition, Fix | Drive) or not holds_wall(condition):
+            if not isinstance(condition, Fix | Drive) or not supports_facets(condition):
                 continue
             found = facet_numbers(condition.region, body)
             if condition.friction is not None:
@@ -88,7 +88,7 @@ class Holds:
         """Return the facets whose normal is held, as indices into `cells.free`; `normal` is of all these, (k, 3)."""
         return self.facet[((self.axes * normal[self.facet]) ** 2).sum(axis=1) > 0.5]
 
-    def same(self, other: "Holds") -> bool:
+    def same(self, other: "FixedFacets") -> bool:
         """Return True if the same facets are held and moved in the same way."""
         arrays = ((self.facet, other.facet), (self.axes, other.axes), (self.drive, other.drive))
         moved = self.drives == other.drives and self.rate == other.rate
@@ -101,14 +101,14 @@ class Holds:
         return np.where(self.axes, last[self.drive], 0.0)
 
 
-def holds_wall(condition: Fix | Drive) -> bool:
-    """Return True if a condition holds a wall: one on a face that prescribes translations."""
+def supports_facets(condition: Fix | Drive) -> bool:
+    """Return True if a condition holds facets by a wall: one on a face that prescribes translations."""
     first = condition.components if isinstance(condition, Fix) else [dof for dof, *_ in condition.motion]
     return is_face(condition.region) and min(first) < 3
 
 
 @dataclass(frozen=True, eq=False)
-class Grips:
+class Supports:
     """The half facets between cells and the walls that hold them, g of them; elements in the user's order.
 
     Attributes:
@@ -116,11 +116,11 @@ class Grips:
         k: 2 G A / d [N/m], shape (g,).
         lever: lever from the centre of mass of the cell to the centroid of the facet [m], shape (g, 3).
         arm: lever without stress, longer for cells with a stress-free strain [m], shape (g, 3).
-        share: A m along the held axes: V θ of the cell is Σ share·δ [m²], shape (g, 3).
+        share: A m along the fixed axes: V θ of the cell is Σ share·δ [m²], shape (g, 3).
         H: resistance to rotation if the normal is held [N·m], shape (g, 3, 3).
-        axes: 1 for held and 0 for free axes x, y, z, shape (g, 3).
+        axes: 1 for fixed and 0 for free axes x, y, z, shape (g, 3).
         motion: displacement of the wall at the end of all schedules [m], shape (g, 3).
-        holds: motion of the walls.
+        fixed: facets that walls hold, and the motion of the walls.
         area: areas of the facets [m²], shape (g,).
         normal: normals of the facets [-], shape (g, 3).
         way: m [-], shape (g, 3).
@@ -135,40 +135,40 @@ class Grips:
     H: Floats
     axes: Floats
     motion: Floats
-    holds: Holds
+    fixed: FixedFacets
     area: Floats
     normal: Floats
     way: Floats
     bend: Floats
 
     @classmethod
-    def none(cls) -> "Grips":
+    def none(cls) -> "Supports":
         """Return those of elements that no wall holds."""
-        no, square, holds = np.zeros((0, 3)), np.zeros((0, 3, 3)), Holds.none()
-        return cls(holds.facet, no[:, 0], no, no, no, square, no, no, holds, no[:, 0], no, no, square)
+        no, square, fixed = np.zeros((0, 3)), np.zeros((0, 3, 3)), FixedFacets.none()
+        return cls(fixed.facet, no[:, 0], no, no, no, square, no, no, fixed, no[:, 0], no, no, square)
 
     def flatness(self, orientation: Floats) -> Floats:
-        """Return the held share of the normal of each facet, 0 … 1, with cells of these quaternions (g, 4), (g,)."""
+        """Return the fixed share of the normal of each facet, 0 … 1, with cells of these quaternions (g, 4), (g,)."""
         return ((self.axes * turned_vectors(orientation, self.normal)) ** 2).sum(axis=1)
 
-    def taken(self, base: Floats) -> "Grips":
-        """Return held facets with rotated shares and H, for walls that hold cells since the poses `base`, (g, 7)."""
+    def taken(self, base: Floats) -> "Supports":
+        """Return fixed facets with rotated shares and H, for walls that hold cells since the poses `base`, (g, 7)."""
         other = (base[:, 4:] != 0.0).any(axis=1)
         if not other.any():
             return self
         q, share, H = base[other, 3:], self.share.copy(), self.H.copy()
         share[other] = self.area[other, None] * self.axes[other] * turned_vectors(q, self.way[other])
         R = np.stack([turned_vectors(q, np.tile(axis, (len(q), 1))) for axis in np.eye(3)], axis=2)
-        held = self.flatness(base[:, 3:])[other, None, None]
-        H[other] = held * (R @ self.bend[other] @ np.swapaxes(R, 1, 2))
+        fixed = self.flatness(base[:, 3:])[other, None, None]
+        H[other] = fixed * (R @ self.bend[other] @ np.swapaxes(R, 1, 2))
         return replace(self, share=share, H=H)
 
-    def grown(self, strain: PerElement) -> "Grips":
-        """Return the held facets of cells with a stress-free strain [-], user's order, (n,)."""
+    def grown(self, strain: PerElement) -> "Supports":
+        """Return the fixed facets of cells with a stress-free strain [-], user's order, (n,)."""
         return replace(self, arm=self.lever * (1.0 + strain[self.cell, None]))
 
     def gap(self, displacement: PerElement3, rotation: PerElement3, wall: Floats | None = None) -> Floats:
-        """Return the gaps between walls and their facets along the held axes, for small motions [m], shape (g, 3).
+        """Return the gaps between walls and their facets along the fixed axes, for small motions [m], shape (g, 3).
 
         Args:
             displacement, rotation: motions of the elements [m, rad], (n, 3).
@@ -192,7 +192,7 @@ class Grips:
     def constraint(self, motion: Floats) -> Floats:
         """Return the constrained motions for motions (n, 6, k) of the elements [m], (6 g, k).
 
-        These are the motion of the held points along the held axes, and √(H/k) θ: a wall that holds the normal of a
+        These are the motion of the fixed points along the fixed axes, and √(H/k) θ: a wall that holds the normal of a
         facet holds a plane, which resists a rotation even if no other facet is held.
         """
         own = motion[self.cell]
@@ -200,11 +200,11 @@ class Grips:
         size, axis = np.linalg.eigh(self.H / self.k[:, None, None])
         arm = np.sqrt(np.where(size > 1e-9 * size[:, -1:], size, 0.0))
         turned = arm[:, :, None] * (np.swapaxes(axis, 1, 2) @ own[:, 3:])
-        held = self.axes[:, :, None] * moved
-        return np.concatenate([held, turned]).reshape(-1, motion.shape[-1])
+        fixed = self.axes[:, :, None] * moved
+        return np.concatenate([fixed, turned]).reshape(-1, motion.shape[-1])
 
     def blocks(self, lever: Floats | None = None) -> tuple[Floats, Floats]:
-        """Return parts of held facets in diagonal blocks [N/m, N, N·m], (g, 6, 6), and in V θ of cells, (g, 6).
+        """Return parts of fixed facets in diagonal blocks [N/m, N, N·m], (g, 6, 6), and in V θ of cells, (g, 6).
 
         Args:
             lever: levers as rotated by the cells [m], (g, 3); None for those of the reference.
@@ -219,7 +219,7 @@ class Grips:
         return own, -np.hstack([self.share, np.cross(b, self.share)])
 
     def table(self, layout: Layout, row_of: Ints, base: Floats | None = None) -> WallConstraints:
-        """Return the held facets as the core takes them; arrays that change are those of the table.
+        """Return the fixed facets as the core takes them; arrays that change are those of the table.
 
         Args:
             layout: order of the elements.
@@ -231,20 +231,20 @@ class Grips:
         return self._table(layout, row_of, reference_base(len(self.cell)))
 
     def _table(self, layout: Layout, row_of: Ints, base: Floats) -> WallConstraints:
-        cell, count, holds = layout.rank[self.cell], len(self.cell), self.holds
-        tables = [schedule.table for schedule in holds.drives]
-        inward = np.eye(3)[holds.across]
+        cell, count, fixed = layout.rank[self.cell], len(self.cell), self.fixed
+        tables = [schedule.table for schedule in fixed.drives]
+        inward = np.eye(3)[fixed.across]
         inward *= -np.sign((inward * self.normal).sum(axis=1, keepdims=True))
         return WallConstraints(
             cell=cell, row=row_of[cell], k=self.k, lever=self.lever, arm=self.arm.copy(),
             share=self.share,
             H=np.ascontiguousarray(self.H.reshape(-1, 9)[:, [0, 4, 8, 1, 2, 5]]), base=base,
-            axes=self.axes, drive=holds.drive,
-            rate=np.array(holds.rate, dtype=np.uint8), times=np.concatenate([np.zeros(0), *(t for t, _ in tables)]),
+            axes=self.axes, drive=fixed.drive,
+            rate=np.array(fixed.rate, dtype=np.uint8), times=np.concatenate([np.zeros(0), *(t for t, _ in tables)]),
             values=np.concatenate([np.zeros(0), *(values for _, values in tables)]),
             start=np.cumsum([0, *(len(t) for t, _ in tables)]).astype(np.int64),
             wall=base[:, :3].copy(), increment=np.zeros((count, 3)), load=np.zeros((count, 6)),
-            friction=holds.friction, inward=inward,
+            friction=fixed.friction, inward=inward,
         )  # fmt: skip
 
 

@@ -59,7 +59,7 @@ class Runs:
         folder: folder of the stored results, or None.
         progress: callback, called with the next test.
         executor: executor for all tests of a run in parallel; None runs them in sequence.
-        kept: known tests: parameters, test, and strengths or the reason for failure.
+        stored: known tests: parameters, test, and strengths or the reason for failure.
     """
 
     tests: Mapping[str, Test]
@@ -67,7 +67,7 @@ class Runs:
     folder: Path | None
     progress: Callable[[str], None] | None
     executor: Executor | None = None
-    kept: list[dict[str, Any]] = field(default_factory=list)
+    stored: list[dict[str, Any]] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         if self.folder is None:
@@ -88,7 +88,7 @@ class Runs:
                 f"calibrate_strength: out = '{self.folder}': has runs about {shown(about)}, not {shown(self.about)};"
                 " choose another folder"
             )
-        self.kept.extend(rows)
+        self.stored.extend(rows)
 
     def run(self, number: int, parameters: Mapping[str, float]) -> StrengthRun:
         """Run all tests at given parameters, except those with stored results.
@@ -112,7 +112,7 @@ class Runs:
         return StrengthRun(parameters, measured)
 
     def _found(self, name: str, parameters: Mapping[str, float]) -> dict[str, Any] | None:
-        same = (row for row in self.kept if row["test"] == name and row["parameters"] == dict(parameters))
+        same = (row for row in self.stored if row["test"] == name and row["parameters"] == dict(parameters))
         return next(same, None)
 
     def _begin(self, number: int, name: str, parameters: Mapping[str, float]) -> list[Callable[[], object]]:
@@ -135,7 +135,7 @@ class Runs:
         except UnstableRunError as error:
             failed = " ".join(str(error).split())
         row = {"parameters": dict(parameters), "test": name, "strength": strength, "failed": failed}
-        self.kept.append(row)
+        self.stored.append(row)
         self._save()
         return row
 
@@ -143,7 +143,7 @@ class Runs:
         if self.folder is None:
             return
         make_folder(self.folder)
-        text = json.dumps({"about": self.about, "tests": self.kept}, indent=1, allow_nan=False, ensure_ascii=False)
+        text = json.dumps({"about": self.about, "tests": self.stored}, indent=1, allow_nan=False, ensure_ascii=False)
         write_text(self.folder / _FILE, text + "\n")
 
 

@@ -85,19 +85,19 @@ BONDEM_INLINE bool all_below(Lanes a, double bound) {
     return below;
 }
 // Lanes in which a comparison holds: a bit of each, the first lane lowest.
-typedef decltype(Lanes{} < Lanes{}) Held;
+typedef decltype(Lanes{} < Lanes{}) Compared;
 #if defined(__clang__)
-BONDEM_INLINE unsigned bits_of(Held held) {
+BONDEM_INLINE unsigned bits_of(Compared compared) {
     typedef bool Bits __attribute__((ext_vector_type(lanes)));
-    const Bits bits = __builtin_convertvector(held, Bits);
+    const Bits bits = __builtin_convertvector(compared, Bits);
     unsigned char byte;
     __builtin_memcpy(&byte, &bits, 1);
     return byte & ((1u << lanes) - 1u);
 }
 #else
-BONDEM_INLINE unsigned bits_of(Held held) {
+BONDEM_INLINE unsigned bits_of(Compared compared) {
     unsigned bits = 0;
-    for (int n = 0; n < lanes; n++) bits |= unsigned(held[n] != 0) << n;
+    for (int n = 0; n < lanes; n++) bits |= unsigned(compared[n] != 0) << n;
     return bits;
 }
 #endif

@@ -70,9 +70,9 @@ template <class T> inline T least(T a, T b) { return b < a ? b : a; }
 template <class T> inline T most(T a, T b) { return b > a ? b : a; }
 template <class T> inline T within(T a, T low, T high) { return least(most(a, low), high); }
 template <class T> inline void exchange(T &a, T &b) {
-    T kept = a;
+    T first = a;
     a = b;
-    b = kept;
+    b = first;
 }
 
 }  // namespace bondem

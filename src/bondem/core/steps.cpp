@@ -69,7 +69,7 @@ class ElementPasses {
 
   private:
     Range range(const Clock &at, const ElementList &list) {
-        return {at, list.first, list.last, list.held, list.element, list.row, block, &division};
+        return {at, list.first, list.last, list.first_owner, list.element, list.row, block, &division};
     }
     const Clock &clock;
     Clock late;
@@ -126,12 +126,12 @@ class StepDriver {
     }
 
     void by_blocks(const Entry *first, const Entry *last, const Clock &clock) const {
-        const Index domains = blocks.domain.size() - 1, count = blocks.held.size();
+        const Index domains = blocks.domain.size() - 1, count = blocks.first_owner.size();
         for_each_task(threads, domains, [&](Index d) {
             for (Index b = blocks.domain(d); b < blocks.domain(d + 1); b++) {
                 const Index end = blocks.bond(b + 1);
                 const Range bonds = {clock, blocks.bond(b), end, end, nullptr, nullptr, b, nullptr};
-                const ElementList list = {blocks.move(b), blocks.move(b + 1), blocks.held(b), blocks.ready.data,
+                const ElementList list = {blocks.move(b), blocks.move(b + 1), blocks.first_owner(b), blocks.ready.data,
                                           blocks.ready_row.data};
                 ElementPasses elements(clock, list, b);
                 for (const Entry *entry = first; entry < last; entry++)
@@ -145,8 +145,8 @@ class StepDriver {
         if (shared == 0) return;
         for_each_task(threads, domains, [&](Index d) {
             const Index begin = shared * d / domains, end = shared * (d + 1) / domains;
-            const Index held = within(blocks.shared_held, begin, end);
-            ElementPasses elements(clock, {begin, end, held, blocks.shared.data, blocks.shared_row.data}, count);
+            const Index first_owner = within(blocks.shared_first_owner, begin, end);
+            ElementPasses elements(clock, {begin, end, first_owner, blocks.shared.data, blocks.shared_row.data}, count);
             for (const Entry *entry = first; entry < last; entry++)
                 if (entry->kind != bonds_of_blocks) elements.call(*entry);
         });
@@ -176,7 +176,7 @@ Index take_steps(Index threads, const StepPasses &passes, const StepBlocks &bloc
     Clock clock = clock_at(scheme, span.step);
     clock.first = 1;
     if (!span.moved) driver.through(present, clock);
-    if (span.looks) {
+    if (span.records_present) {
         if (span.stale) {
             Clock still = clock;
             still.dt = still.finish = still.begin = still.extra = 0.0;

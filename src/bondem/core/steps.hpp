@@ -27,9 +27,9 @@ struct Clock {
     Index record;  // row of the history
 };
 
-// Elements first … last - 1 of a list; those from `held` on own rows of the boundary.
+// Elements first … last - 1 of a list; those from `first_owner` on own rows of the boundary.
 struct ElementList {
-    Index first, last, held;
+    Index first, last, first_owner;
     const Short *element, *row;
 };
 // Elements of a block that continue to the next step, and those that continue after failed bonds are removed.
@@ -41,7 +41,7 @@ struct ElementDivision {
 struct Range {
     const Clock &clock;
     Index first, last;  // bonds of a block, elements of a list, or a portion of all
-    Index held;  // elements held … last - 1 of the list own rows of the boundary
+    Index first_owner;  // elements first_owner … last - 1 of the list own rows of the boundary
     const Short *element, *row;  // the list, and rows of their sums
     Index block;  // number of the block or portion; of shared elements the number of blocks
     ElementDivision *division;  // of what a pass divides, else none

@@ -22,7 +22,7 @@ inline void pause() {
 // Threads take turns at tasks: thread t of k has tasks t n / k … (t + 1) n / k - 1.
 struct Team {
     pthread_mutex_t busy, lock;  // held while tasks are shared; guards what follows
-    pthread_cond_t begun, ended;
+    pthread_cond_t start, ended;
     int started;  // threads beside the caller
     int process;  // that started them: a fork has none of them
     Index tasks;
@@ -45,13 +45,13 @@ void do_share(int member, int members) {
 }
 
 uint64_t next_call(uint64_t seen) {
-    for (int look = 0; look < spins; look++) {
+    for (int turn = 0; turn < spins; turn++) {
         const uint64_t now = __atomic_load_n(&team.call, __ATOMIC_ACQUIRE);
         if (now != seen) return now;
         pause();
     }
     pthread_mutex_lock(&team.lock);
-    while (team.call == seen) pthread_cond_wait(&team.begun, &team.lock);
+    while (team.call == seen) pthread_cond_wait(&team.start, &team.lock);
     const uint64_t now = team.call;
     pthread_mutex_unlock(&team.lock);
     return now;
@@ -88,7 +88,7 @@ int started(int wanted) {
         static const pthread_mutex_t unlocked = PTHREAD_MUTEX_INITIALIZER;
         static const pthread_cond_t nobody_waits = PTHREAD_COND_INITIALIZER;
         team.lock = unlocked;
-        team.begun = team.ended = nobody_waits;
+        team.start = team.ended = nobody_waits;
         team.process = getpid();
         team.started = 0;
     }
@@ -104,7 +104,7 @@ int started(int wanted) {
 }
 
 void wait_for_all() {
-    for (int look = 0; look < spins; look++) {
+    for (int turn = 0; turn < spins; turn++) {
         if (__atomic_load_n(&team.left, __ATOMIC_ACQUIRE) == 0) return;
         pause();
     }
@@ -125,7 +125,7 @@ void share_tasks(Index threads, Index tasks, void (*work)(Index, void *), void *
         team.data = data;
         __atomic_store_n(&team.left, members - 1, __ATOMIC_RELEASE);
         __atomic_store_n(&team.call, ((team.call >> 16) + 1) << 16 | uint64_t(members), __ATOMIC_RELEASE);
-        pthread_cond_broadcast(&team.begun);
+        pthread_cond_broadcast(&team.start);
         pthread_mutex_unlock(&team.lock);
         do_share(0, members);
         wait_for_all();

@@ -86,11 +86,11 @@ def _check_lengths(joint: Joint, criterion: BondCriterion, at_contact: bool) -> 
     k, one = joint.beam, np.ones_like(joint.length)
     arm = np.zeros_like(one) if at_contact else np.maximum(k.lever, joint.length - k.lever)
     pull, slip = criterion.pulled_and_sheared(joint, one, arm)
-    held = 0.5 * pull**2 / k.kn / (opening * joint.area)
-    if np.median(held) > 1.0:
+    excess = 0.5 * pull**2 / k.kn / (opening * joint.area)
+    if np.median(excess) > 1.0:
         raise InputError(
             f"bonds {np.median(joint.length):.3g} m long release more energy than fracture_energy={opening:g} J/m²"
-            f" absorbs: they snap back above 2 E G_f / f_t² = {np.median(joint.length / held):.3g} m; use smaller"
+            f" absorbs: they snap back above 2 E G_f / f_t² = {np.median(joint.length / excess):.3g} m; use smaller"
             " elements, or fracture_energy=None for bonds that break at once"
         )
     stored = 0.5 * slip**2 / k.ks / joint.area

@@ -5,7 +5,7 @@ import numpy as np
 from bondem._passes import steps
 from bondem._tables.cell_tables import ElasticFacets, FacetRelease, WallConstraints
 from bondem._tables.damage_tables import BeamIntegrity
-from bondem._tables.step_tables import AlikeBeams, Beams, Dashpots
+from bondem._tables.step_tables import Beams, Dashpots, UniformBeams
 from bondem.damage.damage_part import DamageTables
 from bondem.damage.failing_state import FailingState, StepTables
 from bondem.damage.failure_passes import strengths_of
@@ -17,13 +17,13 @@ def breakage(
     state: FailingState,
     shared: StepTables,
     beams: Beams,
-    alike: AlikeBeams | None,
+    uniform: UniformBeams | None,
     dashpots: Dashpots | None,
 ) -> Part:
     """Return the part of beams that break."""
     moving, candidates, postponed = shared.moving, damage.candidates, damage.postponed
-    hold = np.zeros(0) if alike is None else alike.hold
-    integrity = BeamIntegrity(beams.integrity, hold)
+    per_length = np.zeros(0) if uniform is None else uniform.per_length
+    integrity = BeamIntegrity(beams.integrity, per_length)
     strengths = strengths_of(damage.table)
     judge = [steps.JUDGE_BEAMS_BY[damage.table.kind](moving, beams, strengths, candidates, postponed)]
     remove: Passes = []

@@ -65,7 +65,7 @@ def _columns_of_cracks(cracks: CohesiveCracks) -> list[tuple[int | slice, Floats
     ]  # fmt: skip
 
 
-def keep_cracks(cracks: CohesiveCracks, kept: FacetForces, state: FailingState) -> None:
+def keep_cracks(cracks: CohesiveCracks, stored: FacetForces, state: FailingState) -> None:
     """Write the cracks and the forces of facets into a state."""
     facet = cracks.order[: cracks.size[CrackNumber.CRACKS]]
     state.cracks = np.empty((len(facet), CRACK_COLUMNS))
@@ -75,7 +75,7 @@ def keep_cracks(cracks: CohesiveCracks, kept: FacetForces, state: FailingState) 
         if id(table) not in rows:
             rows[id(table)] = table.take(facet, axis=0)
         state.cracks[:, column] = rows[id(table)][:, of_row]
-    state.facet_force[:] = kept.force[:, : state.facet_force.shape[1]]
+    state.facet_force[:] = stored.force[:, : state.facet_force.shape[1]]
     broken = facet[cracks.integrity[facet] == 0.0]
     active = facet[state.cracks[:, STATUS] == CrackStatus.ACTIVE]
     pull = cracks.pull.take(active, axis=0)

@@ -83,7 +83,7 @@ class CrackingBody:
     ) -> None:  # fmt: skip
         n, m, adjacency = len(state.pose), len(state.integrity), layout.adjacency
         self.shared, self.state, self.body = shared, state, body
-        self.kept = facet_forces(state, body.facets, table.area, len(shared.blocks.sums))
+        self.stored = facet_forces(state, body.facets, table.area, len(shared.blocks.sums))
         swing = np.sqrt(constants.k * (state.motion[layout.i, 3] + state.motion[layout.j, 3]))
         self.strengths = table.strengths(_LOSS * np.minimum(dt * swing, 1.0), with_zeros)
         listed = np.zeros(len(body.facets.k), dtype=np.uint8)
@@ -133,12 +133,12 @@ class CrackingBody:
         moving, body, cracks = self.shared.moving, self.body, self.cracks
         return [
             *(steps.stretch_all_cells(body.facets, self.of_cells, yielding) for yielding in self.yielding),
-            steps.link_cracks(body.facets, self.kept, self.strengths, cracks, self.lists),
+            steps.link_cracks(body.facets, self.stored, self.strengths, cracks, self.lists),
             steps.weigh_cracked_cells(body.facets, body.cells, self.slack, cracks),
             *(steps.stretch_walls_and_cracks(body.facets, body.walls, one, cracks) for one in self.yielding),
             steps.carry_cracks(self.stresses, cracks, self.lists),
-            steps.sum_moments(moving, body.facets, self.of_cells, self.kept),
-            steps.find_cell_stresses(moving, self.kept, self.stresses),
+            steps.sum_moments(moving, body.facets, self.of_cells, self.stored),
+            steps.find_cell_stresses(moving, self.stored, self.stresses),
             steps.add_surface_stresses(moving, body.walls, self.tractions, self.stresses),
         ]  # fmt: skip
 
@@ -147,7 +147,7 @@ class CrackingBody:
         moving, body, onset, stresses = self.shared.moving, self.body, self.onset, self.stresses
         by, strengths = self.by_stress, self.strengths
         passes: Passes = [
-            steps.find_cell_stresses(moving, self.kept, stresses),
+            steps.find_cell_stresses(moving, self.stored, stresses),
             steps.add_surface_stresses(moving, body.walls, self.tractions, stresses),
             steps.judge_cells(self.strengths, stresses, onset) if by is None else by.judge(stresses, onset),
         ]
@@ -159,13 +159,13 @@ class CrackingBody:
                 steps.stretch_walls_and_cracks(body.facets, body.walls, yielding, self.cracks),
             ]
         if by is None:
-            passes.append(steps.mark_cracking_facets(moving, body.facets, self.kept, strengths, stresses, onset))
+            passes.append(steps.mark_cracking_facets(moving, body.facets, self.stored, strengths, stresses, onset))
         else:
-            passes += by.mark(moving, body.facets, self.kept, stresses, onset)
+            passes += by.mark(moving, body.facets, self.stored, stresses, onset)
             strengths = by.strengths
         if len(self.strengths.planes):
-            passes.append(steps.mark_cracking_planes(moving, body.facets, self.kept, self.strengths, onset))
-        return [*passes, steps.begin_cracks(body.facets, self.kept, strengths, onset, self.cracks)]
+            passes.append(steps.mark_cracking_planes(moving, body.facets, self.stored, self.strengths, onset))
+        return [*passes, steps.begin_cracks(body.facets, self.stored, strengths, onset, self.cracks)]
 
     def _cracks(self, powers: Passes) -> Part:
         """Return the passes by which cracks open, close, soften, rest and part, and those of their forces."""
@@ -192,7 +192,7 @@ class CrackingBody:
         still: Passes = []
         if self.yielding:  # what cells dissipate is found by their stresses
             still = [
-                steps.find_still_stresses(moving, self.kept, stresses),
+                steps.find_still_stresses(moving, self.stored, stresses),
                 steps.add_still_surface_stresses(moving, body.walls, self.tractions, stresses),
             ]
         return Part(
@@ -221,7 +221,7 @@ class CrackingBody:
         """Write cracks, forces and events of the last call into the state."""
         if self.by_stress is not None:
             self.by_stress.passes.check()
-        keep_cracks(self.cracks, self.kept, self.state)
+        keep_cracks(self.cracks, self.stored, self.state)
         count = int(self.log.written[LogCount.EVENTS])
         if count:
             self.state.broken = np.concatenate([self.state.broken, self.log.event[:count]])

@@ -27,7 +27,7 @@ def stored_axes(axes: Floats) -> Floats:
     return w * (side * np.sign(w[:, 0]))[:, None]
 
 
-def crack_rows(facet: Ints, strength: ArrayLike, axes: Floats, left: Floats, alike: Mask) -> Floats:
+def crack_rows(facet: Ints, strength: ArrayLike, axes: Floats, left: Floats, isotropic: Mask) -> Floats:
     """Return rows of cracks that begin to be treated, with nothing slipped and nothing dissipated.
 
     Args:
@@ -35,7 +35,7 @@ def crack_rows(facet: Ints, strength: ArrayLike, axes: Floats, left: Floats, ali
         strength: strengths [Pa], (c,) or one for all.
         axes: e_1, e_2, e_3 in the frame of cell i, by rows, (c, 3, 3).
         left: s_1, s_2, s_3 and the grip, (c, 4).
-        alike: mask of cracks with one integrity for all directions, (c,).
+        isotropic: mask of cracks with one integrity for all directions, (c,).
 
     Returns:
         Shape (c, CRACK_COLUMNS).
@@ -43,12 +43,12 @@ def crack_rows(facet: Ints, strength: ArrayLike, axes: Floats, left: Floats, ali
     rows = np.zeros((len(facet), CRACK_COLUMNS))
     rows[:, FACET], rows[:, ONSET], rows[:, ONSET_STEP] = facet, strength, np.nan
     of_material = np.where(left[:, 3] == 0.0, CrackKind.LET_GO, CrackKind.OF_MATERIAL)
-    rows[:, KIND] = np.where(alike, CrackKind.ALIKE, of_material)
+    rows[:, KIND] = np.where(isotropic, CrackKind.ISOTROPIC, of_material)
     rows[:, AXES : AXES + 4] = stored_axes(axes)
     rows[:, LEFT : LEFT + 4] = rows[:, BEFORE : BEFORE + 4] = left
     return rows
 
 
-def alike_left(s: Floats) -> Floats:
+def isotropic_left(s: Floats) -> Floats:
     """Return s_1, s_2, s_3 and the grip of cracks with one integrity s for all directions, (c, 4)."""
     return np.stack([s, np.ones_like(s), np.ones_like(s), s], axis=1)

@@ -46,11 +46,11 @@ def criteria_of(failure: object) -> tuple[Criterion, ...]:
     found = tuple(instance("Model", "failure", one, Criterion, _WANTED) for one in failure.values())
     if not found:
         raise InputError("failure = {} has no region; give {region: criterion}, one criterion, or None")
-    _check_alike(found)
+    _check_combined(found)
     return found
 
 
-def _check_alike(found: tuple[Criterion, ...]) -> None:
+def _check_combined(found: tuple[Criterion, ...]) -> None:
     """Reject criteria of different kinds, because a run evaluates all of its bonds by one function.
 
     Raises:

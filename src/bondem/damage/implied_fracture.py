@@ -75,19 +75,19 @@ def implied_fracture(
     shapes = [lattice.envelope(k) for k in range(len(lattice.names))]
     volume = sum(shape.volume for shape in shapes)
     joint, E = joint_of(law), law.modulus(volume)
-    area, length, held = joint.area, joint.length, joint.stiffness
+    area, length, springs = joint.area, joint.length, joint.stiffness
     pull, given = np.zeros(len(area)) if parts else law.own_strength(), np.zeros(len(area))
     for part in parts:
         pull[part.bonds] = _tensile_force(part, joint, law)
-        given[part.bonds] = _given_energy(part.criterion, cells=held is None)
-    stored = 0.5 * pull**2 * (length / (E * area) if held is None else 1.0 / stiffness.kn)
+        given[part.bonds] = _given_energy(part.criterion, cells=springs is None)
+    stored = 0.5 * pull**2 * (length / (E * area) if springs is None else 1.0 / stiffness.kn)
     strength, L = float(np.median(pull / area)), float(np.median(length))
     softens = bool(given.any())
-    if softens and held is not None:
+    if softens and springs is not None:
         energy = float((given * area * length).sum() / (2.0 * volume))
     elif softens:
         energy = float(np.median(given))
-    elif held is None:
+    elif springs is None:
         energy = strength * strength * L / E
     else:
         energy = float((stored * length).sum() / (2.0 * volume))

@@ -74,8 +74,8 @@ def cells_of_bands(
     apart -= np.divide(apart, wrapped, out=np.zeros_like(apart), where=wrapped > 0.0).round() * wrapped
     first, second, distance = own[first], own[second], np.sqrt((apart**2).sum(axis=1))
     off = np.abs(distance - 0.25 * (width[first] + width[second])) / (edge[first] + edge[second])
-    kept = off <= 0.5 * _HALF_SHELL
-    first, second = first[kept], second[kept]
+    retained = off <= 0.5 * _HALF_SHELL
+    first, second = first[retained], second[retained]
     alone = np.setdiff1d(own, first)
     first, second = np.concatenate([first, alone]), np.concatenate([second, alone])
     place = np.lexsort((second, first))

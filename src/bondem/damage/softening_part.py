@@ -8,7 +8,7 @@ from bondem._cache_lines import exact_sums
 from bondem._passes import steps
 from bondem._tables.beam_softening_tables import SofteningBeams, SofteningBounds
 from bondem._tables.columns import BONDS_OF_PORTION, SoftColumn
-from bondem._tables.step_tables import AlikeBeams, Beams
+from bondem._tables.step_tables import Beams, UniformBeams
 from bondem.damage.beam_softening import BeamSoftening
 from bondem.damage.damage_part import DamageTables
 from bondem.damage.failing_state import FailingState, StepTables
@@ -31,15 +31,15 @@ class SofteningTables:
     @classmethod
     def of(
         cls, energies: BeamSoftening, damage: DamageTables, state: FailingState, beams: Beams,
-        alike: AlikeBeams | None, *, handed: bool,
+        uniform: UniformBeams | None, *, handed: bool,
     ) -> "SofteningTables":  # fmt: skip
         """Return the tables of a run from a state with the beams that have begun to soften.
 
         Contacts carry the pressure on beams that have broken if it is `handed` to them.
         """
-        m, begun = len(state.integrity), len(state.softened)
+        m, rows = len(state.integrity), len(state.softened)
         row = np.zeros((m, SoftColumn.COUNT))
-        row[:begun] = state.softened
+        row[:rows] = state.softened
         bond = state.softened[:, SoftColumn.BOND].astype(np.int64)
         press = np.zeros(len(beams.i))
         press[bond] = (1.0 - state.integrity[bond]) * beams.kn[bond]
@@ -54,10 +54,10 @@ class SofteningTables:
         return cls(
             bounds=SofteningBounds(
                 *damage.bounds, *strengths_of(damage.table), energies.tear, energies.shear, beams.integrity,
-                np.zeros(0) if alike is None else alike.hold, press, np.zeros((m, 4)),
+                np.zeros(0) if uniform is None else uniform.per_length, press, np.zeros((m, 4)),
             ),
             soft=SofteningBeams(
-                row=row, begun=np.array([begun], dtype=np.int64), listed=listed, number=count,
+                row=row, rows=np.array([rows], dtype=np.int64), listed=listed, number=count,
                 parted=np.zeros(portions, dtype=np.int64), lost=exact_sums(),
             ),
         )  # fmt: skip
@@ -70,7 +70,7 @@ def softening(
     moving, bounds, soft, candidates = shared.moving, tables.bounds, tables.soft, damage.candidates
 
     def keep() -> None:
-        state.softened = soft.row[: soft.begun[0]].copy()
+        state.softened = soft.row[: soft.rows[0]].copy()
         state.integrity[:] = beams.integrity[: len(state.integrity)]
         damage.keep(beams.integrity, state)
 

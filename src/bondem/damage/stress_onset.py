@@ -52,10 +52,11 @@ class OnsetByStress:
         return _JUDGE_CELLS[self.passes.name](stresses, self.passes.table, self.onset, cracks)
 
     def mark(
-        self, moving: Moving, facets: ElasticFacets, kept: FacetForces, stresses: StressesOfCells, cracks: CrackOnset
-    ) -> list[StepEntry]:
+        self, moving: Moving, facets: ElasticFacets, stored: FacetForces, stresses: StressesOfCells,
+        cracks: CrackOnset,
+    ) -> list[StepEntry]:  # fmt: skip
         """Return the passes that mark facets that begin to crack, and find their strengths."""
-        tables = moving, facets, kept, stresses, cracks, self.onset
+        tables = moving, facets, stored, stresses, cracks, self.onset
         evaluate = self.passes.step_pass(self.candidates)
         return [
             steps.find_stress_candidates(*tables), evaluate,

@@ -49,7 +49,7 @@ class ContactCheck:
         self._law = contacts.laws.name
         self._deep = self._fast = False
 
-    def look(self, c: ListedContacts, motion: Floats, time: float) -> None:
+    def examine(self, c: ListedContacts, motion: Floats, time: float) -> None:
         """Check the contacts of a list.
 
         Args:
@@ -103,7 +103,7 @@ class SinkingCheck:
         self._model, self._warned = model, False
         self._radius = model.contact_radius[model.layout.order]
 
-    def look(self, state: State) -> None:
+    def examine(self, state: State) -> None:
         """Check a state.
 
         Warns:

@@ -46,10 +46,10 @@ class CoreLoop:
         self._threads = current_threads() if busy >= SERIAL_BONDS else 1
         domains = min(self._threads, max(busy // _DOMAIN, 1))
         # elements that a failure delays keep their sums in rows of their own
-        kept = 0 if model.breaking is None else self._n
+        postponed = 0 if model.breaking is None else self._n
         # the corrected mass needs the sums of all elements at once, but rows of sums are reused by later blocks
         size = BLOCK if model.correction is None else max(self._n, 1)
-        blocks = Blocks.of(model.layout, size, domains, model.constraints.row_of >= 0).table(kept)
+        blocks = Blocks.of(model.layout, size, domains, model.constraints.row_of >= 0).table(postponed)
         self._tables, self._parts = parts_of(model, terms, state, blocks, gauge_tables(model, plan), dt)
         self._still = noticeable(model, dt)
         # tables of all parts whose lists are not renewed
@@ -97,12 +97,12 @@ class CoreLoop:
         return None not in parts
 
     def _take(
-        self, steps: int, records: np.ndarray, *, looks: bool = False, moved: bool = False
+        self, steps: int, records: np.ndarray, *, records_present: bool = False, moved: bool = False
     ) -> tuple[str, list[int]]:
         """Take steps, or record the present; return the ending, and counts of steps and records."""
         state, t, done = self.state, self._tables, np.zeros(4, dtype=np.int64)
-        stale = looks and state.stale
-        span = StepSpan(state.step, steps, self._every, looks, stale, moved, self._n, self._m, done)
+        stale = records_present and state.stale
+        span = StepSpan(state.step, steps, self._every, records_present, stale, moved, self._n, self._m, done)
         compose, history = Composer(self._compose), HistoryRows(records)  # live as long as this call
         lists = self._lists._replace(record=compose(one for part in self._parts for one in part.record(history)))
         ending = run_pass(calls.take_steps(lists, t.blocks, self._scheme, span, t.ledger), threads=self._threads)
@@ -113,12 +113,12 @@ class CoreLoop:
             part.keep()
         return ending, done.tolist()
 
-    def look(self) -> np.ndarray:
+    def record_present(self) -> np.ndarray:
         """Bring the acceleration up to date and record the present."""
         state, budget = self.state, self._tables.ledger.budget
         begins = state.stale or budget[0] == 0.0  # what a run gains as it goes on is no budget of its own
         records = np.zeros((1, self._width))
-        self._take(0, records, looks=True)
+        self._take(0, records, records_present=True)
         state.stale = False
         if begins:
             budget[0] = max(budget[0], self._still + np.abs(records[0, STORED]).sum())
@@ -127,7 +127,7 @@ class CoreLoop:
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
         """Take steps; return the records, bonds turned wide, bonds lost, and whether the run is sound."""
         if self.state.stale:
-            self.look()
+            self.record_present()
         records = np.zeros((steps // self._every + 1 if self._every else 0, self._width))
         done, written, wide, moved = 0, 0, 0, False
         while True:

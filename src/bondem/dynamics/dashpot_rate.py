@@ -44,9 +44,9 @@ def fastest_decay(model: Model, terms: DampingTerms) -> float:
         found = np.hstack([apart.T @ force, levers.T @ np.cross(force, normal) + apart.T @ moment])
         return (found * root).ravel()
 
-    held = np.bincount(layout.i, weights=cn + cs, minlength=n) + np.bincount(layout.j, weights=cn + cs, minlength=n)
-    held *= root[:, 0] ** 2
-    start = np.random.default_rng(0).standard_normal((n, 6)) * (held / held.max())[:, None] ** 2
+    resisted = sum(np.bincount(end, weights=cn + cs, minlength=n) for end in (layout.i, layout.j))
+    resisted *= root[:, 0] ** 2
+    start = np.random.default_rng(0).standard_normal((n, 6)) * (resisted / resisted.max())[:, None] ** 2
     operator: Any = LinearOperator((6 * n, 6 * n), matvec=answer, dtype=float)
     return largest_eigenvalue(operator, start.ravel())
 

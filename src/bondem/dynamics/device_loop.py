@@ -72,7 +72,7 @@ class DeviceLoop:
         run, late = self._run, self._late
         self._graphs: dict[int, Callable[[], None]] = {}
         present, forces = self._launches("present"), self._launches(*FORCES)
-        begin, look = [self._tick(first=True), *present], [self._tick(first=True, still=True), *forces]
+        begin, forces_now = [self._tick(first=True), *present], [self._tick(first=True, still=True), *forces]
         opening, guard, travel = self._launches("opening"), self._launches("guard"), self._launches("travel")
         guard += deepest_overlaps(run, composed(self._parts, "travel", *FORCES))
         if late is not None:
@@ -83,8 +83,8 @@ class DeviceLoop:
         self._tables.work_space(*run.work_spaces)
         self._tables.device.compile(passes_of((*begin, *travel, *forces, *opening, *guard, *written)))
         self._graphed = not any(isinstance(one, HostCall) for one, *_ in forces)
-        others = map(self._tables.prepared, (begin, look, opening, guard))
-        self._begin, self._look, self._open, self._guarding = others
+        others = map(self._tables.prepared, (begin, forces_now, opening, guard))
+        self._begin, self._present, self._open, self._guarding = others
         halted = run.span.halted if self._listed else None
         steps = [*travel, *go_on], [*travel, *pause], go_on, pause
         self._go_on, self._pause, self._moved_on, self._moved_pause = (
@@ -102,14 +102,14 @@ class DeviceLoop:
     def _tick(self, *, ahead: int = 0, goes_on: bool = False, still: bool = False, first: bool = False) -> Launch:
         return kernels.set_clock(self._run.span, self._scheme, Tick(ahead, goes_on, still, first)), 1
 
-    def look(self) -> np.ndarray:
+    def record_present(self) -> np.ndarray:
         """Bring the acceleration up to date and record the present state."""
         state, budget = self.state, self._ledger.budget
         begins = state.stale or budget[0] == 0.0  # what a run gains as it goes on is no budget of its own
         self._set_clock()
         _run(self._begin)
         if state.stale:
-            _run(self._look)
+            _run(self._present)
             state.stale = False
             self._fetch()
         records = self._records(1)
@@ -123,7 +123,7 @@ class DeviceLoop:
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
         """Take steps; see `Loop`."""
         if self.state.stale:
-            self.look()
+            self.record_present()
         state, every = self.state, self._every
         first, last = state.step, state.step + steps
         records = self._records(last // every - first // every if every else 0)

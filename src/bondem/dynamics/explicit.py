@@ -78,21 +78,21 @@ def integrate(
         progress(state.step / total)
     joined = f"{model.interaction.bond}s"
     status, message = Status.COMPLETED, f"{total} steps of {dt:.4g} s"
-    kept = (state.copy(),)
+    copies = (state.copy(),)
     strains = StrainGauges(model, plan)
-    begun = loop.look()  # whether it is kept or not: guards need its energy
-    strains.fill(begun, state)
+    start = loop.record_present()  # whether it is kept or not: guards need its energy
+    strains.fill(start, state)
     fresh = plan.every > 0 and len(written.so_far) == 0
     if fresh:
-        written.append(begun)
-    stop = fresh and callback is not None and bool(callback(state, History(begun, names)))
+        written.append(start)
+    stop = fresh and callback is not None and bool(callback(state, History(start, names)))
     warning = f"; {remark}" if remark else ""
     turned = ""
     if sink is not None and plan.snapshot_every and state.step == 0:
         sink.checkpoint(state, written.so_far)  # a file that can be seen can be gone on from
         sink.snapshot(state)
     before = written.so_far.records
-    sent, first = None, (before if len(before) else begun)[:1]
+    sent, first = None, (before if len(before) else start)[:1]
     check = None
     if plan.imbalance is not None and plan.scheme.conserves:
         check = EnergyCheck(model, state, dt, plan.imbalance, first)
@@ -100,9 +100,9 @@ def integrate(
     missed = "" if check is None else check.examine(before[1:])
     pace = max(_WORK // (len(state.pose) + len(state.integrity)), 1)
     while state.step < total and not stop and not missed:
-        goal = min(total, kept[-1].step + _CHUNK, state.step + pace)
-        looked = plan.every if plan.events or callback is not None or strains else 0
-        for interval in (plan.save_every, plan.snapshot_every if sink is not None else 0, looked):
+        goal = min(total, copies[-1].step + _CHUNK, state.step + pace)
+        watched = plan.every if plan.events or callback is not None or strains else 0
+        for interval in (plan.save_every, plan.snapshot_every if sink is not None else 0, watched):
             if interval:
                 goal = min(goal, (state.step // interval + 1) * interval)
         steps, began = goal - state.step, time.perf_counter()
@@ -110,12 +110,12 @@ def integrate(
         taken = time.perf_counter() - began
         pace = max(round(steps * _PATIENCE / max(taken, 1e-9)), 1)
         if state.step == total and plan.every and total % plan.every and not lost and sick == FINE:
-            records = np.vstack([records, loop.look()])  # the end of the run
+            records = np.vstack([records, loop.record_present()])  # the end of the run
         strains.fill(records, state)
         written.append(records)
         if lost or sick != FINE:
             cause = _CAUSES.get(sick, f"{lost} unbroken {joined} are turned beyond 90 degrees")
-            good = kept[-1] if state.step - kept[-1].step >= _RISE else kept[0]
+            good = copies[-1] if state.step - copies[-1].step >= _RISE else copies[0]
             status = Status.UNSTABLE
             message = (
                 f"stopped at step {state.step}: {cause}; the state is that of step {good.step}."
@@ -126,9 +126,9 @@ def integrate(
         if wide:
             turned = f"; {wide} {joined} were turned so far (c < 0.7 or w² < 0.75) that {model.interaction.turned}"
         if sinking is not None:
-            sinking.look(state)
+            sinking.examine(state)
         if check is not None:
-            missed = check.examine(records if plan.every else loop.look())
+            missed = check.examine(records if plan.every else loop.record_present())
             if missed:
                 break
         if progress is not None:
@@ -142,8 +142,8 @@ def integrate(
             sink.snapshot(state)
         if plan.save_every and state.step % plan.save_every == 0 and sink is not None:
             sink.checkpoint(state, written.so_far)
-        if state.step - kept[-1].step >= _CHUNK:
-            kept = (kept[-1], state.copy())
+        if state.step - copies[-1].step >= _CHUNK:
+            copies = (copies[-1], state.copy())
         if callback is not None and len(records) and callback(state, History(records, names)):
             stop = True
         elif any(event.happened(state, written.so_far) for event in plan.events):
@@ -160,7 +160,7 @@ def integrate(
         warning = f"; {check.remark}{warning}"
     ended = status is not Status.UNSTABLE and not message.startswith("interrupted")
     if ended and plan.every and written.so_far.time[-1] < state.time:  # stopped between two records
-        end = loop.look()
+        end = loop.record_present()
         strains.fill(end, state)
         written.append(end)
     history = written.so_far

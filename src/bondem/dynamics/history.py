@@ -73,10 +73,10 @@ class History:
         """
         ledger = {name: self.records[:, 1 + k] for k, name in enumerate(_ENERGIES)}
         released, crushing = ledger.pop("released"), ledger.pop("crushing")
-        held = sum(ledger[name] for name in _STORED) - ledger["work"]
-        held = held + ledger["loss"] + ledger["friction"] + ledger["non-local work"] + released
-        held = held + ledger["plastic"]
-        return ledger | {"fracture": released - crushing, "crushing": crushing, "balance": held - held[:1]}
+        total = sum(ledger[name] for name in _STORED) - ledger["work"]
+        total = total + ledger["loss"] + ledger["friction"] + ledger["non-local work"] + released
+        total = total + ledger["plastic"]
+        return ledger | {"fracture": released - crushing, "crushing": crushing, "balance": total - total[:1]}
 
     @property
     def released(self) -> Floats:

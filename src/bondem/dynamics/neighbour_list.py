@@ -110,17 +110,17 @@ class ContactSearch:
             )
         whole = radius[pairs.first] + radius[pairs.second] + pairs.gap
         least = _recalled(pairs, whole)
-        rest, kept = contacts.at_walls, state.wall_touching
+        rest, stored = contacts.at_walls, state.wall_touching
         walls = walls_at(contacts.walls, state.walls)
         at_walls = WallSources(
-            radius, rest.start, rest.partner, rest.gap, _starts(kept[:, 0], n), kept[:, 1].astype(np.uint32),
+            radius, rest.start, rest.partner, rest.gap, _starts(stored[:, 0], n), stored[:, 1].astype(np.uint32),
             state.wall_stretch, listed, np.empty(n + 1, dtype=np.int64),
         )  # fmt: skip
         found = found_walls(state.pose, walls, at_walls)
         return FoundContacts(
             pairs, whole, least, self._faces_of(pairs), own, of_bond, found, at_walls.start, position, 0.5 * skin,
             _matched(state.rolled, state.touching[:, ::-1], pairs.second, pairs.first, n),
-            _matched(state.wall_rolled, kept, found.element, found.wall, max(1, len(state.walls))),
+            _matched(state.wall_rolled, stored, found.element, found.wall, max(1, len(state.walls))),
         )  # fmt: skip
 
     def _listed(self, position: Floats, skin: float) -> np.ndarray:
@@ -144,9 +144,9 @@ class ContactSearch:
         """Return the faces by which pairs touch, of the state, (c,)."""
         state, n, found = self._state, len(self._state.pose), np.zeros(len(pairs.first))
         known = state.touching[:, 1] * n + state.touching[:, 0]
-        kept = np.flatnonzero(pairs.touch != TouchState.SEPARATE)
-        key = pairs.second[kept].astype(np.int64) * n + pairs.first[kept]
-        found[kept] = state.stretch[np.searchsorted(known, key), FACES]
+        stored = np.flatnonzero(pairs.touch != TouchState.SEPARATE)
+        key = pairs.second[stored].astype(np.int64) * n + pairs.first[stored]
+        found[stored] = state.stretch[np.searchsorted(known, key), FACES]
         return found
 
     def keep(
@@ -169,27 +169,27 @@ class ContactSearch:
         whole[bonded] = np.minimum(whole[bonded], self._apart[pairs.bond[bonded]])
         touch, less = pairs.touch, pairs.reach < whole
         late = less & ((touch == TouchState.LATE) | (touch == TouchState.PARTED))
-        kept = late | (touch == TouchState.TOUCHING) | (touch == TouchState.FACING)
-        memory, spheres, less = pairs.memory[kept], touch[kept] != TouchState.FACING, less[kept]
-        memory[spheres, START] = np.where(less, pairs.reach[kept], 0.0)[spheres]
+        stored = late | (touch == TouchState.TOUCHING) | (touch == TouchState.FACING)
+        memory, spheres, less = pairs.memory[stored], touch[stored] != TouchState.FACING, less[stored]
+        memory[spheres, START] = np.where(less, pairs.reach[stored], 0.0)[spheres]
         memory[spheres, KIND] = 0.0
         memory[~spheres & ~(memory[:, KIND] > 0.0), KIND] = BETWEEN
-        memory[late[kept], KIND] = NOT_YET
-        state.touching = np.column_stack([pairs.first[kept], pairs.second[kept]]).astype(np.int64)
-        state.stretch = np.column_stack([memory, np.zeros(len(memory)) if faces is None else faces[kept]])
+        memory[late[stored], KIND] = NOT_YET
+        state.touching = np.column_stack([pairs.first[stored], pairs.second[stored]]).astype(np.int64)
+        state.stretch = np.column_stack([memory, np.zeros(len(memory)) if faces is None else faces[stored]])
         state.wall_touching = np.column_stack([walls.element[at_wall], walls.wall[at_wall]]).astype(np.int64)
         state.wall_stretch = walls.memory[at_wall]
         if rolled is not None:
-            state.rolled, state.wall_rolled = rolled[0][kept], rolled[1][at_wall]
+            state.rolled, state.wall_rolled = rolled[0][stored], rolled[1][at_wall]
 
 
 def _recalled(pairs: FoundPairs, whole: Floats) -> Floats:
     """Set the kind of contact of pairs with a memory; return the distances at which spheres touch [m], (c,)."""
     kind, start = pairs.memory[:, KIND], pairs.memory[:, START]
-    kept = pairs.touch == TouchState.TOUCHING
-    pairs.touch[kept & ((kind > 0.0) | (kind == BETWEEN))] = TouchState.FACING
-    pairs.touch[kept & (kind == NOT_YET)] = TouchState.LATE
-    spheres = kept & (pairs.touch != TouchState.FACING)
+    stored = pairs.touch == TouchState.TOUCHING
+    pairs.touch[stored & ((kind > 0.0) | (kind == BETWEEN))] = TouchState.FACING
+    pairs.touch[stored & (kind == NOT_YET)] = TouchState.LATE
+    spheres = stored & (pairs.touch != TouchState.FACING)
     reach = np.where(spheres & (start > 0.0), start, whole)
     start[spheres] = 0.0
     np.maximum(kind, 0.0, out=kind)

@@ -182,7 +182,7 @@ class Loop(Protocol):
 
     state: State
 
-    def look(self) -> np.ndarray:
+    def record_present(self) -> np.ndarray:
         """Bring the acceleration up to date and record the present state."""
         ...
 

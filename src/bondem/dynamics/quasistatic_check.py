@@ -42,8 +42,8 @@ def measured(model: Model, plan: Plan, history: History, state: State) -> Quasis
         if _driven(model):  # the initial motion is prescribed, and what breaks moves at any speed of loading
             broken = BrokenBonds.of(state).time.min(initial=np.inf)
             whole, chosen = slice(1, top + 1), slice(1, min(top + 1, int(np.searchsorted(history.time, broken))))
-        moving, held = (energy["translation"] + energy["rotation"])[chosen], elastic[whole].max(initial=0.0)
-        kinetic = float(moving.max(initial=0.0) / held) if held > 0.0 else None
+        moving, stored = (energy["translation"] + energy["rotation"])[chosen], elastic[whole].max(initial=0.0)
+        kinetic = float(moving.max(initial=0.0) / stored) if stored > 0.0 else None
         difference = _difference(plan, history, whole, chosen)
         passes = top * plan.every * _share_of_a_step(model)
     servo = {

@@ -11,10 +11,10 @@ from bondem._checks import shown
 from bondem._names import users_line
 from bondem._types import Floats, Triple
 from bondem.boundary.conditions import Drive
+from bondem.boundary.frozen_conditions import Scheduled
 from bondem.boundary.gauges import Gauge
-from bondem.boundary.held_conditions import Scheduled
 from bondem.boundary.schedules import Schedule
-from bondem.boundary.wall_constraints import Grips, holds_wall
+from bondem.boundary.wall_constraints import Supports
 from bondem.boundary.wall_motions import Driven, Servo
 from bondem.boundary.wall_rows import wall_rows
 from bondem.boundary.wall_sides import doubts
@@ -56,7 +56,7 @@ def begin(model: Model, state: State | None) -> State:
         own.grips = stage_walls(model, state)
     _refuse_jumps(model, own, () if before is None else (*before.boundary, *before.walls))
     at_rest = state is None or (before is None and not moved and goes_on(model, state))
-    _refuse_wall_jumps(model.interaction.grips, own, at_rest=at_rest)
+    _refuse_wall_jumps(model.interaction.supports, own, at_rest=at_rest)
     if before is not None:
         _warn_of_lost_time(model, before, own.time)
     elif state is not None and moved:
@@ -88,19 +88,17 @@ def _refuse_jumps(model: Model, state: State, before: Sequence[object]) -> None:
     shift = np.concatenate([position, rotation_vector(state.pose[:, 4:])], axis=1)
     slack = np.where(shift.any(axis=0), _ROUNDING, 0.0)
     slack[:3] *= float(np.ptp(state.rest, axis=0).max()) + model.lattice.particles.mean_radius
-    held, s = model.constraints, -1
-    for condition in model.boundary:
+    constraints, s = model.constraints, -1
+    for condition in model.interaction.on_elements(model.boundary):
         if isinstance(condition, Scheduled):
             s += 1  # schedules are numbered in the order of the conditions
         if not isinstance(condition, Drive):
-            continue
-        if model.interaction.on_facets and holds_wall(condition):
             continue
         for dof, schedule, rate in condition.motion:
             s += 1
             if rate or condition in before:
                 continue
-            elements = held.element[held.drive_row[held.drive_schedule == s]]
+            elements = constraints.element[constraints.drive_row[constraints.drive_schedule == s]]
             _refuse_jump(f"Drive({_DOF[dof]}=)", schedule, state.time, shift[elements, dof], float(slack[dof]))
     for k, wall in enumerate(model.walls):
         if not isinstance(wall.motion, Driven) or wall in before:
@@ -123,11 +121,11 @@ def _angle(orientation: Floats, axis: Triple, near: float) -> float:
     return found + 2.0 * math.pi * round((near - found) / (2.0 * math.pi))
 
 
-def _refuse_wall_jumps(grips: Grips, state: State, *, at_rest: bool) -> None:
+def _refuse_wall_jumps(supports: Supports, state: State, *, at_rest: bool) -> None:
     """Reject jumps of walls that hold cells; in a state `at_rest` the walls are in the reference."""
     extent = float(np.ptp(state.rest, axis=0).max()) if state.time > 0.0 else 0.0
-    for s, (schedule, rate) in enumerate(zip(grips.holds.drives, grips.holds.rate, strict=True)):
-        moved = grips.holds.drive == s
+    for s, (schedule, rate) in enumerate(zip(supports.fixed.drives, supports.fixed.rate, strict=True)):
+        moved = supports.fixed.drive == s
         if not rate and moved.any():
             where = state.grips[:, :3][moved] + schedule.at(state.time)
             dof = int(np.flatnonzero(moved.any(axis=0))[0])

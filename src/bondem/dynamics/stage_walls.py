@@ -5,18 +5,19 @@ from typing import cast
 import numpy as np
 
 from bondem._types import Floats
-from bondem.boundary.wall_constraints import Grips, reference_base
+from bondem.boundary.wall_constraints import Supports, reference_base
 from bondem.geometry.rotations import rotation_vector, turned_vectors
 from bondem.interactions.cells.cell_body import body_of
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.observables.cell_forces import CellForces, held_arms, wall_places
+from bondem.observables.cell_forces import wall_arms, wall_places
+from bondem.observables.cell_stress import lambda_theta
 from bondem.observables.facet_loads import loads_on_facets
 
 
 def goes_on(model: Model, state: State) -> bool:
     """Return True if the walls of a model are those of the model of a state, and move in the same way."""
-    return model.interaction.grips.holds.same(state.model.interaction.grips.holds)
+    return model.interaction.supports.fixed.same(state.model.interaction.supports.fixed)
 
 
 def stage_walls(model: Model, state: State) -> Floats:
@@ -30,49 +31,49 @@ def stage_walls(model: Model, state: State) -> Floats:
         model: model of the new stage.
         state: initial state, with the model that made it.
     """
-    grips = model.interaction.grips
-    base = reference_base(len(grips.cell))
+    supports = model.interaction.supports
+    base = reference_base(len(supports.cell))
     if not len(base):
         return base
     rest = wall_places(model, state, base)  # of schedules that count from the reference
-    base[:, 3:] = state.orientation[grips.cell]
+    base[:, 3:] = state.orientation[supports.cell]
     if goes_on(model, state):
         return state.grips.copy()
-    before = state.model.interaction.grips
-    mine, theirs = _both(grips, before)
-    base[mine, 3:] = _origins(grips, before, mine, theirs, state)
-    held = before.axes[theirs] > 0.0
-    fresh = grips.axes.copy()
-    fresh[mine] *= ~held
+    before = state.model.interaction.supports
+    mine, theirs = _both(supports, before)
+    base[mine, 3:] = _origins(supports, before, mine, theirs, state)
+    fixed = before.axes[theirs] > 0.0
+    fresh = supports.axes.copy()
+    fresh[mine] *= ~fixed
     start = _of_facets(model, state, fresh) if fresh.any() else rest.copy()
-    start[mine] = np.where(held, wall_places(cast(Model, state.model), state)[theirs], start[mine])
-    base[:, :3] = grips.axes * (start - rest)
-    same = held & _same_motion(grips, before, mine, theirs)
+    start[mine] = np.where(fixed, wall_places(cast(Model, state.model), state)[theirs], start[mine])
+    base[:, :3] = supports.axes * (start - rest)
+    same = fixed & _same_motion(supports, before, mine, theirs)
     base[mine, :3] = np.where(same, state.grips[theirs, :3], base[mine, :3])
     return base
 
 
-def _both(grips: Grips, before: Grips) -> tuple[np.ndarray, np.ndarray]:
+def _both(supports: Supports, before: Supports) -> tuple[np.ndarray, np.ndarray]:
     """Return the rows in both tables of the facets that walls of both models hold."""
-    _, mine, theirs = np.intersect1d(grips.holds.facet, before.holds.facet, return_indices=True)
+    _, mine, theirs = np.intersect1d(supports.fixed.facet, before.fixed.facet, return_indices=True)
     return mine, theirs
 
 
-def _same_motion(grips: Grips, before: Grips, mine: np.ndarray, theirs: np.ndarray) -> np.ndarray:
+def _same_motion(supports: Supports, before: Supports, mine: np.ndarray, theirs: np.ndarray) -> np.ndarray:
     """Return a mask of facets that move as before along each axis, shape (k, 3)."""
-    def motions(one: Grips) -> list[object]:
-        return [*zip(one.holds.drives, one.holds.rate, strict=True), None]  # -1 is the last: at rest
+    def motions(one: Supports) -> list[object]:
+        return [*zip(one.fixed.drives, one.fixed.rate, strict=True), None]  # -1 is the last: at rest
 
     known = motions(before)
-    match = np.array([[motion == other for other in known] for motion in motions(grips)])
-    return match[grips.holds.drive[mine], before.holds.drive[theirs]]
+    match = np.array([[motion == other for other in known] for motion in motions(supports)])
+    return match[supports.fixed.drive[mine], before.fixed.drive[theirs]]
 
 
-def _origins(grips: Grips, before: Grips, mine: np.ndarray, theirs: np.ndarray, state: State) -> Floats:
+def _origins(supports: Supports, before: Supports, mine: np.ndarray, theirs: np.ndarray, state: State) -> Floats:
     """Return the reference orientations for rotations of cells, of facets that both hold, (k, 4)."""
-    now, origin = state.orientation[grips.cell[mine]], state.grips[theirs, 3:]
+    now, origin = state.orientation[supports.cell[mine]], state.grips[theirs, 3:]
     was = before.flatness(state.grips[:, 3:])[theirs]
-    more = grips.flatness(state.orientation[grips.cell])[mine]
+    more = supports.flatness(state.orientation[supports.cell])[mine]
     share = np.where(more > was, was / np.maximum(more, 1e-300), 1.0)[:, None]
     turn = share * rotation_vector(_product(now, _conjugate(origin)))
     half = 0.5 * np.linalg.norm(turn, axis=1, keepdims=True)
@@ -86,20 +87,17 @@ def _of_facets(model: Model, state: State, fresh: Floats) -> Floats:
     `fresh` is 1 along the axes along which walls begin to hold them, (g, 3). Loads that continue there act on the
     cell itself from now on, and do not open the facet: its stress becomes that without these loads.
     """
-    grips, constants, q = model.interaction.grips, model.cell_constants, state.orientation
-    facet, area = grips.holds.facet, body_of(model.lattice)[1].free.area[:, None]
-    rigid = state.displacement[grips.cell] + held_arms(model, state) - grips.lever
+    supports, constants, q = model.interaction.supports, model.cell_constants, state.orientation
+    facet, area = supports.fixed.facet, body_of(model.lattice)[1].free.area[:, None]
+    rigid = state.displacement[supports.cell] + wall_arms(model, state) - supports.lever
     going_on = loads_on_facets(model, state.time, q)
-    force, stress = -going_on, np.zeros(len(q))
-    soft, way = constants.softness[facet, None], turned_vectors(q[grips.cell], grips.way)
-    if state.model.interaction.on_facets:
-        before = cast(Model, state.model)
-        force += loads_on_facets(before, state.time, q)
-        opened = (fresh * soft * way * going_on[facet]).sum(axis=1)
-        stress = CellForces.of(before, state).stress
-        swelling = np.asarray(np.bincount(grips.cell, weights=opened, minlength=len(q)), dtype=float)
-        stress -= before.cell_constants.stress_of(swelling)
-    return rigid + soft * ((force / area)[facet] - stress[grips.cell, None] * way)
+    before = cast(Model, state.model)
+    force = loads_on_facets(before, state.time, q) - going_on
+    soft, way = constants.softness[facet, None], turned_vectors(q[supports.cell], supports.way)
+    opened = (fresh * soft * way * going_on[facet]).sum(axis=1)
+    swelling = np.asarray(np.bincount(supports.cell, weights=opened, minlength=len(q)), dtype=float)
+    stress = lambda_theta(before, state) - before.interaction.dilatational_stress(swelling)
+    return rigid + soft * ((force / area)[facet] - stress[supports.cell, None] * way)
 
 
 def _conjugate(q: Floats) -> Floats:

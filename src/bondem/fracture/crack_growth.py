@@ -76,8 +76,8 @@ def crack_speed(
     ends = np.append(time[1:] > time[:-1], True) if len(time) else np.zeros(0, dtype=bool)
     time, reach = time[ends], reach[ends]
     rising = np.diff(reach, prepend=-np.inf) > 0.0
-    kept = np.flatnonzero(rising & (time >= first) & (time <= last) & (reach >= least))
-    time, reach = time[kept], reach[kept]
+    retained = np.flatnonzero(rising & (time >= first) & (time <= last) & (reach >= least))
+    time, reach = time[retained], reach[retained]
     if len(time) < 3:
         raise InputError(
             f"crack_speed: the front advances {len(time)} times along this direction, a speed needs 3 or more; check"

@@ -42,12 +42,12 @@ def closed_surface(name: str, vertices: Floats, triangles: Ints) -> tuple[Floats
         raise InputError(f"{name} has a vertex that is not finite or beyond 1e30 m; export it again")
     if triangles.size and not (triangles.min() >= 0 and triangles.max() < len(vertices)):
         raise InputError(f"{name}: triangles refer to vertices that do not exist; count vertices from 0")
-    vertices, triangles, kept = _merged(vertices, triangles, 0.0)
+    vertices, triangles, retained = _merged(vertices, triangles, 0.0)
     if len(triangles) and not _is_closed(triangles):
         size = float(np.ptp(vertices, axis=0).max())
         nearer = _merged(vertices, triangles, _SAME * size)
         if _is_closed(nearer[1]):
-            vertices, triangles, kept = *nearer[:2], kept[nearer[2]]
+            vertices, triangles, retained = *nearer[:2], retained[nearer[2]]
     if len(triangles) < 4:
         raise InputError(f"{name} has {len(triangles)} triangles; a closed surface has at least four")
     _require_closed(name, triangles)
@@ -61,7 +61,7 @@ def closed_surface(name: str, vertices: Floats, triangles: Ints) -> tuple[Floats
     if len(volume) > 1:
         turned = _inside_out(name, vertices, triangles, part, volume)
         triangles = np.where(turned[part][:, None], triangles[:, ::-1], triangles)
-    return vertices, np.ascontiguousarray(triangles), kept
+    return vertices, np.ascontiguousarray(triangles), retained
 
 
 def _merged(vertices: Floats, triangles: Ints, tolerance: float) -> tuple[Floats, Ints, Ints]:
@@ -90,12 +90,12 @@ def _once(triangles: Ints) -> np.ndarray:
     second = np.take_along_axis(triangles, (turn + 1) % 3, axis=1)[:, 0]
     way = np.where(second == corners[:, 1], 1, -1)
     net = np.bincount(number, weights=way)
-    kept = np.zeros(len(triangles), dtype=bool)
+    retained = np.zeros(len(triangles), dtype=bool)
     for sign in (1, -1):
         own = np.flatnonzero((way == sign) & (np.sign(net[number]) == sign))
         _, first = np.unique(number[own], return_index=True)
-        kept[own[first]] = True
-    return kept
+        retained[own[first]] = True
+    return retained
 
 
 def _edges(triangles: Ints) -> tuple[Ints, Ints]:

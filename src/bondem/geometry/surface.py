@@ -92,7 +92,7 @@ class Surface(Shape):
         scale = None if unit is None else length_unit("Surface", unit)
         sharp = number("Surface", "sharp", sharp, unit="rad", above=0.0, advice="an angle between 0 and π")
         name, (x, t, parts, own) = _given(file, vertices, triangles, named)
-        x, t, kept = closed_surface(name, x, t)
+        x, t, retained = closed_surface(name, x, t)
         size = float(np.ptp(x, axis=0).max())
         scale = own if scale is None else scale
         if file is not None and scale is None and size > _PLAUSIBLE:
@@ -108,7 +108,7 @@ class Surface(Shape):
         for key, values in (("vertices", x), ("triangles", t)):
             values.setflags(write=False)
             object.__setattr__(self, key, values)
-        object.__setattr__(self, "named", _kept_parts(parts, kept))
+        object.__setattr__(self, "named", _retained_parts(parts, retained))
         object.__setattr__(self, "sharp", sharp)
 
     def __repr__(self) -> str:
@@ -335,7 +335,7 @@ def _whole(name: str, values: ArrayLike, wanted: str) -> Ints:
     return numbers.astype(np.int64)
 
 
-def _kept_parts(parts: dict[str, Ints], kept: Ints) -> dict[str, Ints]:
+def _retained_parts(parts: dict[str, Ints], retained: Ints) -> dict[str, Ints]:
     """Return named parts by the numbers of the triangles that were kept, (k,); parts without any are left out."""
-    found = {name: np.flatnonzero(np.isin(kept, chosen)) for name, chosen in parts.items()}
+    found = {name: np.flatnonzero(np.isin(retained, chosen)) for name, chosen in parts.items()}
     return {name: chosen for name, chosen in found.items() if chosen.size}

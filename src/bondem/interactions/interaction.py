@@ -22,8 +22,10 @@ from bondem._tables.damage_tables import Candidates, EventLog, FailureIndices, P
 from bondem._tables.step_tables import Beams, BeamSums, Dashpots, LaggedStresses, Ledger, Moving, Poses, StepBlocks
 from bondem._tables.stiffness_tables import BondTangents
 from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement, PerElement3, PerElement6
-from bondem.boundary.conditions import BoundaryCondition
-from bondem.boundary.wall_constraints import Grips
+from bondem.boundary.conditions import BoundaryCondition, Load
+from bondem.boundary.loads import Pressure
+from bondem.boundary.wall_constraints import Supports
+from bondem.errors import InputError
 from bondem.interactions.beams.beam_tables import beam_energies, beam_tables, load_beams
 from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.interactions.beams.bond_strain import BondStrain
@@ -177,14 +179,38 @@ class Interaction(ABC):
         """Warn about a specimen that the law fits badly."""
         return
 
+    @classmethod
+    def require_facets(cls, refusal: str) -> None:
+        """Raise InputError with the text `refusal` if elements do not interact by facets."""
+        raise InputError(refusal)
+
+    @classmethod
+    def refuse_facets(cls, refusal: str) -> None:
+        """Raise InputError with the text `refusal` if elements interact by facets."""
+        return
+
+    def on_elements(self, boundary: Boundary) -> Boundary:
+        """Return the conditions on elements themselves, rather than on walls that hold their facets.
+
+        Raises:
+            InputError: A platen with friction has no facets to slide on it.
+        """
+        if any(getattr(one, "friction", None) is not None for one in boundary):
+            raise InputError("friction= of Fix and Drive acts on cells only; press spheres by walls= with friction")
+        return boundary
+
+    def facet_forces(self, load: Load | Pressure) -> tuple[Ints, Floats]:
+        """Return the facets on the surface that a load acts on, (p,), and its forces there [N], (p, 3)."""
+        return np.zeros(0, dtype=np.int64), np.zeros((0, 3))
+
     def under(self, boundary: Boundary) -> "Interaction":
         """Return the same law under other boundary conditions."""
         return self
 
     @property
-    def grips(self) -> Grips:
+    def supports(self) -> Supports:
         """Facets that walls hold."""
-        return Grips.none()
+        return Supports.none()
 
     def strained(self, strain: PerBond, base: Floats, motion: Floats, pressed: PerElement) -> Self:
         """Return the law at strains ε* [-], (m,) or (0,), and walls with initial places `base` and motions, (g, 3).
@@ -198,6 +224,10 @@ class Interaction(ABC):
     def pressed(self, facet: Ints, force: Floats) -> PerElement:
         """Return what forces on free facets [N], (k, 3), add to V θ of each element [m³], user's order, (n,)."""
         return np.zeros(len(self.layout.order))
+
+    def dilatational_stress(self, swelling: PerElement) -> PerElement:
+        """Return λ θ of elements that swell by V θ [m³], (n,), [Pa], user's order, (n,)."""
+        return np.zeros(len(swelling))
 
     @property
     def moments_at_contact(self) -> bool:

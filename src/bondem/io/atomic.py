@@ -16,7 +16,7 @@ from pathlib import Path
 from bondem.errors import InputError, RunFileError
 
 # Letters of a name that a temporary file keeps: with its own marks it is shorter than 255 bytes.
-_KEPT = 40
+_STEM = 40
 
 
 def target_of(path: Path) -> Path:
@@ -141,4 +141,4 @@ def _refused(whose: str) -> Iterator[None]:
 
 def _beside(target: Path) -> Path:
     """Return an unused name in the folder of a file, with its suffix, by which other libraries choose the format."""
-    return target.with_name(f".{target.stem[:_KEPT]}.{secrets.token_hex(4)}.part{target.suffix}")
+    return target.with_name(f".{target.stem[:_STEM]}.{secrets.token_hex(4)}.part{target.suffix}")

@@ -80,8 +80,8 @@ def encode(value: Any) -> Any:
 
 def _arguments(value: Any) -> dict[str, Any]:
     if isinstance(value, StressCriterion):  # the name stands for the function
-        kept = ("fracture_energy", "friction", "curve", "scatter", "parameters")
-        return {"function": value.name} | {name: getattr(value, name) for name in kept}
+        parts = ("fracture_energy", "friction", "curve", "scatter", "parameters")
+        return {"function": value.name} | {name: getattr(value, name) for name in parts}
     if isinstance(value, Drive):
         names = ("x", "y", "z", "rx", "ry", "rz"), ("vx", "vy", "vz", "wx", "wy", "wz")
         motion = {names[rate][dof]: schedule for dof, schedule, rate in value.motion}

@@ -110,9 +110,9 @@ def damage(path: Path, kind: Kind, *passing: type[Exception]) -> Iterator[None]:
 def _require_stored(name: str, item: Any) -> None:
     """Refuse arrays that announce more bytes than the file can hold, before memory is allocated for them."""
     if isinstance(item, h5py.Dataset):
-        held = item.id.get_storage_size()
-        if item.nbytes > _LITTLE + _MOST_COMPRESSED * held:
-            raise ValueError(f"{name} announces {item.nbytes:.3g} bytes, holds {held}")
+        stored = item.id.get_storage_size()
+        if item.nbytes > _LITTLE + _MOST_COMPRESSED * stored:
+            raise ValueError(f"{name} announces {item.nbytes:.3g} bytes, holds {stored}")
 
 
 def array_at(file: Any, name: str) -> np.ndarray:

@@ -12,7 +12,7 @@ import numpy as np
 
 from bondem._types import Ints
 from bondem.boundary.conditions import BoundaryCondition
-from bondem.boundary.wall_constraints import Holds
+from bondem.boundary.wall_constraints import FixedFacets
 from bondem.interactions.cells.cell_body import body_of, sums_of_normals
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles, freeze
@@ -61,10 +61,10 @@ def with_corrected_normals(body: Lattice, boundary: Sequence[BoundaryCondition])
         for cell, weight, normal in sides
     )
     outer = np.einsum("kab,kb->ka", inverse[free.cell], free.normal)
-    holds = Holds.of(body, boundary)
-    normal = free.normal[holds.facet]
-    smooth = (((holds.axes * normal) ** 2).sum(axis=1) > 0.5) & ~holds.axes.all(axis=1)
-    at, normal = holds.facet[smooth], normal[smooth]
+    fixed = FixedFacets.of(body, boundary)
+    normal = free.normal[fixed.facet]
+    smooth = (((fixed.axes * normal) ** 2).sum(axis=1) > 0.5) & ~fixed.axes.all(axis=1)
+    at, normal = fixed.facet[smooth], normal[smooth]
     outer[at] = normal * (normal * outer[at]).sum(axis=1, keepdims=True)
     free = replace(free, share=freeze(free.area[:, None] * outer))
     return Lattice(

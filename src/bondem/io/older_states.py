@@ -6,7 +6,7 @@ from bondem._tables.columns import CrackKind, CrackStatus, EventColumn
 from bondem._types import Floats
 from bondem.boundary.wall_rows import walls_at_rest
 from bondem.damage.crack_columns import CRACK_COLUMNS, FACET, KIND, ONSET, RATE, RUB, SLIP, SPENT, STATUS, TOP
-from bondem.damage.crack_rows import alike_left, axes_along, crack_rows
+from bondem.damage.crack_rows import axes_along, crack_rows, isotropic_left
 from bondem.model.model import Model
 from bondem.model.state import State
 
@@ -59,9 +59,9 @@ def with_directions(model: Model, state: State) -> Floats:
         return np.zeros((0, CRACK_COLUMNS))
     facet = older[:, 0].astype(np.int64)
     table = model.softening
-    alike = older[:, 1] == 0.0 if table is None else (older[:, 1] == 0.0) | table.plane[facet]
+    isotropic = older[:, 1] == 0.0 if table is None else (older[:, 1] == 0.0) | table.plane[facet]
     axes = axes_along(model.cell_law.constants.normal[facet])
-    rows = crack_rows(facet, older[:, 1], axes, alike_left(state.integrity[facet]), alike)
+    rows = crack_rows(facet, older[:, 1], axes, isotropic_left(state.integrity[facet]), isotropic)
     rows[:, SLIP : SLIP + 3], rows[:, RUB : RUB + 3] = older[:, 2:5], older[:, 8:11]
     for column, of_row in ((RATE, 5), (STATUS, 6), (SPENT, 11), (TOP, 12)):
         rows[:, column] = older[:, of_row]

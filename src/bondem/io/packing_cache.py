@@ -144,10 +144,10 @@ class PackingCache:
             name, provenance = key(request), written(request)
         except (RunFileError, OSError):
             return make()
-        kept = self.get(name)
-        if kept is not None:
+        cached = self.get(name)
+        if cached is not None:
             # the user's own shape may have measured its walls already
-            return filled(kept, request["shape"])
+            return filled(cached, request["shape"])
         particles = make()
         self.put(name, particles, provenance=provenance)
         return particles

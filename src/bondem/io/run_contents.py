@@ -100,11 +100,11 @@ def read_contents(path: str | Path) -> RunContents:
 
 
 def _contents(path: Path, file: Any, head: Any, written: bool) -> RunContents:
-    plan, kept = json.loads(file["plan"][()]), file.get("state")
+    plan, group = json.loads(file["plan"][()]), file.get("state")
     gauges = json.loads(file["history"].attrs["gauges"]) if "history" in file else []
     history = History(np.asarray(file["history/records"][()]), tuple(gauges)) if "history" in file else None
     dt, duration = float(plan["dt"]), float(plan["duration"])
-    stands = kept.attrs if kept is not None else {}
+    stands = group.attrs if group is not None else {}
     steps = file.get("VTKHDF/elements/Steps")
     stored = json.loads(file["provenance"][()]) if "provenance" in file else {"bondem": str(head["bondem_version"])}
     missed = None if history is None or not len(history) else history.imbalance
@@ -114,7 +114,7 @@ def _contents(path: Path, file: Any, head: Any, written: bool) -> RunContents:
         steps=round(duration / dt), time=float(stands.get("time", 0.0)), duration=duration, dt=dt,
         seconds=float(stands.get("seconds", 0.0)), records=0 if history is None else len(history),
         snapshots=0 if steps is None else int(steps.attrs["NSteps"]),
-        broken=len(file["state/broken"]) if kept is not None and "broken" in kept else 0,
+        broken=len(file["state/broken"]) if group is not None and "broken" in group else 0,
         imbalance=None if missed is None or not np.isfinite(missed) else missed, written=written,
         provenance={str(key): str(value) for key, value in stored.items()}, schema=int(head["schema"]),
     )  # fmt: skip

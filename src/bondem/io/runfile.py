@@ -173,14 +173,14 @@ class RunFile:
             RunFileError: the disk is full, or another failure to write; the previous checkpoint remains valid.
         """
         file = self._new_file()
-        kept = file.require_group("state")
+        stored = file.require_group("state")
         for name in state.arrays:
-            _put(kept, name, getattr(state, name))
+            _put(stored, name, getattr(state, name))
         file.require_group("history")
         _put(file["history"], "records", history.records)
         _attributes(file["history"])["gauges"] = fixed(json.dumps(history.gauges))
-        kept.attrs.update(step=state.step, time=state.time, stale=state.stale, seconds=self._seconds())
-        kept.attrs["digest"] = fixed(_digest_of_state(state, history))
+        stored.attrs.update(step=state.step, time=state.time, stale=state.stale, seconds=self._seconds())
+        stored.attrs["digest"] = fixed(_digest_of_state(state, history))
         self._commit()
 
     def snapshot(self, state: State) -> None:
@@ -252,9 +252,9 @@ def _digest_of_state(state: State, history: History, schema: int = SCHEMA) -> st
 
 
 def _digest_of_rest(file: h5py.File) -> str:
-    kept = {name: file[name] for name in _STATIC if name in file}
+    stored = {name: file[name] for name in _STATIC if name in file}
     head = json.dumps([text_of(file.attrs["format"]), int(_attributes(file)["schema"])])
-    return digest_of([*arrays_of(kept), ("head", head)])
+    return digest_of([*arrays_of(stored), ("head", head)])
 
 
 def read_run(path: str | Path, *, failure: Criterion | None = None) -> Checkpoint:
@@ -358,10 +358,10 @@ def _checkpoint(file: h5py.File, schema: int, failure: Criterion | None) -> Chec
         if (name not in State.GROWING and values.shape != wanted) or values.shape[1:] != wanted[1:]:
             raise ValueError(f"state/{name} has shape {values.shape}")
         setattr(state, name, values)
-    kept = _attributes(file["state"])
-    state.step, state.time, state.stale = int(kept["step"]), float(kept["time"]), bool(kept["stale"])
+    stored = _attributes(file["state"])
+    state.step, state.time, state.stale = int(stored["step"]), float(stored["time"]), bool(stored["stale"])
     history = History(array_at(file, "history/records"), tuple(json.loads(_attributes(file["history"])["gauges"])))
-    if schema >= _DIGESTED and not agree(_digest_of_state(state, history, schema), kept["digest"]):
+    if schema >= _DIGESTED and not agree(_digest_of_state(state, history, schema), stored["digest"]):
         raise ValueError("the digest of its state does not match")
     records = history.records
     for column, since in _COLUMN_SINCE.items():
@@ -370,5 +370,5 @@ def _checkpoint(file: h5py.File, schema: int, failure: Criterion | None) -> Chec
     history = History(records, history.gauges)
     brought_up(model, state, schema)
     return Checkpoint(
-        model, decode(_json(file, "plan")), state, history, float(kept.get("seconds", 0.0)), schema
+        model, decode(_json(file, "plan")), state, history, float(stored.get("seconds", 0.0)), schema
     )

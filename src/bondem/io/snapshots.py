@@ -27,11 +27,10 @@ from bondem.io.vtkhdf_series import Piece, begin_collection, static_lines, stati
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observables.bond_forces import bond_forces
-from bondem.observables.cell_forces import CellForces
-from bondem.observables.cell_stress import mean_stress
+from bondem.observables.cell_stress import stress_fields
 
 #: Columns of a 3×3 tensor, and of a row xx, yy, zz, xy, xz, yz of a state, in the order of VTK.
-_OF_TENSOR, _OF_ROW = ((0, 1, 2, 0, 1, 0), (0, 1, 2, 1, 2, 2)), (0, 1, 2, 3, 5, 4)
+_OF_TENSOR, _OF_ROW = (0, 4, 8, 1, 5, 2), (0, 1, 2, 3, 5, 4)
 
 
 class Outlined(Protocol):
@@ -179,9 +178,9 @@ def _drawn(model: Model) -> np.ndarray:
 
 
 def _stress(model: Model, state: State) -> Floats | None:
-    if model.interaction.on_facets:
-        tensor = mean_stress(model, CellForces.of(model, state))
-        return tensor[:, _OF_TENSOR[0], _OF_TENSOR[1]]
+    found = stress_fields(model, state)
+    if found:
+        return found["stress"][:, _OF_TENSOR]
     if state.stress.size:
         return state.stress[model.layout.rank][:, _OF_ROW]
     return None

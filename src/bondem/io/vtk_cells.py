@@ -12,8 +12,7 @@ from bondem.io.atomic import require_writable
 from bondem.io.hdf5 import put, writing
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.observables.cell_forces import CellForces
-from bondem.observables.cell_stress import dilatation, mean_stress
+from bondem.observables.cell_stress import stress_fields
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.tessellation.polyhedra import polyhedra
 from bondem.statics.static import StaticResult
@@ -54,13 +53,7 @@ def fields_of_cells(body: Lattice, state: State | StaticResult | None) -> dict[s
     if not isinstance(state, State):
         return fields
     model = state.model
-    if isinstance(model, Model) and model.interaction.on_facets:
-        forces = CellForces.of(model, state)
-        stress = mean_stress(model, forces)
-        fields |= {
-            "stress": stress.reshape(-1, 9), "dilatation": dilatation(model, stress), "lambda_theta": forces.stress
-        }  # fmt: skip
-    return fields
+    return fields | stress_fields(model, state) if isinstance(model, Model) else fields
 
 
 def write_cells(path: Path, body: Lattice, state: State | None, fields: Mapping[str, np.ndarray]) -> None:

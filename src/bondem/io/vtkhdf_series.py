@@ -158,8 +158,8 @@ class Piece:
             for kind in _KINDS:
                 ends = {"Offsets": "NumberOfCells", "Connectivity": "NumberOfConnectivityIds"}
                 for name, number in ends.items():
-                    kept = _dataset(group, f"{kind}/{number}")[:part]
-                    _dataset(group, f"{kind}/{name}").resize(int(kept.sum()) + part * (name == "Offsets"), axis=0)
+                    counts = _dataset(group, f"{kind}/{number}")[:part]
+                    _dataset(group, f"{kind}/{name}").resize(int(counts.sum()) + part * (name == "Offsets"), axis=0)
                 for number in ends.values():
                     _dataset(group, f"{kind}/{number}").resize(part, axis=0)
             _dataset(group, "NumberOfPoints").resize(part, axis=0)

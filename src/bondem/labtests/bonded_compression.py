@@ -70,7 +70,7 @@ def tear_bonded(specimen: BondedSpecimen, options: RunOptions) -> StrengthTest:
     compliance, force = specimen.response(0, near, far, section, 1.0, 0.0)
 
     def pulled(speed: float, begin: float) -> Model:
-        return specimen.held(0, ((near, 0.0), (far, speed)), begin)
+        return specimen.driven(0, ((near, 0.0), (far, speed)), begin)
 
     rig = Rig(
         axis=0, sign=1.0, near=(Gauge(Index(near), "force"),), far=(Gauge(Index(far), "force"),), section=section,
@@ -113,6 +113,6 @@ def _confining(specimen: BondedSpecimen, pressure: float, speed: float, begin: f
         )
     found: list[Wall] = []
     for axis, area in ((1, length * height), (2, length * width)):
-        held, pressed = (specimen.platen(axis, side, 0.0, 0.0, begin) for side in (-1.0, 1.0))
-        found += [held, PlaneWall(pressed.point, pressed.normal, servo(area), 0.0)]
+        fixed, pressed = (specimen.platen(axis, side, 0.0, 0.0, begin) for side in (-1.0, 1.0))
+        found += [fixed, PlaneWall(pressed.point, pressed.normal, servo(area), 0.0)]
     return tuple(found)

@@ -195,12 +195,12 @@ class BondedSpecimen:
         def model(speed: float, begin: float) -> Model:
             further = around(speed, begin)
             if self.cast:
-                return self.held(axis, tuple((side.elements, side.share * speed) for side in both), begin, further)
+                return self.driven(axis, tuple((side.elements, side.share * speed) for side in both), begin, further)
             return self._between((*(side.wall(side.share * speed, begin) for side in both), *further))
 
         return tuple(gauges[: len(near)]), tuple(gauges[len(near) :]), model
 
-    def held(
+    def driven(
         self, axis: int, ends: tuple[tuple[Ints, float], ...], begin: float, walls: tuple[Wall, ...] = ()
     ) -> Model:
         """Model in which sets of elements move along an axis at given velocities [m/s], reached in `begin` [s]."""

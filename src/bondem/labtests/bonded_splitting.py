@@ -57,7 +57,7 @@ def split_bonded(
         near, far = ((Gauge(Index(strip), "force"),) for strip in (bottom, top))
 
         def model(speed: float, begin: float) -> Model:
-            return specimen.held(1, ((bottom, 0.0), (top, speed)), begin)
+            return specimen.driven(1, ((bottom, 0.0), (top, speed)), begin)
 
     rig = Rig(
         axis=1, sign=-1.0, near=near, far=far, section=section, torn=disc.diameter * disc.thickness,

@@ -34,7 +34,7 @@ class Cantilever:
 
     Attributes:
         lattice: the specimen.
-        held: elements at x_min, (k,).
+        clamped: elements at x_min, (k,).
         loaded: elements at x_max, (k,).
         paper: bar of length L_M of eq (12), from wall to wall.
         refined: bar between the mean centres of both sets, for statics; between the walls of a body of cells.
@@ -44,7 +44,7 @@ class Cantilever:
     """
 
     lattice: Lattice
-    held: Ints
+    clamped: Ints
     loaded: Ints
     paper: Bar
     refined: Bar
@@ -80,13 +80,13 @@ class Cantilever:
             if gyration.shape != (2,) or not (gyration > 0.0).all():
                 raise InputError(f"gyration = {shown(gyration)}; give {wanted}")
         filled = section if gyration is None else section.filled(gyration, mass_gyration(lattice, density))
-        held, loaded = (Face(name, depth).select(lattice) for name in ("x_min", "x_max"))
+        clamped, loaded = (Face(name, depth).select(lattice) for name in ("x_min", "x_max"))
         face = float(envelope.face_centre("x_max")[0])
         faces = specimen_faces(lattice, depth)
         near, far = faces.ends
         return cls(
             lattice=lattice,
-            held=held,
+            clamped=clamped,
             loaded=loaded,
             paper=Bar(faces.paper_length, section, E, nu, rho),
             refined=Bar(far - near, filled, E, nu, rho),
@@ -96,9 +96,9 @@ class Cantilever:
 
     def model_under(self, law: AnyLaw, depth: float, force: tuple[float, ...], moment: float = 0.0) -> Model:
         """Model of the specimen clamped at x_min, under a force and a moment about x on x_max."""
-        held = Fix(Face("x_min", depth))
+        clamp = Fix(Face("x_min", depth))
         load = Load(Face("x_max", depth), force=(force[0], force[1], force[2]), moment=(moment, 0.0, 0.0))
-        return Model(self.lattice, law, density=1.0, boundary=[held, load])  # statics do not depend on the density
+        return Model(self.lattice, law, density=1.0, boundary=[clamp, load])  # statics do not depend on the density
 
     def stressed(
         self, law: AnyLaw, depth: float, solution: StaticResult, *, force: tuple[float, ...]

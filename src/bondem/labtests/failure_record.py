@@ -119,7 +119,7 @@ class FailureTest:
         unit: unit of measured value and theory.
         curve: curve of a result.
         more: further arrays and scalars of a result, for figures.
-        told: further numbers of a result, by name with unit; None is left out.
+        details: further numbers of a result, by name with unit; None is left out.
         energy: energy balance along the curve of a result [J], (k,) each.
         integrity: integrity of the facets at the end [-].
         cracking: cracks and pieces of a result, with its body and the fracture energy of the material [J/m²].
@@ -138,7 +138,7 @@ class FailureTest:
     unit: str = "Pa"
     curve: Callable[[Any], Curve] = curve_of
     more: Callable[[Any], Mapping[str, Any]] = nothing_of
-    told: Callable[[Any], Mapping[str, float | None]] = nothing_of
+    details: Callable[[Any], Mapping[str, float | None]] = nothing_of
     energy: Callable[[Any], Mapping[str, Floats]] = nothing_of
     integrity: Callable[[Any], Floats] = lambda result: result.state.bond_integrity
     cracking: Callable[[Any, Lattice, float], Cracking] = cracking_of

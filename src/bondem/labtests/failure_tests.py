@@ -132,7 +132,7 @@ _PLATENS = {"platen_friction": TestOption("-")}
 _RECORDS = (
     FailureTest(
         name="direct_tension", perform=direct_tension, theory=_tensile, more=_worked, energy=energy_ledger,
-        told=_pulled,
+        details=_pulled,
         figure=TestFigure("Direct tension", quantity="tensile strength"),
     ),
     FailureTest(
@@ -157,7 +157,7 @@ _RECORDS = (
     FailureTest(
         name="three_point_bending", perform=_bend, requirements=BEAM,
         options={"span": TestOption("m"), "until": TestOption("-")}, more=_bending, energy=energy_ledger,
-        integrity=_bent_integrity, curve=_load_curve, told=_bent,
+        integrity=_bent_integrity, curve=_load_curve, details=_bent,
         figure=TestFigure(
             "Three-point bending", strain="CMOD", plain="deflection", stress="load", across=(1e6, "µm"),
             up=(1e-3, "kN"), line=False, azimuth=math.radians(25.0), elevation=math.radians(56.0),
@@ -173,7 +173,7 @@ _RECORDS = (
     ),
     FailureTest(
         name="sphere_crushing", perform=sphere_crushing, requirements=BALLS, options={"friction": TestOption("-")},
-        told=_crushed, cracking=_parted,
+        details=_crushed, cracking=_parted,
         figure=TestFigure(
             "Crushing of a ball", strain="closing / D", stress="2.8 F / (π D²)",
             quantity="nominal tensile strength 2.8 F / (π D²)",
@@ -182,7 +182,7 @@ _RECORDS = (
     FailureTest(
         name="sphere_impact", perform=sphere_impact, requirements=BALLS,
         options={"velocity": TestOption("m/s", needed=True), "friction": TestOption("-")},
-        measured=lambda test: test.damage, unit="-", curve=lambda test: (test.time, test.force), told=_thrown,
+        measured=lambda test: test.damage, unit="-", curve=lambda test: (test.time, test.force), details=_thrown,
         cracking=_parted,
         figure=TestFigure(
             "Impact of a ball", strain="time", stress="force on the plane", across=(1e6, "µs"), up=(1e-3, "kN"),
@@ -192,7 +192,7 @@ _RECORDS = (
     FailureTest(
         name="spall", perform=spall, uniform=True, bonded=False,
         options={key: TestOption(unit, needed=True) for key, unit in _PULSE.items()},
-        theory=_tensile, curve=lambda test: (test.time, test.velocity), told=_spalled, cracking=_parted,
+        theory=_tensile, curve=lambda test: (test.time, test.velocity), details=_spalled, cracking=_parted,
         figure=TestFigure(
             "Spalling", strain="time", stress="velocity of the free end", across=(1e6, "µs"), up=(1.0, "m/s"),
             line=False, quantity="spall strength",
@@ -251,7 +251,7 @@ def failure_outcome(
         theory=math.nan if isinstance(failure, Mapping) else test.theory(softening, asked),
         curves=test.curves(result, cracking), cracking=cracking, energy=test.energy(result),
         axes=test.figure.axes,
-        told={key: value for key, value in test.told(result).items() if value is not None},
+        told={key: value for key, value in test.details(result).items() if value is not None},
     )  # fmt: skip
 
 
@@ -262,9 +262,9 @@ def _bonded_outcome(
     """Run a test of bonded spheres, whose strengths follow from those of their bonds in no closed form."""
     result = test.perform(body, law, failure, density=density, progress=progress, **asked)
     cracking = test.cracking(result, body, math.nan)
-    told = {"broken bonds [%]": 100.0 * cracking.broken / len(body.pairs), **test.told(result)}
+    details = {"broken bonds [%]": 100.0 * cracking.broken / len(body.pairs), **test.details(result)}
     return Outcome(
         name=test.name, measured=test.measured(result), unit=test.unit, theory=math.nan,
         curves=test.curves(result, cracking), cracking=cracking, energy=test.energy(result), axes=test.figure.axes,
-        told={key: value for key, value in told.items() if value is not None},
+        told={key: value for key, value in details.items() if value is not None},
     )  # fmt: skip

@@ -263,8 +263,7 @@ def require_cells(test: str, body: Lattice, law: object, density: float = DENSIT
     matrix = _first(law)
     refusal = f"labtests.{test}: the lattice or its law is not of cells; connect with method='laguerre' and give"
     body.elements.require_cells(f"{refusal} bd.CellBond")
-    if not kind_of(matrix).on_facets:
-        raise InputError(f"{refusal} bd.CellBond")
+    kind_of(matrix).require_facets(f"{refusal} bd.CellBond")
     return cast(CellBond, matrix)
 
 

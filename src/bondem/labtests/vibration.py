@@ -127,9 +127,9 @@ def free_vibration(
         "free_vibration", lattice, density=density, E=E, nu=nu, rho=rho, periods=periods, stress=stress, depth=depth
     )
     bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, depth=depth).paper
-    held = Fix(Face("x_min", depth))
-    model = Model(lattice, law, density=density, boundary=[held])
-    start = solve_static(model.with_boundary([held, combined_load(bar.section, stress=stress, depth=depth)]))
+    clamp = Fix(Face("x_min", depth))
+    model = Model(lattice, law, density=density, boundary=[clamp])
+    start = solve_static(model.with_boundary([clamp, combined_load(bar.section, stress=stress, depth=depth)]))
     state = State(model)
     state.set_pose(
         position=state.position + start.displacement, orientation=_quaternions(start.rotation)

@@ -1,4 +1,4 @@
-"""Boundary conditions resolved to arrays in internal order; elements that are held or loaded own a row."""
+"""Boundary conditions resolved to arrays in internal order; elements that are fixed or loaded own a row."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -11,7 +11,7 @@ from bondem._tables.step_tables import CoupleTable, Rows
 from bondem._types import Floats, PerBond, PerElement
 from bondem.boundary.conditions import BoundaryCondition, Drive, Fix, Load
 from bondem.boundary.couples import Couple, couple_table
-from bondem.boundary.loads import Absorbing, BodyForce, Eigenstrain, Pressure, is_face
+from bondem.boundary.loads import Absorbing, BodyForce, Eigenstrain, Pressure
 from bondem.boundary.schedules import Schedule
 from bondem.errors import InputError
 from bondem.interactions.interaction import Interaction
@@ -43,7 +43,7 @@ class Constraints:
     Attributes:
         element: internal element of each row, shape (r,).
         row_of: row of each element or -1, shape (n,).
-        fixed: mask of degrees of freedom that are held or driven, uint8, shape (r, 6).
+        fixed: mask of degrees of freedom that are fixed or driven, uint8, shape (r, 6).
         start, times, values: schedule s is times[start[s] : start[s + 1]] and values likewise.
         drive_row, drive_dof, drive_schedule, drive_rate: one entry per driven degree of freedom; `drive_rate`
             is 1 for velocities and 0 for displacements.
@@ -57,7 +57,7 @@ class Constraints:
         strain_part: stress-free strain of each bond, shape (g, m); strain_schedule: (g,).
         weight: mass of each connected element, else 0 [kg], shape (n,).
         press_value: contribution of tractions on free facets to V θ of each cell [m³], (l, n); press_schedule: (l,).
-        holding: True if walls hold facets of cells.
+        supported: True if walls hold facets of cells.
         wall_rate: True if velocities of such walls are prescribed.
     """
 
@@ -85,7 +85,7 @@ class Constraints:
     weight: PerElement
     press_value: Floats
     press_schedule: np.ndarray
-    holding: bool
+    supported: bool
     wall_rate: bool
 
     @classmethod
@@ -142,8 +142,9 @@ class Constraints:
                     chosen, nodal = straight.nodal(lattice)
                     chosen = layout.rank[chosen]
                     loads.append((chosen, len(schedules), nodal, _follows(condition, lattice)))
-                    if law.on_facets and is_face(condition.region):
-                        presses.append((law.pressed(*condition.on_facets(lattice))[layout.order], len(schedules)))
+                    facet, force = law.facet_forces(condition)
+                    if len(facet):
+                        presses.append((law.pressed(facet, force)[layout.order], len(schedules)))
                     schedules.append(condition.schedule)
                 case Absorbing():
                     chosen, viscous = condition.dashpots(lattice)
@@ -163,7 +164,7 @@ class Constraints:
         if (fixed.astype(bool) & driven).any():
             raise InputError("an element is both fixed and driven in one component; subtract the regions")
         fixed |= driven.astype(np.uint8)
-        owns[layout.rank[law.grips.cell]] = True
+        owns[layout.rank[law.supports.cell]] = True
         element = np.flatnonzero(owns)
         row_of = np.full(n, -1, dtype=np.int64)
         row_of[element] = np.arange(len(element))
@@ -198,8 +199,8 @@ class Constraints:
             weight=np.where(lattice.connected, mass, 0.0)[layout.order],
             press_value=np.array([value for value, _ in presses], dtype=float).reshape(len(presses), n),
             press_schedule=np.array([s for _, s in presses], dtype=np.int64),
-            holding=len(law.grips.cell) > 0,
-            wall_rate=any(law.grips.holds.rate),
+            supported=len(law.supports.cell) > 0,
+            wall_rate=any(law.supports.fixed.rate),
         )
 
     @property
@@ -217,7 +218,7 @@ class Constraints:
         still = np.zeros((3, len(self.element), 6))
         return Rows(
             of=self.row_of, fixed=self.fixed, force=still[0], half=still[1], full=still[2], reaction=reaction,
-            grip=np.zeros((len(self.element) if self.holding else 0, 6)), work=work,
+            support=np.zeros((len(self.element) if self.supported else 0, 6)), work=work,
         )  # fmt: skip
 
     def final_load(self, n: int, pose: Floats | None = None) -> Floats:
@@ -255,7 +256,7 @@ class Constraints:
         body = len(self.element)
         strain = body + (len(self.row_of) if len(self.body_on) else 0)
         # run files have one number behind them where walls or tractions do work, which versions before added up there
-        return body, strain, strain + bool(len(self.strain_part)) + bool(self.holding or len(self.press_schedule))
+        return body, strain, strain + bool(len(self.strain_part)) + bool(self.supported or len(self.press_schedule))
 
     def final_motion(self, n: int) -> Floats:
         """Return prescribed displacements and rotations at the end of all schedules [m, rad], shape (n, 6).
@@ -269,11 +270,11 @@ class Constraints:
         motion[self.element[self.drive_row], self.drive_dof] = self._final(self.drive_schedule)
         return motion
 
-    def held(self, n: int) -> np.ndarray:
-        """Return a mask of the degrees of freedom that are held or driven, internal order, shape (n, 6)."""
-        held = np.zeros((n, 6), dtype=bool)
-        held[self.element] = self.fixed.astype(bool)
-        return held
+    def prescribed(self, n: int) -> np.ndarray:
+        """Return a mask of the degrees of freedom that are fixed or driven, internal order, shape (n, 6)."""
+        found = np.zeros((n, 6), dtype=bool)
+        found[self.element] = self.fixed.astype(bool)
+        return found
 
 
 def _couple(condition: Load | Pressure, lattice: Lattice, layout: Layout, schedule: int) -> Couple | None:

@@ -32,12 +32,12 @@ class Blocks:
         domain: domain d has the blocks domain[d] … domain[d + 1], shape (domains + 1,).
         bond: block b has the bonds bond[b] … bond[b + 1], shape (blocks + 1,).
         move: block b moves the elements ready[move[b]] … ready[move[b + 1]], shape (blocks + 1,).
-        held: elements of block b from ready[held[b]] on own rows of the boundary, shape (blocks,).
+        first_owner: elements of block b from ready[first_owner[b]] on own rows of the boundary, shape (blocks,).
         ready: all elements that are not shared, in the order in which they move, uint32.
         ready_row: rows of their sums, uint32.
         row_i, row_j: rows that each bond adds to, uint32, shape (m,).
         shared: elements with bonds computed by another domain, those that own rows last, uint32, shape (s,).
-        shared_held: number of shared elements that own no row.
+        shared_first_owner: number of shared elements that own no row.
         shared_row: rows of their sums, uint32, shape (s,).
         part: rows parts + part[e] … parts + part[e + 1] also belong to shared element e, shape (s + 1,).
         parts: first of the rows that bonds between domains add to.
@@ -46,14 +46,14 @@ class Blocks:
     domain: Ints
     bond: Ints
     move: Ints
-    held: Ints
+    first_owner: Ints
     ready: np.ndarray
     ready_row: np.ndarray
     row_i: np.ndarray
     row_j: np.ndarray
     shared: np.ndarray
     shared_row: np.ndarray
-    shared_held: int
+    shared_first_owner: int
     part: Ints
     parts: int
 
@@ -93,7 +93,7 @@ class Blocks:
         last[shared] = len(edges)  # beyond all blocks
         ready = np.lexsort((owns, last))[: n - len(shared)]
         move = np.searchsorted(last[ready], np.arange(len(edges)))
-        held = move[1:] - np.bincount(last[ready][owns[ready]], minlength=len(edges) - 1)
+        first_owner = move[1:] - np.bincount(last[ready][owns[ready]], minlength=len(edges) - 1)
         row, rows = _rows(edges, domain, ready, move)
         row_i = row[i]
         row_i[across] = rows + np.arange(len(across))
@@ -101,14 +101,14 @@ class Blocks:
             domain=domain.astype(np.int64),
             bond=np.append(layout.in_start[edges[:-1]], len(with_twins(layout.i))),
             move=move.astype(np.int64),
-            held=held.astype(np.int64),
+            first_owner=first_owner.astype(np.int64),
             ready=ready.astype(np.uint32),
             ready_row=row[ready].astype(np.uint32),
             row_i=with_twins(row_i.astype(np.uint32)),
             row_j=with_twins(row[j].astype(np.uint32)),
             shared=shared.astype(np.uint32),
             shared_row=row[shared].astype(np.uint32),
-            shared_held=len(shared) - int(owns[shared].sum()),
+            shared_first_owner=len(shared) - int(owns[shared].sum()),
             part=np.concatenate([[0], np.cumsum(parts)]).astype(np.int64),
             parts=rows,
         )
@@ -116,9 +116,9 @@ class Blocks:
     def table(self, more: int = 0) -> StepBlocks:
         """Return the division in the form of the core, with sums at zero and `more` rows behind them."""
         return StepBlocks(
-            domain=self.domain, bond=self.bond, move=self.move, held=self.held, ready=self.ready,
+            domain=self.domain, bond=self.bond, move=self.move, first_owner=self.first_owner, ready=self.ready,
             ready_row=self.ready_row, row_i=self.row_i, row_j=self.row_j, shared=self.shared,
-            shared_row=self.shared_row, shared_held=self.shared_held, part=self.part, parts=self.parts,
+            shared_row=self.shared_row, shared_first_owner=self.shared_first_owner, part=self.part, parts=self.parts,
             sums=lines(self.rows + more),
         )  # fmt: skip
 

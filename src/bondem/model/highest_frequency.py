@@ -82,14 +82,14 @@ def stiffest(
             forces += slip.forces(motion)
         return forces * root
 
-    held = np.zeros(n)
+    resisted = np.zeros(n)
     for end, arm in ((layout.i, table.lever), (layout.j, table.length - table.lever)):
-        held += np.bincount(end, weights=intact * (table.kn + table.ks), minlength=n) / mass
+        resisted += np.bincount(end, weights=intact * (table.kn + table.ks), minlength=n) / mass
         turned = intact * (table.ks * arm**2 + table.kb)
-        held += np.bincount(end, weights=turned, minlength=n) / inertia
+        resisted += np.bincount(end, weights=turned, minlength=n) / inertia
     for slip in slips:
-        held += slip.held(n) / inertia
-    start = np.random.default_rng(0).standard_normal((n, 6)) * (held / held.max())[:, None] ** 2
+        resisted += slip.resistance(n) / inertia
+    start = np.random.default_rng(0).standard_normal((n, 6)) * (resisted / resisted.max())[:, None] ** 2
     vector, last = start / np.linalg.norm(start), np.zeros((n, 6))
     diagonal: list[float] = []
     beside: list[float] = []

@@ -36,7 +36,7 @@ class LongSlip:
     arm_i: Floats
     arm_j: Floats
 
-    def held(self, n: int) -> Floats:
+    def resistance(self, n: int) -> Floats:
         """Return the approximate stiffness of each cell against rotation [N·m], (n,)."""
         stiff = (self.k + self.swollen) * self.slip**2
         found = np.zeros(n)

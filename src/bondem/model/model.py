@@ -14,8 +14,7 @@ from bondem._core import return_free_memory
 from bondem._outlets import OUTLETS
 from bondem._plausibility import physical, question_strength
 from bondem._types import ArrayLike, Floats, PerElement
-from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
-from bondem.boundary.wall_constraints import holds_wall
+from bondem.boundary.conditions import BoundaryCondition
 from bondem.boundary.wall_table import WallTable
 from bondem.boundary.walls import Wall, check_walls
 from bondem.damage.beam_softening import BeamSoftening
@@ -116,9 +115,8 @@ class Model:
             raise InputError("density has values that are not positive and finite; give positive values [kg/m³]")
         physical("Model", "density", float(density.min()))
         object.__setattr__(self, "boundary", _conditions(self.boundary))
-        law, slides = self.interaction, any(getattr(one, "friction", None) is not None for one in self.boundary)
-        if slides and not law.on_facets:
-            raise InputError("friction= of Fix and Drive acts on cells only; press spheres by walls= with friction")
+        law = self.interaction
+        law.on_elements(self.boundary)  # refuses platens with friction for some laws
         object.__setattr__(self, "walls", check_walls(self.walls))
         beams, contact = law.evaluated == "force", self.contact_laws
         if (option := contact.of_beams) and not beams:
@@ -146,8 +144,8 @@ class Model:
     def _check_magnitudes(self) -> None:
         with np.errstate(all="ignore"):
             mass, inertia, stiffness = self.mass, self.inertia, self.stiffness
-        held = [(item.name, getattr(stiffness, item.name)) for item in fields(stiffness)]
-        for name, values in (("masses", mass), ("moments of inertia", inertia), *held):
+        stiffnesses = [(item.name, getattr(stiffness, item.name)) for item in fields(stiffness)]
+        for name, values in (("masses", mass), ("moments of inertia", inertia), *stiffnesses):
             if not np.isfinite(values).all() or (name.startswith("m") and not (values > 0.0).all()):
                 raise InputError(
                     f"the {name} of this model exceed the range of numbers; check the units of density, bonds, radii"
@@ -289,10 +287,8 @@ class Model:
     @cached_property
     def constraints(self) -> Constraints:
         """Boundary conditions resolved to elements."""
-        boundary = self.boundary
-        if self.interaction.on_facets:
-            boundary = [one for one in boundary if not (isinstance(one, Fix | Drive) and holds_wall(one))]
-        return Constraints.of(self.lattice, self.layout, boundary, self.mass, self.interaction)
+        law = self.interaction
+        return Constraints.of(self.lattice, self.layout, law.on_elements(self.boundary), self.mass, law)
 
     @property
     def _elements(self) -> Elements:

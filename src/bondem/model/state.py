@@ -116,7 +116,7 @@ class State(StateMotion):
         self.held_slip = np.zeros(len(self.plastic))
         self.facet_force = np.zeros((3, 0 if soft is None else m))
         self.softened = np.zeros((0, SoftColumn.COUNT))
-        self.grips = reference_base(len(model.interaction.grips.cell))
+        self.grips = reference_base(len(model.interaction.supports.cell))
         self.step, self.time, self.stale = 0, 0.0, True
 
     ARRAYS = (
@@ -195,7 +195,7 @@ class State(StateMotion):
         set_off(self.walls, before, model.walls)
         wall_rows(self.walls)["work"] = 0.0
         self.released = np.zeros(1)
-        self.grips = reference_base(len(model.interaction.grips.cell))
+        self.grips = reference_base(len(model.interaction.supports.cell))
         self._take_damage(model)
         self.model, self.layout = model, model.layout
         self.step = 0

@@ -73,8 +73,8 @@ def difference(one: Origin, other: Origin) -> str:
     if not np.array_equal(one.mass, other.mass):
         return "density of the elements"
     names = ("kn", "ks", "kb", "kt", "lever")
-    held = ((getattr(law.bonds, name), getattr(new.bonds, name)) for name in names)
-    if law.formulation == "incremental" and not all(np.array_equal(p, q) for p, q in held):
+    constants = ((getattr(law.bonds, name), getattr(new.bonds, name)) for name in names)
+    if law.formulation == "incremental" and not all(np.array_equal(p, q) for p, q in constants):
         return "bond law, whose forces it has stored"
     return ""
 

@@ -74,7 +74,7 @@ def rows_of_walls(
     for new, before in enumerate(previous):
         if before >= 0:
             found[new], number[before] = rows[before], new
-    kept = number[touching[:, 1]] >= 0
-    element, wall = touching[kept, 0], number[touching[kept, 1]]
+    retained = number[touching[:, 1]] >= 0
+    element, wall = touching[retained, 0], number[touching[retained, 1]]
     order = np.lexsort((wall, element))
-    return found, np.column_stack([element, wall])[order], stretch[kept][order]
+    return found, np.column_stack([element, wall])[order], stretch[retained][order]

@@ -116,10 +116,11 @@ def _of_state(model: Model, state: State) -> BondForces:
 def _pressed(model: Model, state: State, length: Floats) -> PerBond:
     """Return the compressive force of beams that soften, without their share by integrity [N], user's order."""
     push = np.zeros(len(length))
-    begun = state.softened[:, SoftColumn.BOND].astype(np.int64)
-    begun = begun[state.integrity[begun] > 0.0]
-    if len(begun):
-        bond = model.layout.bond_order[begun]
-        rest = model.bonds.stretched(state.rest_strain).length[begun]
-        push[bond] = (1.0 - state.integrity[begun]) * model.bonds.kn[begun] * np.maximum(rest - length[bond], 0.0)
+    softening = state.softened[:, SoftColumn.BOND].astype(np.int64)
+    softening = softening[state.integrity[softening] > 0.0]
+    if len(softening):
+        bond = model.layout.bond_order[softening]
+        rest = model.bonds.stretched(state.rest_strain).length[softening]
+        shortened = np.maximum(rest - length[bond], 0.0)
+        push[bond] = (1.0 - state.integrity[softening]) * model.bonds.kn[softening] * shortened
     return push

@@ -14,7 +14,8 @@ from bondem.interactions.cells.cell_tables import STRESS
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.model.state_compatibility import difference
-from bondem.observables.cell_forces import CellForces, SmallMotion
+from bondem.observables.cell_forces import SmallMotion
+from bondem.observables.cell_stress import lambda_theta
 from bondem.observables.crack_index import crack_index
 from bondem.observables.posed_state import posed
 
@@ -98,8 +99,7 @@ def failure_index(model: Model, state: State | SmallMotion) -> PerBond:
         raise InputError("failure_index: the model has no criterion; give it failure=bd.PeripheralStress(...)")
     layout = model.layout
     law, pose, strengths = model.interaction, state.pose.copy(), strengths_of(table)
-    if law.on_facets:
-        pose[:, STRESS] = CellForces.of(model, motion).stress[layout.order]
+    pose[:, STRESS] = lambda_theta(model, motion)[layout.order]
     found = law.indices(pose, state.of_law, table.kind, strengths)
     softened = state.softened[:, SoftColumn.BOND].astype(np.int64)
     found[softened] = state.integrity[softened] > 0.0

@@ -11,7 +11,7 @@ from bondem.errors import InputError
 from bondem.geometry.rotations import turned_vectors
 from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_constants import CellConstants
-from bondem.interactions.cells.cell_tables import STRESS, place_held_walls
+from bondem.interactions.cells.cell_tables import STRESS, place_supports
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observables.facet_loads import loads_on_facets
@@ -40,8 +40,8 @@ class CellForces:
     Attributes:
         force: force of each facet on its cell i, tension pointing to j [N], shape (m, 3).
         arm_i, arm_j: arms to the facet [m], shape (m, 3).
-        held: forces of walls on the facets that they hold [N], shape (g, 3).
-        held_arm: arms to these facets [m], shape (g, 3).
+        wall: forces of walls on the facets that they hold [N], shape (g, 3).
+        wall_arm: arms to these facets [m], shape (g, 3).
         load: forces of loads on the facets on the surface [N], in the order of `cells.free`, shape (k, 3).
         load_arm: arms to these facets [m], shape (k, 3).
         stress: λ θ of each cell [Pa], shape (n,).
@@ -50,8 +50,8 @@ class CellForces:
     force: PerBond3
     arm_i: PerBond3
     arm_j: PerBond3
-    held: Floats
-    held_arm: Floats
+    wall: Floats
+    wall_arm: Floats
     load: Floats
     load_arm: Floats
     stress: PerElement
@@ -67,8 +67,8 @@ class CellForces:
         Raises:
             InputError: The model has another law, or the result belongs to another model.
         """
-        if not model.interaction.on_facets:
-            raise InputError("cell_stress: the model has no cells; give a body of cells and bond=bd.CellBond(...)")
+        refusal = "cell_stress: the model has no cells; give a body of cells and bond=bd.CellBond(...)"
+        model.interaction.require_facets(refusal)
         moved = getattr(result, "displacement", None)
         if moved is None:
             raise InputError(f"cell_stress: result = {shown(result)}; give what bd.solve_static returned, or a state")
@@ -79,13 +79,13 @@ class CellForces:
 
 def _small(model: Model, result: SmallMotion) -> CellForces:
     body, constants = model.lattice, model.cell_constants
-    strain, grips = model.constraints.final_strain(), constants.grips
+    strain, supports = model.constraints.final_strain(), constants.supports
     found = model.cell_law.small_strain(result.displacement, result.rotation, strain, model.pressed)
     stress = found.stress(constants)
     _, cells = body_of(body)
     return CellForces(
         force=found.forces(body, constants), arm_i=constants.lever_i, arm_j=constants.lever_j,
-        held=grips.nodal(found.held, result.rotation, stress)[:, :3], held_arm=grips.lever,
+        wall=supports.nodal(found.wall_gap, result.rotation, stress)[:, :3], wall_arm=supports.lever,
         load=loads_on_facets(model), load_arm=cells.free.centroid - cells.centroid[cells.free.cell],
         stress=stress,
     )  # fmt: skip
@@ -101,23 +101,23 @@ def _turned(model: Model, state: State) -> CellForces:
     a, b = turned_vectors(q[i], constants.lever_i), turned_vectors(q[j], constants.lever_j)
     gap = body.particles.nearest(state.local_position[j] - state.local_position[i]) + b - a
     share_i, share_j = turned_vectors(q[i], constants.share_i), turned_vectors(q[j], constants.share_j)
-    grips, n = constants.grips, len(cells.volume)
-    arm = turned_vectors(q[grips.cell], grips.arm)
-    moved = state.displacement[grips.cell] + arm - grips.lever
-    opened = grips.axes * (wall_places(model, state) - moved)
+    supports, n = constants.supports, len(cells.volume)
+    arm = turned_vectors(q[supports.cell], supports.arm)
+    moved = state.displacement[supports.cell] + arm - supports.lever
+    opened = supports.axes * (wall_places(model, state) - moved)
     whole = state.bond_integrity
     constants = constants.damaged(whole, i, j)
     swelling = constants.pressed_by(loads_on_facets(model, state.time))
     swelling += np.bincount(i, weights=whole * (share_i * gap).sum(axis=1), minlength=n)
     swelling += np.bincount(j, weights=whole * (share_j * gap).sum(axis=1), minlength=n)
-    swelling += np.bincount(grips.cell, weights=(grips.share * opened).sum(axis=1), minlength=n)
+    swelling += np.bincount(supports.cell, weights=(supports.share * opened).sum(axis=1), minlength=n)
     stress = constants.stress_of(swelling)
     force = constants.k[:, None] * gap + stress[i, None] * share_i + stress[j, None] * share_j
     free = cells.free
     outwards = free.centroid - cells.centroid[free.cell]
     return CellForces(
         force=whole[:, None] * force, arm_i=a, arm_j=b,
-        held=grips.k[:, None] * opened + stress[grips.cell, None] * grips.share, held_arm=arm,
+        wall=supports.k[:, None] * opened + stress[supports.cell, None] * supports.share, wall_arm=arm,
         load=loads_on_facets(model, state.time, q),
         load_arm=turned_vectors(q[free.cell], outwards),
         stress=stress,
@@ -131,17 +131,17 @@ def _failing(model: Model, state: State) -> CellForces:
     body, constants, layout = model.lattice, _grown(model, state), model.layout
     _, cells = body_of(body)
     i, j = body.pairs.T
-    q, grips, free = state.orientation, constants.grips, cells.free
+    q, supports, free = state.orientation, constants.supports, cells.free
     force = np.empty((len(i), 3))
     force[layout.bond_order] = np.where(layout.flipped[:, None], -1.0, 1.0) * state.facet_force.T
-    arm = turned_vectors(q[grips.cell], _deformed(state, grips.cell, grips.arm))
-    opened = grips.axes * (wall_places(model, state) - (state.displacement[grips.cell] + arm - grips.lever))
+    arm = turned_vectors(q[supports.cell], _deformed(state, supports.cell, supports.arm))
+    opened = supports.axes * (wall_places(model, state) - (state.displacement[supports.cell] + arm - supports.lever))
     stress = state.pose[layout.rank, STRESS]
     return CellForces(
         force=force,
         arm_i=turned_vectors(q[i], _deformed(state, i, constants.lever_i)),
         arm_j=turned_vectors(q[j], _deformed(state, j, constants.lever_j)),
-        held=grips.k[:, None] * opened + stress[grips.cell, None] * grips.share, held_arm=arm,
+        wall=supports.k[:, None] * opened + stress[supports.cell, None] * supports.share, wall_arm=arm,
         load=loads_on_facets(model, state.time, q),
         load_arm=turned_vectors(q[free.cell], free.centroid - cells.centroid[free.cell]),
         stress=stress,
@@ -158,19 +158,19 @@ def _deformed(state: State, owner: Ints, arm: Floats) -> Floats:
 def _grown(model: Model, state: State) -> CellConstants:
     """Return the constants with the stress-free strain of a state, user's order."""
     constants, layout, strain = model.cell_constants, model.layout, state.rest_strain
-    if len(state.grips) == len(constants.grips.cell):
-        constants = replace(constants, grips=constants.grips.taken(state.grips))
+    if len(state.grips) == len(constants.supports.cell):
+        constants = replace(constants, supports=constants.supports.taken(state.grips))
     if not strain.size:
         return constants
     own = np.empty_like(strain)
     own[layout.bond_order] = strain
-    return replace(constants, strain=own, grips=constants.grips.grown(layout.of_elements(strain)))
+    return replace(constants, strain=own, supports=constants.supports.grown(layout.of_elements(strain)))
 
 
-def held_arms(model: Model, state: State) -> Floats:
+def wall_arms(model: Model, state: State) -> Floats:
     """Return the arms from the centres of mass to the facets that walls hold, in a state [m], shape (g, 3)."""
-    grips = _grown(model, state).grips
-    return turned_vectors(state.orientation[grips.cell], _deformed(state, grips.cell, grips.arm))
+    supports = _grown(model, state).supports
+    return turned_vectors(state.orientation[supports.cell], _deformed(state, supports.cell, supports.arm))
 
 
 def wall_places(model: Model, state: State, base: Floats | None = None) -> Floats:
@@ -179,6 +179,6 @@ def wall_places(model: Model, state: State, base: Floats | None = None) -> Float
     Their initial places are `base`, (g, 7), or those of the state.
     """
     base = state.grips if base is None else base
-    walls = model.interaction.grips.table(model.layout, model.constraints.row_of, base)
-    place_held_walls(walls, state.time)
+    walls = model.interaction.supports.table(model.layout, model.constraints.row_of, base)
+    place_supports(walls, state.time)
     return walls.wall

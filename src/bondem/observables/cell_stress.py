@@ -1,4 +1,4 @@
-"""Mean stress and dilatation of the cells of a body."""
+"""Mean stress and dilatation of cells."""
 
 import numpy as np
 
@@ -33,26 +33,37 @@ def cell_stress(model: Model, result: SmallMotion | State) -> Floats:
         InputError: The result belongs to another model.
     """
     instance("cell_stress", "model", model, Model, "bd.Model(...)")
+    found = stress_fields(model, result)
+    return found["stress"].reshape(-1, 3, 3) if found else element_stress(model, result).symmetric
+
+
+def stress_fields(model: Model, result: SmallMotion | State) -> dict[str, Floats]:
+    """Return the fields of cells by their stress as files have them; none without a law of facets.
+
+    They are the tensors [Pa], (n, 9), the dilatation [-], (n,), and λ θ [Pa], (n,).
+    """
     if not model.interaction.on_facets:
-        return element_stress(model, result).symmetric
-    return mean_stress(model, CellForces.of(model, result))
+        return {}
+    forces, constants = CellForces.of(model, result), model.cell_constants
+    stress = mean_stress(model, forces)
+    dilatation = np.einsum("nii->n", stress) / (3.0 * constants.lame + 2.0 * constants.G)
+    return {"stress": stress.reshape(-1, 9), "dilatation": dilatation, "lambda_theta": forces.stress}
+
+
+def lambda_theta(model: Model, result: SmallMotion | State) -> PerElement:
+    """Return λ θ of each element [Pa], (n,), zeros without a law of facets."""
+    return stress_fields(model, result).get("lambda_theta", np.zeros(len(model.lattice.particles)))
 
 
 def mean_stress(model: Model, forces: CellForces) -> Floats:
     """Compute the mean stress tensor of every cell from known forces [Pa], shape (n, 3, 3)."""
-    body, grips = model.lattice, model.interaction.grips
+    body, supports = model.lattice, model.interaction.supports
     _, cells = body_of(body)
     i, j = body.pairs.T
     moment = np.zeros((len(cells.volume), 6))
     for owner, arm, force, sign in (
         (i, forces.arm_i, forces.force, 1.0), (j, forces.arm_j, forces.force, -1.0),
-        (grips.cell, forces.held_arm, forces.held, 1.0), (cells.free.cell, forces.load_arm, forces.load, 1.0),
+        (supports.cell, forces.wall_arm, forces.wall, 1.0), (cells.free.cell, forces.load_arm, forces.load, 1.0),
     ):  # fmt: skip
         add_force_moments(moment, owner, arm, force, sign)
     return (moment / cells.volume[:, None])[:, _OF_TENSOR]
-
-
-def dilatation(model: Model, stress: Floats) -> PerElement:
-    """Compute the dilatation of cells under these mean stresses, tr σ / 3K [-], shape (n,)."""
-    constants = model.cell_constants
-    return np.einsum("nii->n", stress) / (3.0 * constants.lame + 2.0 * constants.G)

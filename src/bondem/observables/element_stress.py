@@ -7,7 +7,6 @@ import numpy as np
 
 from bondem._checks import instance, vector
 from bondem._types import Floats, PerElement, PerElement3
-from bondem.errors import InputError
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observables.bond_forces import bond_forces
@@ -90,8 +89,7 @@ def element_stress(model: Model, result: SmallMotion | State) -> ElementStress:
         InputError: a model of cells, or a result of another model.
     """
     instance("element_stress", "model", model, Model, "bd.Model(...)")
-    if model.interaction.on_facets:
-        raise InputError("element_stress: elements of this model are cells; give it to bd.cell_stress")
+    model.interaction.refuse_facets("element_stress: elements of this model are cells; give it to bd.cell_stress")
     found, lattice = bond_forces(model, result), model.lattice
     centre = result.position if isinstance(result, State) else lattice.centre
     i, j = lattice.pairs.T

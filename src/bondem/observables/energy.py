@@ -17,6 +17,5 @@ def linear_energy(
     `strain` is ε* of each bond [-], in internal order.
     """
     law = model.interaction
-    traction = loads_on_facets(model) if law.on_facets else np.zeros((0, 3))
     strain = np.zeros(len(model.lattice.pairs)) if strain is None else strain
-    return law.small_energy(displacement, rotation, strain, model.pressed, traction)
+    return law.small_energy(displacement, rotation, strain, model.pressed, loads_on_facets(model))

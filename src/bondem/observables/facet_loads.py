@@ -6,9 +6,8 @@ import numpy as np
 
 from bondem._types import Floats
 from bondem.boundary.conditions import Load
-from bondem.boundary.loads import Pressure, is_face
+from bondem.boundary.loads import Pressure
 from bondem.geometry.rotations import turned_vectors
-from bondem.interactions.cells.cell_body import body_of
 from bondem.model.model import Model
 
 
@@ -18,16 +17,16 @@ def loads_on_facets(model: Model, time: float | None = None, orientation: Floats
     With the quaternions of the cells, (n, 4), following pressures and the forces of moments rotate with their cells.
     Without them these forces are in the axes of their cells.
     """
-    _, cells = body_of(model.lattice)
-    force = np.zeros((len(cells.free.cell), 3))
+    law, cell = model.interaction, model.lattice.elements.surface
+    force = np.zeros((len(cell), 3))
     for condition in model.boundary:
-        if isinstance(condition, Pressure) or (isinstance(condition, Load) and is_face(condition.region)):
-            numbers, values = condition.on_facets(model.lattice)
+        if isinstance(condition, Load | Pressure):
+            numbers, values = law.facet_forces(condition)
             schedule = condition.schedule
             if orientation is not None and isinstance(condition, Pressure) and condition.follows:
-                values = turned_vectors(orientation[cells.free.cell[numbers]], values)
+                values = turned_vectors(orientation[cell[numbers]], values)
             if orientation is not None and isinstance(condition, Load) and any(condition.moment):
-                _, turning = replace(condition, force=(0.0, 0.0, 0.0)).on_facets(model.lattice)
-                values = values - turning + turned_vectors(orientation[cells.free.cell[numbers]], turning)
+                _, turning = law.facet_forces(replace(condition, force=(0.0, 0.0, 0.0)))
+                values = values - turning + turned_vectors(orientation[cell[numbers]], turning)
             force[numbers] += (schedule.final if time is None else schedule.at(time)) * values
     return force

@@ -1,6 +1,6 @@
 """State of a model that has moved by a static solution."""
 
-from bondem.boundary.held_conditions import held_conditions
+from bondem.boundary.frozen_conditions import frozen_conditions
 from bondem.geometry.rotations import turned_further
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -31,5 +31,5 @@ def in_equilibrium(model: Model, motion: SmallMotion, factor: float = 1.0) -> St
         motion: displacements and rotation vectors of its elements, of any size.
         factor: factor of the values at the end of all schedules [-].
     """
-    held = held_conditions(model.boundary, factor)
-    return posed(model if held == model.boundary else model.with_boundary(held), motion)
+    frozen = frozen_conditions(model.boundary, factor)
+    return posed(model if frozen == model.boundary else model.with_boundary(frozen), motion)

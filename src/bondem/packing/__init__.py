@@ -161,16 +161,16 @@ def pack(
             cells = count
             if isinstance(around, Aggregates):
                 balls = request["around"] = around
-                return _kept(request, lambda: around_balls(shape, cells, balls, random, report), report, cache=cache)
+                return _saved(request, lambda: around_balls(shape, cells, balls, random, report), report, cache=cache)
             ends = request["around"] = around
-            return _kept(request, lambda: around_surfaces(shape, cells, ends, random, report), report, cache=cache)
+            return _saved(request, lambda: around_surfaces(shape, cells, ends, random, report), report, cache=cache)
         if count is not None:
-            return _kept(request, lambda: even(shape, count, random, report), report, cache=cache)
+            return _saved(request, lambda: even(shape, count, random, report), report, cache=cache)
         assert callable(size)
         if shape.period is not None:
             raise InputError("pack: a periodic cell requires cells of one size; give size= as a number, or count=")
         at = sizes_by(size)
-        return _kept(request | {"size": size}, lambda: graded(shape, at, random, report), report, cache=cache)
+        return _saved(request | {"size": size}, lambda: graded(shape, at, random, report), report, cache=cache)
     assert count is not None
     target = chosen(count, coordination_number, volume_fraction, jamming=jamming)
     size_law = Uniform(SPREAD if spread is None else spread) if sizes is None else sizes
@@ -194,7 +194,7 @@ def pack(
         return filled(Particles(centre, spheres.sphere[:, 3].copy(), shape.period), shape)
 
     request = {"shape": shape, "sizes": size_law, "count": count, "target": target, "method": method, "seed": seed}
-    return _kept(request, make, report, cache=cache)
+    return _saved(request, make, report, cache=cache)
 
 
 def _two_sizes(
@@ -242,7 +242,7 @@ def _surfaces(around: object) -> Aggregates | tuple[Around, ...]:
     return first if len(given) == 1 and isinstance(first, Aggregates) else given
 
 
-def _kept(
+def _saved(
     request: dict[str, object], make: Callable[[], Particles], report: Callable[[float], None], *, cache: bool
 ) -> Particles:
     """Return the packing of a request, from disk if possible, else newly made."""

@@ -47,13 +47,13 @@ def even(
     spheres.relax(1.0, tolerance=_ROUGH, steps=_STEPS)
     width = spheres.mean_radius
     margin = np.full(count, _MARGIN * width)
-    x = kept_inside(shape, spheres.sphere[:, :3], spheres.sphere[:, :3], margin)
+    x = moved_inside(shape, spheres.sphere[:, :3], spheres.sphere[:, :3], margin)
     lost = _lost(shape, x, width)
     if lost.size:
         x[lost] = random_centres(shape, np.full(lost.size, _START * width), random)
     for step in range(_LLOYD):
         report((step + 1) / (_LLOYD + 2))
-        x = kept_inside(shape, cell_centroids(points_of(shape, x, width)), x, margin)
+        x = moved_inside(shape, cell_centroids(points_of(shape, x, width)), x, margin)
     return filled(Particles(x, usual_radius(shape, x, width), shape.period), shape)
 
 
@@ -68,7 +68,7 @@ def points_of(shape: Shape, x: Floats, width: float) -> Particles:
     return filled(Particles(x, 1e-3 * width, shape.period), shape)
 
 
-def kept_inside(shape: Shape, x: Floats, before: Floats, margin: PerElement) -> Floats:
+def moved_inside(shape: Shape, x: Floats, before: Floats, margin: PerElement) -> Floats:
     """Keep centres at least `margin` from the walls: those that would come nearer move half the way, or stay."""
     if shape.period is not None:
         return np.mod(x, shape.period)

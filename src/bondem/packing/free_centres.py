@@ -7,7 +7,7 @@ import numpy as np
 from bondem._types import PerElement, PerElement3
 from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import Shape
-from bondem.packing.even import kept_inside, points_of
+from bondem.packing.even import moved_inside, points_of
 from bondem.packing.graded import nearest_others, pushed
 from bondem.specimen.tessellation.cutting import cell_centroids
 
@@ -75,7 +75,7 @@ def settled_free(
     still, margin, size = np.arange(count) < len(pins), np.full(count, MARGIN * h), np.full(count, h)
 
     def moved(to: PerElement3) -> PerElement3:
-        to = kept_inside(shape, np.where(still[:, None], x, to), x, margin)
+        to = moved_inside(shape, np.where(still[:, None], x, to), x, margin)
         stay = still if nearest is None else still | (nearest(to) < clear)
         return np.where(stay[:, None], x, to)
 

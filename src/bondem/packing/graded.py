@@ -13,7 +13,7 @@ from scipy.spatial import KDTree
 from bondem._types import Floats, Ints, PerElement, PerElement3
 from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import Shape
-from bondem.packing.even import kept_inside
+from bondem.packing.even import moved_inside
 from bondem.packing.grading import STEEPEST, Sites, SizesAt, sites
 from bondem.specimen.particles import Particles, filled, freeze
 from bondem.specimen.tessellation.cutting import cell_centroids
@@ -49,7 +49,7 @@ def graded(
     for _ in range(_ROUNDS if len(x) > 1 else 0):
         h, other = size(x), nearest_others(x, _NEAR)[1]
         for _ in range(_SAME):
-            x = kept_inside(shape, pushed(x, h, other), x, _MARGIN * h)
+            x = moved_inside(shape, pushed(x, h, other), x, _MARGIN * h)
     _check_slope(x, size(x))
     for step in range(_LLOYD):
         report((step + 1) / (_LLOYD + 2))
@@ -80,7 +80,7 @@ def _initial_centres(
 def _inside(
     shape: Shape, x: PerElement3, before: PerElement3, size: SizesAt
 ) -> PerElement3:
-    return kept_inside(shape, x, before, _MARGIN * size(before))
+    return moved_inside(shape, x, before, _MARGIN * size(before))
 
 
 def nearest_others(x: PerElement3, most: int) -> tuple[Floats, Ints]:

@@ -160,13 +160,13 @@ def _layers(
         outer.append(at + (R + 0.5 * h) * way)
         whose.append(np.full(n, k))
     beyond, owner = np.concatenate(outer), np.concatenate(whose)
-    kept = shape.depth(beyond) >= MARGIN * h
+    retained = shape.depth(beyond) >= MARGIN * h
     # where two balls face each other closely, one layer between them serves both
     pairs = KDTree(beyond).query_pairs(_APART * h, output_type="ndarray")
     for a, b in pairs[np.lexsort(pairs.T[::-1])] if len(pairs) else ():
-        if owner[a] != owner[b] and kept[a] and kept[b]:
-            kept[b] = False
-    return np.concatenate([*inner, beyond[kept]])
+        if owner[a] != owner[b] and retained[a] and retained[b]:
+            retained[b] = False
+    return np.concatenate([*inner, beyond[retained]])
 
 
 def _directions(count: int) -> Floats:

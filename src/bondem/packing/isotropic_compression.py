@@ -20,7 +20,7 @@ _START_FRACTION, _STRAINS = 0.3, (2e-2, 4e-3, 8e-4)
 
 # At rest: rms force over mean contact force; and contacts a sphere, since a few overlaps among many free spheres
 # make a small rms force, too, without holding anything.
-_AT_REST, _STEPS, _HELD = 1e-2, 20_000, 4.0
+_AT_REST, _STEPS, _FIXING = 1e-2, 20_000, 4.0
 
 
 def compress(
@@ -42,7 +42,7 @@ def compress(
         while spheres.scale * (1.0 + strain) < last:
             before, scale = spheres.sphere.copy(), spheres.scale
             rest = spheres.relax(scale * (1.0 + strain), tolerance=_AT_REST, steps=_STEPS)
-            if not rest.loose and rest.coordination_number > _HELD:
+            if not rest.loose and rest.coordination_number > _FIXING:
                 if strain != _STRAINS[-1]:
                     spheres.sphere[:], spheres.scale = before, scale
                 break

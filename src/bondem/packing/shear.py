@@ -53,7 +53,7 @@ _FRACTION, _CLEARANCE, _DISORDER = 0.64, 0.01, 0.005
 _SPEED, _AHEAD = 0.3, 3.0
 
 # Last number passed to `on_step`, which counts relaxation steps; some thousand are usual.
-_TOLD = 2000
+_REPORTS = 2000
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,12 +90,12 @@ def sheared(
         InputError: The shape lacks the walls that the method needs.
         PackingError: The run became unstable.
     """
-    packed = compact(shape, relative_radius, random, on_share=lambda share: on_step(round(share * _TOLD)))
+    packed = compact(shape, relative_radius, random, on_share=lambda share: on_step(round(share * _REPORTS)))
     position = packed.position.copy()
     position[:, 0] *= shape.bounds[1][0] / packed.length
     order = np.argsort(morton_code(position), kind="stable")
     spheres = SoftSpheres(shape, position[order], packed.radius[order])
-    spheres.steps, spheres.on_step = _TOLD, on_step
+    spheres.steps, spheres.on_step = _REPORTS, on_step
     return spheres
 
 

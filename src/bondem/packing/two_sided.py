@@ -17,7 +17,7 @@ from scipy.spatial import KDTree
 from bondem._types import PerElement, PerElement3
 from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import Shape
-from bondem.packing.even import kept_inside, usual_radius
+from bondem.packing.even import moved_inside, usual_radius
 from bondem.packing.free_centres import MARGIN, settled_free, thrown_free
 from bondem.packing.graded import nearest_others, pushed
 from bondem.specimen.aggregates import Aggregates
@@ -142,7 +142,7 @@ def _spread(shape: Shape, sided: _Sided, points: PerElement3, count: int, h: flo
         other = nearest_others(pin, min(_NEAR, len(pin)))[1]
         for _ in range(_SAME):
             moved = pushed(pin, np.full(len(pin), h), other)
-            pin = _onto(sided, kept_inside(shape, moved, pin, np.full(len(pin), _PIN_MARGIN * h)), h)
+            pin = _onto(sided, moved_inside(shape, moved, pin, np.full(len(pin), _PIN_MARGIN * h)), h)
     for _ in range(_FILLED):
         far = np.asarray(KDTree(pin).query(points)[0])
         hole = _apart(points[np.argsort(-far)][: int((far > _HOLE * h).sum())], _HOLE * h)
@@ -194,9 +194,9 @@ def _shift(face: _Depth, x: PerElement3, h: float) -> PerElement:
 
 def _apart(x: PerElement3, least: float) -> PerElement3:
     """Remove points that are nearer to an earlier point than `least` [m]."""
-    kept = np.ones(len(x), dtype=bool)
+    retained = np.ones(len(x), dtype=bool)
     pairs = KDTree(x).query_pairs(least, output_type="ndarray") if len(x) > 1 else np.empty((0, 2), dtype=int)
     for a, b in pairs[np.lexsort(pairs.T[::-1])]:
-        if kept[a] and kept[b]:
-            kept[b] = False
-    return x[kept]
+        if retained[a] and retained[b]:
+            retained[b] = False
+    return x[retained]

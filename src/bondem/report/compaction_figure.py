@@ -68,7 +68,7 @@ class Course:
         return solid / (self.height * self.width * (self.width + 2.0 * self.sway))
 
     @property
-    def held(self) -> tuple[float, float]:
+    def reached(self) -> tuple[float, float]:
         """Mean and standard deviation of `pressed` over the last cycle [-]."""
         last = self.pressed[-len(self.parts[-1]) :]
         return float(last.mean()), float(last.std())

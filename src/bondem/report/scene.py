@@ -204,8 +204,8 @@ class Scene:
 
     def _by_piece(self) -> np.ndarray:
         """Colour of each element by its fragment at the last checkpoint, (n, 3)."""
-        kept = read_run(self._file)
-        pieces = fragments(kept.model.lattice, kept.state)
+        checkpoint = read_run(self._file)
+        pieces = fragments(checkpoint.model.lattice, checkpoint.state)
         return np.rint(255.0 * piece_palette(len(pieces))).astype(np.uint8)[pieces.label]
 
 

@@ -153,10 +153,10 @@ def _trimmed(image: Image.Image) -> Image.Image:
 
 def _column(figure: Figure, rows: int, columns: int, options: dict[str, Any]) -> Any:
     """The axes of a grid, below each other."""
-    kept = {key: value for key, value in options.items() if key not in ("squeeze", "width_ratios", "height_ratios")}
+    passed = {key: value for key, value in options.items() if key not in ("squeeze", "width_ratios", "height_ratios")}
     if columns == 1 and "height_ratios" in options:
-        kept["height_ratios"] = options["height_ratios"]
-    axes = figure.subplots(rows * columns, 1, squeeze=False, **kept).reshape(rows, columns)
+        passed["height_ratios"] = options["height_ratios"]
+    axes = figure.subplots(rows * columns, 1, squeeze=False, **passed).reshape(rows, columns)
     if not options.get("squeeze", True):
         return axes
     return axes.item() if axes.size == 1 else axes.squeeze()

@@ -73,12 +73,12 @@ def turning_cells_of(one: Examined) -> TurningCells:
         size=_text(count.astype(np.uint8)),
         edge=_text(outlined(solid)[rows].astype(np.uint8)),
         colour=_text(np.rint(255.0 * colour[solid.cell[seen]]).astype(np.uint8)),
-        axes=np.round(_telling(place, solid, seen, label).axes, 4).tolist(),
+        axes=np.round(_clearest(place, solid, seen, label).axes, 4).tolist(),
         caption=f"{caption}. Drag to turn it, pinch or scroll with Ctrl to zoom.",
     )
 
 
-def _telling(place: Floats, solid: Polyhedra, seen: Ints, label: Ints) -> View:
+def _clearest(place: Floats, solid: Polyhedra, seen: Ints, label: Ints) -> View:
     """View from the side that shows most of all pieces but the two heaviest; the usual one of a body in two parts."""
     start = solid.start[seen]
     a, b, c = (place[start + k] for k in range(3))

@@ -139,6 +139,11 @@ class Elements:
         return {}
 
     @property
+    def surface(self) -> Ints:
+        """Elements to which the facets on the surface belong, shape (k,); none of spheres."""
+        return np.zeros(0, dtype=np.int64)
+
+    @property
     def branch(self) -> PerBond3:
         """Vectors from centre i to centre j [m], shape (m, 3)."""
         i, j = self.pairs.T
@@ -166,18 +171,14 @@ class Elements:
     def bond_arm(self, lever: PerBond, chosen: Ints) -> Floats:
         """Return the arms from centre i to points `lever` away along the bonds, or to the facets [m], (k, 3).
 
-        Args:
-            lever: distances of the contact points from centre i [m], (m,).
-            chosen: bonds, shape (k,).
+        `lever` is of all bonds [m], (m,); `chosen` are k of these.
         """
         return lever[chosen, None] * self.bond_normal[chosen]
 
     def mean_spread(self, weight: Floats, chosen: Ints | Mask) -> Vector:
         """Return the mean square distance of the volumes of chosen elements from their own centres [m²], (3,).
 
-        Args:
-            weight: weights of the chosen elements, with the sum 1, shape (k,).
-            chosen: elements, shape (k,), or a mask of them.
+        `weight` is of the chosen elements, with the sum 1, shape (k,).
         """
         return np.full(3, 0.2 * weight @ self.particles.radius[chosen] ** 2)
 
@@ -254,9 +255,7 @@ class Elements:
     def carved(self, part: Particles, pairs: Pairs) -> tuple[Pairs, CellTables]:
         """Return the bonds of a part, and the tables of its cells.
 
-        Args:
-            part: particles of the part.
-            pairs: bonds of the whole that remain, as elements of the part, shape (k, 2).
+        `pairs` are the bonds of the whole that remain, as elements of the part, shape (k, 2).
         """
         return pairs, {}
 
@@ -323,6 +322,10 @@ class CellElements(Elements):
     @property
     def tables(self) -> Mapping[str, Facets | Cells | FreeFacets]:
         return {"facets": self.facets, "cells": self.cells, "cells/free": self.cells.free}
+
+    @property
+    def surface(self) -> Ints:
+        return self.cells.free.cell
 
     @property
     def bond_normal(self) -> PerBond3:

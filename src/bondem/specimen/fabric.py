@@ -29,7 +29,7 @@ _RATTLERS = 0.05
 # Layers along a wall die out within a diameter and a half or so; deeper in, a specimen is to be the same everywhere.
 _DEEP = 3.0  # mean radii from the wall
 _EMPTY = 2.0  # mean radii from a wall to the nearest sphere: the shape is not theirs
-_HELD = 4  # contacts that hold a sphere in place
+_FIXING = 4  # contacts that hold a sphere in place
 _TOUCH = 1e-6  # mean radii
 _STRATA = {"density": 0.03, "coordination": 0.06, "size": 0.35, "layers": 0.6}
 #: Limits of the verdict by measure [-], before what is granted to chance.
@@ -135,8 +135,8 @@ def fabric(lattice: Lattice) -> Fabric:
     between = particles.nearest(particles.position[j] - particles.position[i])
     overlap = particles.radius[i] + particles.radius[j] - np.linalg.norm(between, axis=1)
     z, bonds = lattice.coordination_number, np.bincount(lattice.pairs.ravel(), minlength=n)
-    held = _held(lattice, shape)
-    backbone = np.bincount(lattice.pairs[held[lattice.pairs].all(axis=1)].ravel(), minlength=n)[held]
+    fixed = _fixed(lattice, shape)
+    backbone = np.bincount(lattice.pairs[fixed[lattice.pairs].all(axis=1)].ravel(), minlength=n)[fixed]
     core_spheres = core_solid(particles, shape, _DEEP * R)
     slices = strata(shape, particles.position, particles.radius, bonds, core_spheres, _DEEP * R)
     lower, upper = shape.bounds
@@ -147,7 +147,7 @@ def fabric(lattice: Lattice) -> Fabric:
         coordination_histogram=freeze(np.bincount(bonds)),
         rattlers=lattice.rattlers,
         core_volume_fraction=solid_fraction(shape, core_spheres, _DEEP * R),
-        loose=int(n - held.sum()),
+        loose=int(n - fixed.sum()),
         backbone_coordination_number=float(backbone.mean()) if len(backbone) else np.nan,
         backbone_histogram=freeze(np.bincount(backbone)),
         fineness=float(np.cbrt(shape.volume) / (2.0 * R)),
@@ -172,19 +172,19 @@ def fabric(lattice: Lattice) -> Fabric:
     )
 
 
-def _held(lattice: Lattice, shape: Shape) -> Mask:
+def _fixed(lattice: Lattice, shape: Shape) -> Mask:
     """Return a mask of the elements held in place by contacts, after all others are removed repeatedly, (n,)."""
     particles = lattice.particles
     walls = np.zeros(len(particles), dtype=np.int64)
     for face in shape.faces:
         walls += shape.face_depth(face, particles.position) <= particles.radius + _TOUCH * particles.mean_radius
-    held, pairs = np.ones(len(particles), dtype=bool), lattice.pairs
+    fixed, pairs = np.ones(len(particles), dtype=bool), lattice.pairs
     while True:
-        pairs = pairs[held[pairs].all(axis=1)]
-        still = held & (np.bincount(pairs.ravel(), minlength=len(particles)) + walls >= _HELD)
-        if (still == held).all():
-            return held
-        held = still
+        pairs = pairs[fixed[pairs].all(axis=1)]
+        still = fixed & (np.bincount(pairs.ravel(), minlength=len(particles)) + walls >= _FIXING)
+        if (still == fixed).all():
+            return fixed
+        fixed = still
 
 
 @dataclass(frozen=True, eq=False)

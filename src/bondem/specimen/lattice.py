@@ -140,9 +140,9 @@ class Lattice:
         first = np.searchsorted(body, np.arange(len(self.bodies.names)))
         bonded = np.zeros(len(self.bodies.names), dtype=bool)
         bonded[label[self.pairs.ravel()]] = True
-        kept = np.zeros(len(part), dtype=bool)
-        kept[order[first]] = True
-        kept |= several & ~bonded[of_body]
+        retained = np.zeros(len(part), dtype=bool)
+        retained[order[first]] = True
+        retained |= several & ~bonded[of_body]
         second = first + 1
         second = second[(second < len(part)) & (np.append(body, -1)[second] == body[first])]
         for k in second[bonded[body[second]]]:
@@ -153,7 +153,7 @@ class Lattice:
                     f"{what} consists of pieces of {size[order[k - 1]]} and {size[order[k]]} elements;"
                     " bond over larger gaps (tolerance=, reach=), or make bodies of them with bd.join"
                 )
-        return freeze(kept[of_element])
+        return freeze(retained[of_element])
 
     @property
     def body(self) -> Ints:

@@ -73,8 +73,8 @@ def wall_layering(particles: Particles, *, reach: float = 4.0, bins_per_diameter
         if np.count_nonzero(free) < _FEW * len(edge):
             free, full = np.ones_like(free), np.ones_like(full)
         room, _ = np.histogram(of_space[face][free], edge)
-        held, _ = np.histogram(of_solid[face][full], edge, weights=spheres.volume[full])
-        fraction = np.where(room >= _FEW, held / (share * np.maximum(room, 1)), np.nan)
+        filled, _ = np.histogram(of_solid[face][full], edge, weights=spheres.volume[full])
+        fraction = np.where(room >= _FEW, filled / (share * np.maximum(room, 1)), np.nan)
         middle = 0.5 * (edge[1:] + edge[:-1])
         judged = fraction[(middle > 2.0) & (middle < 4.0)]
         found[face] = Layering(freeze(middle), freeze(fraction), _amplitude(judged))

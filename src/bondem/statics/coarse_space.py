@@ -75,8 +75,8 @@ def parted(clump: Ints, position: PerElement3, i: Ints, j: Ints, lost: PerBond) 
 
 def _joined(clump: Ints, i: Ints, j: Ints, bonds: Mask) -> Ints:
     """Return the parts of clumps joined by some of the bonds, (n,)."""
-    held = np.flatnonzero(bonds & (clump[i] == clump[j]))
-    joined = coo_array((np.ones(len(held)), (i[held], j[held])), shape=(len(clump), len(clump)))
+    inside = np.flatnonzero(bonds & (clump[i] == clump[j]))
+    joined = coo_array((np.ones(len(inside)), (i[inside], j[inside])), shape=(len(clump), len(clump)))
     return connected_components(joined, directed=False)[1].astype(np.int64)
 
 

@@ -11,13 +11,13 @@ from bondem.statics.coarse_space import clump_motions
 _LOOSE = 1e-12
 
 
-def refuse_floating(model: Model, position: Floats, held: Mask) -> None:
+def refuse_floating(model: Model, position: Floats, prescribed: Mask) -> None:
     """Check that conditions hold every piece of a scene of several bodies; bodies that bonds join are one piece.
 
     Args:
         model: model of the scene; nothing is checked for one of a single body.
         position: centres [m], internal order, (n, 3).
-        held: mask of the degrees of freedom that are held or driven, internal order, (n, 6).
+        prescribed: mask of the degrees of freedom that are fixed or driven, internal order, (n, 6).
 
     Raises:
         FloatingBodyError: A body moves or turns without resistance.
@@ -31,14 +31,14 @@ def refuse_floating(model: Model, position: Floats, held: Mask) -> None:
     arms = (motions[:, :3, 3:] ** 2).sum(axis=(1, 2)) / 2.0
     R = np.maximum(np.sqrt(np.bincount(piece, arms) / count), lattice.particles.mean_radius)
     motions[:, :, 3:] /= R[piece, None, None]
-    element, freedom = np.nonzero(held & connected[:, None])
-    grip = motions[element, freedom] * np.where(freedom < 3, 1.0, R[piece[element]])[:, None]
+    element, freedom = np.nonzero(prescribed & connected[:, None])
+    constrained = motions[element, freedom] * np.where(freedom < 3, 1.0, R[piece[element]])[:, None]
     owner = piece[element]
-    grips = model.interaction.grips
-    grip = np.concatenate([grip, grips.constraint(motions[layout.rank])])
-    owner = np.concatenate([owner, np.tile(np.repeat(lattice.pieces[grips.cell], 3), 2)])
+    supports = model.interaction.supports
+    constrained = np.concatenate([constrained, supports.constraint(motions[layout.rank])])
+    owner = np.concatenate([owner, np.tile(np.repeat(lattice.pieces[supports.cell], 3), 2)])
     resisted = np.zeros((len(count), 6, 6))
-    np.add.at(resisted, owner, grip[:, :, None] * grip[:, None, :])
+    np.add.at(resisted, owner, constrained[:, :, None] * constrained[:, None, :])
     size = np.linalg.eigvalsh(resisted)
     floating = np.unique(lattice.body[layout.order][connected & (size[:, 0] <= _LOOSE * size[:, -1])[piece]])
     if len(floating):

@@ -72,7 +72,7 @@ class LaggedStatics:
 
         Args:
             load: forces and moments on the elements [N, N·m], (n, 6).
-            motion: prescribed motions of the elements that are held [m, rad], (n, 6).
+            motion: prescribed motions of the fixed or driven elements [m, rad], (n, 6).
             slip: additional opening of bonds [m], (m, 3), by a macroscopic strain.
             steps: number of steps in which all of these are applied.
             limited: True if rounds may be mixed; None for the setting of the law.
@@ -81,16 +81,16 @@ class LaggedStatics:
             ConvergenceError: Stresses grow, or do not settle.
         """
         n = len(load)
-        held = np.zeros((n, 6)) if motion is None else motion
+        prescribed = np.zeros((n, 6)) if motion is None else motion
         mixing = Mixing(self._law.settles if limited is None else limited)
         now = self._law.at_rest()
         found: PerElement6 | None = None
         stress, scale, quiet, change = np.zeros((n, 6)), 0.0, 0, np.inf
         for k in range(1, _ROUNDS + 1):
             share = min(1.0, k / steps)
-            before = now.moved(share * held, share * slip)
+            before = now.moved(share * prescribed, share * slip)
             total = share * load + before.nodal(before.force)
-            found = share * held + self._answer(total, found)
+            found = share * prescribed + self._answer(total, found)
             now = now.moved(found, share * slip)
             new = now.stress
             size = float(np.linalg.norm(new))

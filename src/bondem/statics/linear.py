@@ -1,7 +1,7 @@
 """The linear system of a lattice, K u = f, with six degrees of freedom (u, θ) per element, and its solvers.
 
 The unknowns of every element are scaled by an inverse root S of its own diagonal block, restricted to its free part.
-Sᵀ K S has unit blocks on its diagonal, translations and rotations in one measure, and zeros for held elements and
+Sᵀ K S has unit blocks on its diagonal, translations and rotations in one measure, and zeros for fixed elements and
 rattlers. Small lattices and chains are solved by elimination. Others use conjugate gradients, preconditioned by
 `Clumps`, to a negligible residual.
 """
@@ -52,7 +52,7 @@ class System:
         matrix: K of all degrees of freedom [N/m, N, N·m], (6 n, 6 n).
         position: centres, with rattlers at the centroid [m], shape (n, 3).
         length: R̄, which converts rotations to displacements [m].
-        free: mask of the degrees of freedom that are neither held nor a rattler's, shape (n, 6).
+        free: mask of the degrees of freedom that are neither fixed nor a rattler's, shape (n, 6).
         loose: rigid motions (u, θ) that the supports permit, orthonormal with u·u + R̄² θ·θ, shape (6 n, k).
     """
 
@@ -78,22 +78,22 @@ class System:
         connected = lattice.connected[order]
         position = lattice.centre[order]
         position[~connected] = position[connected].mean(axis=0)
-        held = model.constraints.held(len(order)) & connected[:, None]
-        refuse_floating(model, position, held)
+        prescribed = model.constraints.prescribed(len(order)) & connected[:, None]
+        refuse_floating(model, position, prescribed)
         metric = np.tile(np.repeat([1.0, lattice.particles.mean_radius], 3), len(order))
         loose = rigid_motions(position, lattice.particles.period is not None) * connected[:, None, None]
         loose = orthonormal(loose.reshape(len(metric), -1) * metric[:, None])
-        grip = loose[held.ravel()]
+        constrained = loose[prescribed.ravel()]
         by_user = (loose / metric[:, None]).reshape(len(order), 6, loose.shape[1])[model.layout.rank]
-        grip = np.concatenate([grip, model.interaction.grips.constraint(by_user)])
-        if len(grip):
-            size, turn = np.linalg.eigh(grip.T @ grip)
+        constrained = np.concatenate([constrained, model.interaction.supports.constraint(by_user)])
+        if len(constrained):
+            size, turn = np.linalg.eigh(constrained.T @ constrained)
             loose = loose @ turn[:, size <= 1e-12 * size[-1]]
         return cls(
             matrix=model.interaction.stiffness(),
             position=position,
             length=lattice.particles.mean_radius,
-            free=connected[:, None] & ~held,
+            free=connected[:, None] & ~prescribed,
             loose=loose / metric[:, None],
         )
 
@@ -148,7 +148,7 @@ class Solver(Protocol):
         """Return displacements and rotations u (6 n,), without rigid motion, and the number of iterations.
 
         Args:
-            load: forces and torques, (6 n,), that do no work on `System.loose`; ignored where held, where u is zero.
+            load: forces and torques, (6 n,), that do no work on `System.loose`; ignored where motions are prescribed.
             guess: start of an iteration.
             rtol: residual over load at which the iteration ends.
 
@@ -178,9 +178,9 @@ class Elimination:
         free = system.free.ravel().copy()
         loose = system.loose * np.tile(np.repeat([1.0, system.length], 3), len(system.free))[:, None]
         for _ in range(loose.shape[1]):
-            grip = np.argmax((loose**2).sum(axis=1) * free)
-            free[grip] = False
-            loose = loose @ np.linalg.svd(loose[grip][None])[2][1:].T
+            pinned = np.argmax((loose**2).sum(axis=1) * free)
+            free[pinned] = False
+            loose = loose @ np.linalg.svd(loose[pinned][None])[2][1:].T
         self._live = np.flatnonzero(free)
         matrix = csc_array(csc_array(system.matrix.tocsc()[:, self._live])[self._live])
         self._scale = 1.0 / np.sqrt(np.maximum(matrix.diagonal(), 1e-300))

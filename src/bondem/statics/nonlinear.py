@@ -86,7 +86,7 @@ def follow(model: Model, system: System) -> Bent:
 def strained(model: Model, share: float) -> Model:
     """Return the model with a share of its final stress-free strains and of the final motion of holding walls."""
     law, constraints = model.interaction, model.constraints
-    motion = share * law.grips.motion
+    motion = share * law.supports.motion
     strain, pressed = share * constraints.final_strain(), share * constraints.final_press()
     return model.by(law.strained(strain, reference_base(len(motion)), motion, pressed))
 

@@ -57,11 +57,10 @@ def _of_state(model: Model, state: State) -> Model:
     """Return the model with the strains, walls and tractions of the time of a state."""
     if not np.all(state.integrity == 1.0) or len(state.cracks) or state.plastic.any():
         raise InputError("prestress= is a state with broken bonds or cracks; leave these bonds out of a new lattice")
-    law, count = model.interaction, len(model.interaction.grips.cell)
-    base, motion, pressed = reference_base(count), law.grips.motion, np.zeros(len(state.pose))
+    law, count = model.interaction, len(model.interaction.supports.cell)
+    base, motion = reference_base(count), law.supports.motion
     if len(state.grips) == count > 0:
         base, motion = state.grips, wall_places(model, state)
-    if law.on_facets:
-        force = loads_on_facets(cast(Model, state.model), state.time)
-        pressed = law.pressed(np.arange(len(force)), force)[model.layout.order]
+    force = loads_on_facets(cast(Model, state.model), state.time)
+    pressed = law.pressed(np.arange(len(force)), force)[model.layout.order]
     return model.by(law.strained(state.rest_strain, base, motion, pressed))

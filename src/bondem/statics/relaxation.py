@@ -8,7 +8,7 @@ from bondem._core import run_pass
 from bondem._passes import calls
 from bondem._progress import staged
 from bondem._tables.statics_tables import DynamicRelaxation, RelaxationSpan
-from bondem._tables.step_tables import AlikeBeams, Beams, BeamSums
+from bondem._tables.step_tables import Beams, BeamSums, UniformBeams
 from bondem._types import Floats, PerElement
 from bondem.errors import ConvergenceError, InputError
 from bondem.geometry.rotations import rotation_vector
@@ -57,16 +57,17 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
     if not model.interaction.has_potential:
         title = model.interaction.title
         raise InputError(f"solve_relaxed needs a potential, which the {title} lacks; use solve_static")
-    if model.interaction.on_facets:
-        raise InputError("solve_relaxed does not support cells; use solve_static, also with nonlinear=True")
+    model.interaction.refuse_facets(
+        "solve_relaxed does not support cells; use solve_static, also with nonlinear=True"
+    )
     layout, constraints = model.layout, model.constraints
     n = len(layout.order)
-    held = constraints.held(n)
-    if held.sum() < 6:
+    prescribed = constraints.prescribed(n)
+    if prescribed.sum() < 6:
         raise InputError("solve_relaxed needs a specimen that is held; fix all six rigid motions with Fix")
-    refuse_floating(model, model.lattice.centre[layout.order], held)
+    refuse_floating(model, model.lattice.centre[layout.order], prescribed)
     connected = model.lattice.connected[layout.order]
-    free = connected[:, None] & ~held
+    free = connected[:, None] & ~prescribed
     motion, load = constraints.final_motion(n), constraints.final_load(n)
     length = model.lattice.particles.mean_radius
     mass, inertia = masses(model)
@@ -74,7 +75,7 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
 
     state, model = State(model), strained(model, 1.0)
     bonds = model.bonds
-    beams, alike = beam_tables(bonds, model.layout, model.period, state.integrity)
+    beams, uniform = beam_tables(bonds, model.layout, model.period, state.integrity)
     sums = BeamSums(beams.i, beams.j, lines(n))
     fastest = max(np.abs(motion[:, :3]).max() / bonds.length.min(initial=np.inf), np.abs(motion[:, 3:]).max())
     relaxation = DynamicRelaxation(
@@ -89,7 +90,7 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
         goal = min(_TURNING if turning else _CHUNK, most - done)
         if turning:  # the forces of moments turn with their regions
             load[:] = constraints.final_load(n, state.pose)
-        taken, ratio, balanced = relaxed(beams, alike, sums, relaxation, done, goal)
+        taken, ratio, balanced = relaxed(beams, uniform, sums, relaxation, done, goal)
         finished = taken == 0 if turning else balanced
         done += taken
         _, lost, sick = count_turned(state.pose, beams)
@@ -105,7 +106,7 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
         )
     turned = np.concatenate([state.pose[:, :3] - state.rest, rotation_vector(state.pose[:, 4:])], axis=1)
     values = turned[layout.rank]
-    reaction = np.where(held, -relaxation.before - load, 0.0)[layout.rank]
+    reaction = np.where(prescribed, -relaxation.before - load, 0.0)[layout.rank]
     energy = model.interaction.energy(state.pose, state.rest, state.integrity, state.eigenstrain)
     return StaticResult(
         values[:, :3].copy(), values[:, 3:].copy(), reaction, energy, model, True,
@@ -114,14 +115,14 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
 
 
 def relaxed(
-    beams: Beams, alike: AlikeBeams | None, sums: BeamSums, relaxation: DynamicRelaxation, first: int, most: int
+    beams: Beams, uniform: UniformBeams | None, sums: BeamSums, relaxation: DynamicRelaxation, first: int, most: int
 ) -> tuple[int, float, bool]:
     """Take steps; return how many, the unbalanced share of the forces, and whether they balance."""
     span = RelaxationSpan(first, most, np.zeros(1, dtype=np.int64), np.full(1, np.inf))
-    if alike is None:
+    if uniform is None:
         ending = run_pass(calls.relax_beams(beams, sums, relaxation, span))
     else:
-        ending = run_pass(calls.relax_alike_beams(beams, alike, sums, relaxation, span))
+        ending = run_pass(calls.relax_uniform_beams(beams, uniform, sums, relaxation, span))
     return int(span.done[0]), float(span.ratio[0]), ending == "balanced"
 
 

@@ -142,7 +142,7 @@ def solve_static(model: Model, *, nonlinear: bool = False, guess: StaticResult |
     n = len(layout.order)
     bent = follow(model, System.of(model))
     values = bent.motion[layout.rank]
-    reaction = np.where(constraints.held(n), bent.force - constraints.final_load(n, bent.state.pose), 0.0)
+    reaction = np.where(constraints.prescribed(n), bent.force - constraints.final_load(n, bent.state.pose), 0.0)
     end = strained(model, 1.0)
     energy = end.interaction.energy(bent.state.pose, bent.state.rest, bent.state.integrity, bent.state.eigenstrain)
     return StaticResult(
@@ -186,7 +186,7 @@ class Statics:
         change, iterations = self._solver.solve(right, guess=start)
         solution = motion + change
         unbalanced = (system.matrix @ solution - load).reshape(n, 6)
-        reaction = np.where(constraints.held(n), unbalanced, 0.0)
+        reaction = np.where(constraints.prescribed(n), unbalanced, 0.0)
         values = solution.reshape(n, 6)[layout.rank]
         displacement, rotation = values[:, :3].copy(), values[:, 3:].copy()
         return StaticResult(
@@ -233,7 +233,7 @@ def _of_lagged(model: Model, system: System, statics: LaggedStatics, load: Float
     found = statics.settle(load.reshape(n, 6)[rank], motion=motion.reshape(n, 6)[rank])
     strain = found.strain
     unbalanced = -strain.nodal(strain.force)[order] - load.reshape(n, 6)
-    reaction = np.where(model.constraints.held(n), unbalanced, 0.0)
+    reaction = np.where(model.constraints.prescribed(n), unbalanced, 0.0)
     return StaticResult(
         displacement=found.motion[:, :3].copy(), rotation=found.motion[:, 3:].copy(), reaction=reaction[rank],
         energy=strain.energy, model=model, iterations=found.rounds,

@@ -29,8 +29,7 @@ from bondem.labtests.requirements import broken_only
 from bondem.labtests.tension import static_tension, tension_model
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.observables.cell_forces import CellForces
-from bondem.observables.cell_stress import dilatation, mean_stress
+from bondem.observables.cell_stress import stress_fields
 from bondem.report.curve_files import write_curves
 from bondem.report.findings import Bonding, Examined, Findings
 from bondem.report.page import write_report
@@ -232,12 +231,7 @@ def pulled(specimen: Examined) -> dict[str, Any]:
     if specimen.law is None or tension is None or lattice.cells is None:
         return parts
     model = tension_model(lattice, specimen.law, stress=tension.stress)
-    forces = CellForces.of(model, tension.solution)
-    stress = mean_stress(model, forces)
-    return parts | {
-        "displacement": tension.solution.displacement, "stress": stress.reshape(-1, 9),
-        "dilatation": dilatation(model, stress), "lambda_theta": forces.stress,
-    }  # fmt: skip
+    return parts | {"displacement": tension.solution.displacement} | stress_fields(model, tension.solution)
 
 
 def calibration_chart(lattice: Lattice, fit: Calibration) -> tuple[Trial, ...]:

@@ -17,7 +17,7 @@ _MOST = 20_000
 _LENGTH = 1.13
 
 
-class _BegunError(Exception):
+class _StartedError(Exception):
     """End of the rehearsal of a test, raised where its run begins."""
 
 
@@ -44,7 +44,7 @@ def rehearse(study: Study) -> str:
     for name in tests:
         try:
             to_failure(name, study, body, bonds, _begin)
-        except _BegunError:
+        except _StartedError:
             continue
     return f"the first specimen is packed, and {', '.join(tests)} began"
 
@@ -58,4 +58,4 @@ def _require_short(plan: SpecimenPlan, E: float, failure: Criterion) -> None:
 
 
 def _begin(share: float) -> None:
-    raise _BegunError
+    raise _StartedError

@@ -5,15 +5,7 @@ Written by `python -m tests.core.passes`.
 
 from bondem._passes import Call
 from bondem._tables.statics_tables import DynamicRelaxation, RelaxationSpan
-from bondem._tables.step_tables import AlikeBeams, Beams, BeamSums
-
-
-def relax_alike_beams(
-    beams: Beams, alike_beams: AlikeBeams, beam_sums: BeamSums, dynamic_relaxation: DynamicRelaxation,
-    relaxation_span: RelaxationSpan
-) -> Call:
-    """Takes steps until the forces of beams that differ in length only balance the loads."""
-    return Call("relax_alike_beams", (beams, alike_beams, beam_sums, dynamic_relaxation, relaxation_span))
+from bondem._tables.step_tables import Beams, BeamSums, UniformBeams
 
 
 def relax_beams(
@@ -23,3 +15,11 @@ def relax_beams(
     zero.
     """
     return Call("relax_beams", (beams, beam_sums, dynamic_relaxation, relaxation_span))
+
+
+def relax_uniform_beams(
+    beams: Beams, uniform_beams: UniformBeams, beam_sums: BeamSums, dynamic_relaxation: DynamicRelaxation,
+    relaxation_span: RelaxationSpan
+) -> Call:
+    """Takes steps until the forces of beams that differ in length only balance the loads."""
+    return Call("relax_uniform_beams", (beams, uniform_beams, beam_sums, dynamic_relaxation, relaxation_span))

@@ -2,7 +2,6 @@
 
 from bondem._passes.kernels.adhesion import *
 from bondem._passes.kernels.beams import *
-from bondem._passes.kernels.begun_contacts import *
 from bondem._passes.kernels.boundary import *
 from bondem._passes.kernels.breakage import *
 from bondem._passes.kernels.cells import *
@@ -12,6 +11,7 @@ from bondem._passes.kernels.crack_report import *
 from bondem._passes.kernels.cracks import *
 from bondem._passes.kernels.facet_breakage import *
 from bondem._passes.kernels.motion import *
+from bondem._passes.kernels.new_contacts import *
 from bondem._passes.kernels.non_local_pairs import *
 from bondem._passes.kernels.ranges import *
 from bondem._passes.kernels.record import *

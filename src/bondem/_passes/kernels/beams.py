@@ -5,7 +5,7 @@ Written by `python -m tests.core.passes`.
 
 from bondem._passes import Kernel
 from bondem._tables.device_tables import DeviceSpan, LoadsOfBonds
-from bondem._tables.step_tables import AlikeBeams, Beams, Dashpots, Ledger, Moving
+from bondem._tables.step_tables import Beams, Dashpots, Ledger, Moving, UniformBeams
 
 
 def check_portion(device_span: DeviceSpan, moving: Moving, beams: Beams, ledger: Ledger) -> Kernel:
@@ -14,14 +14,6 @@ def check_portion(device_span: DeviceSpan, moving: Moving, beams: Beams, ledger:
     Over one index.
     """
     return Kernel("check_portion", (device_span, moving, beams, ledger))
-
-
-def load_alike_beam(moving: Moving, beams: Beams, alike_beams: AlikeBeams, loads_of_bonds: LoadsOfBonds) -> Kernel:
-    """Adds forces and torques of beams that differ in length only.
-
-    Over one index.
-    """
-    return Kernel("load_alike_beam", (moving, beams, alike_beams, loads_of_bonds))
 
 
 def load_beam(moving: Moving, beams: Beams, loads_of_bonds: LoadsOfBonds) -> Kernel:
@@ -38,6 +30,16 @@ def load_dashpot(moving: Moving, beams: Beams, dashpots: Dashpots, loads_of_bond
     Over one index.
     """
     return Kernel("load_dashpot", (moving, beams, dashpots, loads_of_bonds))
+
+
+def load_uniform_beam(
+    moving: Moving, beams: Beams, uniform_beams: UniformBeams, loads_of_bonds: LoadsOfBonds
+) -> Kernel:
+    """Adds forces and torques of beams that differ in length only.
+
+    Over one index.
+    """
+    return Kernel("load_uniform_beam", (moving, beams, uniform_beams, loads_of_bonds))
 
 
 def sum_portion_of_beams(device_span: DeviceSpan, moving: Moving, beams: Beams, ledger: Ledger) -> Kernel:

@@ -7,7 +7,6 @@ from bondem._passes import Kernel
 from bondem._tables.damage_tables import BeamIntegrity, Candidates, EventLog, FailureBounds, Postponed, Strengths
 from bondem._tables.device_tables import BondMarks, BondsOfElements, DeviceSpan, LoadsOfBonds
 from bondem._tables.step_tables import (
-    AlikeBeams,
     Beams,
     BodyForces,
     Dashpots,
@@ -16,6 +15,7 @@ from bondem._tables.step_tables import (
     Resistance,
     Rows,
     StepBlocks,
+    UniformBeams,
 )
 
 
@@ -123,17 +123,6 @@ def load_failing_dashpot(
     return Kernel("load_failing_dashpot", (moving, beams, dashpots, candidates, loads_of_bonds))
 
 
-def load_marked_alike_beam(
-    moving: Moving, beams: Beams, alike_beams: AlikeBeams, loads_of_bonds: LoadsOfBonds, failure_bounds:
-    FailureBounds, bond_marks: BondMarks
-) -> Kernel:
-    """Adds forces and torques of beams that differ in length only, and marks beams near to failure.
-
-    Over one index.
-    """
-    return Kernel("load_marked_alike_beam", (moving, beams, alike_beams, loads_of_bonds, failure_bounds, bond_marks))
-
-
 def load_marked_beam(
     moving: Moving, beams: Beams, loads_of_bonds: LoadsOfBonds, failure_bounds: FailureBounds, bond_marks:
     BondMarks
@@ -143,6 +132,19 @@ def load_marked_beam(
     Over one index.
     """
     return Kernel("load_marked_beam", (moving, beams, loads_of_bonds, failure_bounds, bond_marks))
+
+
+def load_marked_uniform_beam(
+    moving: Moving, beams: Beams, uniform_beams: UniformBeams, loads_of_bonds: LoadsOfBonds, failure_bounds:
+    FailureBounds, bond_marks: BondMarks
+) -> Kernel:
+    """Adds forces and torques of beams that differ in length only, and marks beams near to failure.
+
+    Over one index.
+    """
+    return Kernel("load_marked_uniform_beam", (
+        moving, beams, uniform_beams, loads_of_bonds, failure_bounds, bond_marks
+    ))
 
 
 def rank_failing(bond_marks: BondMarks, candidates: Candidates) -> Kernel:

@@ -16,12 +16,12 @@ from bondem._tables.device_tables import BondsOfElements, DeviceSpan, LoadsOfBon
 from bondem._tables.step_tables import Ledger, Moving, Rows, StepBlocks, Timeline
 
 
-def add_energy_of_hold(moving: Moving, wall_constraints: WallConstraints, ledger: Ledger) -> Kernel:
+def add_energy_of_support(moving: Moving, wall_constraints: WallConstraints, ledger: Ledger) -> Kernel:
     """Sums the energies of half facets at walls.
 
     Over one index.
     """
-    return Kernel("add_energy_of_hold", (moving, wall_constraints, ledger))
+    return Kernel("add_energy_of_support", (moving, wall_constraints, ledger))
 
 
 def add_inertia_force_of(corrected_mass: CorrectedMass, step_blocks: StepBlocks) -> Kernel:

@@ -92,7 +92,7 @@ def judge_cell(
     return Kernel("judge_cell", (device_span, facet_strengths, stresses_of_cells, crack_onset))
 
 
-def load_kept_facet(
+def load_stored_facet(
     moving: Moving, elastic_facets: ElasticFacets, facet_forces: FacetForces, loads_of_bonds: LoadsOfBonds,
     facet_arms: FacetArms
 ) -> Kernel:
@@ -100,7 +100,7 @@ def load_kept_facet(
 
     Over one index.
     """
-    return Kernel("load_kept_facet", (moving, elastic_facets, facet_forces, loads_of_bonds, facet_arms))
+    return Kernel("load_stored_facet", (moving, elastic_facets, facet_forces, loads_of_bonds, facet_arms))
 
 
 def mark_facet(

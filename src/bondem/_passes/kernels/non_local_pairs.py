@@ -11,7 +11,7 @@ from bondem._tables.non_local_tables import NonLocalBonds
 from bondem._tables.step_tables import Beams, LaggedStresses, Ledger, Moving
 
 
-def add_all_begun_contacts(
+def add_all_new_contacts(
     device_span: DeviceSpan, moving: Moving, contact_constants: ContactConstants, contact_pairs: ContactPairs,
     lagged_stresses: LaggedStresses, event_log: EventLog
 ) -> Kernel:
@@ -20,7 +20,7 @@ def add_all_begun_contacts(
 
     Over one index.
     """
-    return Kernel("add_all_begun_contacts", (
+    return Kernel("add_all_new_contacts", (
         device_span, moving, contact_constants, contact_pairs, lagged_stresses, event_log
     ))
 

@@ -8,7 +8,7 @@ from bondem._tables.beam_softening_tables import SofteningBeams, SofteningBounds
 from bondem._tables.contact_tables import ContactConstants, ContactPairs, ContactSums, NearPairs
 from bondem._tables.damage_tables import Candidates, EventLog
 from bondem._tables.device_tables import BondMarks, DeviceSpan, LoadsOfBonds
-from bondem._tables.step_tables import AlikeBeams, Beams, HistoryRows, Ledger, Moving
+from bondem._tables.step_tables import Beams, HistoryRows, Ledger, Moving, UniformBeams
 
 
 def begin_all_softened_contacts(
@@ -63,22 +63,22 @@ def end_portion_of_softening(softening_bounds: SofteningBounds, softening_beams:
     return Kernel("end_portion_of_softening", (softening_bounds, softening_beams))
 
 
-def load_softening_alike_beam(
-    moving: Moving, beams: Beams, alike_beams: AlikeBeams, loads_of_bonds: LoadsOfBonds, softening_bounds:
-    SofteningBounds, bond_marks: BondMarks
-) -> Kernel:
-    """Pass of one index, defined in `core/gpu/softening_beams.hpp`."""
-    return Kernel("load_softening_alike_beam", (
-        moving, beams, alike_beams, loads_of_bonds, softening_bounds, bond_marks
-    ))
-
-
 def load_softening_beam(
     moving: Moving, beams: Beams, loads_of_bonds: LoadsOfBonds, softening_bounds: SofteningBounds, bond_marks:
     BondMarks
 ) -> Kernel:
     """Pass of one index, defined in `core/gpu/softening_beams.hpp`."""
     return Kernel("load_softening_beam", (moving, beams, loads_of_bonds, softening_bounds, bond_marks))
+
+
+def load_softening_uniform_beam(
+    moving: Moving, beams: Beams, uniform_beams: UniformBeams, loads_of_bonds: LoadsOfBonds, softening_bounds:
+    SofteningBounds, bond_marks: BondMarks
+) -> Kernel:
+    """Pass of one index, defined in `core/gpu/softening_beams.hpp`."""
+    return Kernel("load_softening_uniform_beam", (
+        moving, beams, uniform_beams, loads_of_bonds, softening_bounds, bond_marks
+    ))
 
 
 def log_all_softened(

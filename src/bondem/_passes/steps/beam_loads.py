@@ -6,43 +6,7 @@ Written by `python -m tests.core.passes`.
 from bondem._passes import StepEntry
 from bondem._tables.beam_softening_tables import SofteningBounds
 from bondem._tables.damage_tables import Candidates, FailureBounds
-from bondem._tables.step_tables import AlikeBeams, Beams, Dashpots, Moving, StepBlocks
-
-
-def add_alike_beam_loads(moving: Moving, beams: Beams, alike_beams: AlikeBeams, step_blocks: StepBlocks) -> StepEntry:
-    """Adds forces and torques of beams that differ in length only.
-
-    Over bonds of a block. Reads `pose` at both ends; adds `sums` to elements.
-    """
-    return StepEntry("add_alike_beam_loads", (moving, beams, alike_beams, step_blocks))
-
-
-def add_alike_beam_loads_softening_by_mohr_coulomb(
-    moving: Moving, beams: Beams, alike_beams: AlikeBeams, step_blocks: StepBlocks, softening_bounds:
-    SofteningBounds, candidates: Candidates
-) -> StepEntry:
-    """Adds forces and torques of beams that may soften and differ in length only, with the pressure on softened
-    ones.
-
-    Over bonds of a block. Reads `motion`, `pose` at both ends; adds `sums` to elements.
-    """
-    return StepEntry("add_alike_beam_loads_softening_by_mohr_coulomb", (
-        moving, beams, alike_beams, step_blocks, softening_bounds, candidates
-    ))
-
-
-def add_alike_beam_loads_softening_by_peripheral_stress(
-    moving: Moving, beams: Beams, alike_beams: AlikeBeams, step_blocks: StepBlocks, softening_bounds:
-    SofteningBounds, candidates: Candidates
-) -> StepEntry:
-    """Adds forces and torques of beams that may soften and differ in length only, with the pressure on softened
-    ones.
-
-    Over bonds of a block. Reads `motion`, `pose` at both ends; adds `sums` to elements.
-    """
-    return StepEntry("add_alike_beam_loads_softening_by_peripheral_stress", (
-        moving, beams, alike_beams, step_blocks, softening_bounds, candidates
-    ))
+from bondem._tables.step_tables import Beams, Dashpots, Moving, StepBlocks, UniformBeams
 
 
 def add_beam_loads(moving: Moving, beams: Beams, step_blocks: StepBlocks) -> StepEntry:
@@ -87,19 +51,6 @@ def add_dashpot_loads(moving: Moving, beams: Beams, dashpots: Dashpots, step_blo
     return StepEntry("add_dashpot_loads", (moving, beams, dashpots, step_blocks))
 
 
-def add_marked_alike_beam_loads(
-    moving: Moving, beams: Beams, alike_beams: AlikeBeams, step_blocks: StepBlocks, failure_bounds: FailureBounds,
-    candidates: Candidates
-) -> StepEntry:
-    """Adds forces and torques of beams that differ in length only, and marks beams near to failure.
-
-    Over bonds of a block. Reads `pose` at both ends; adds `sums` to elements.
-    """
-    return StepEntry("add_marked_alike_beam_loads", (
-        moving, beams, alike_beams, step_blocks, failure_bounds, candidates
-    ))
-
-
 def add_marked_beam_loads(
     moving: Moving, beams: Beams, step_blocks: StepBlocks, failure_bounds: FailureBounds, candidates: Candidates
 ) -> StepEntry:
@@ -110,13 +61,64 @@ def add_marked_beam_loads(
     return StepEntry("add_marked_beam_loads", (moving, beams, step_blocks, failure_bounds, candidates))
 
 
-#: Passes `add_alike_beam_loads_softening_by_…` by the name of their criterion.
-ADD_ALIKE_BEAM_LOADS_SOFTENING_BY = {
-    "mohr_coulomb": add_alike_beam_loads_softening_by_mohr_coulomb,
-    "peripheral_stress": add_alike_beam_loads_softening_by_peripheral_stress,
-}
+def add_marked_uniform_beam_loads(
+    moving: Moving, beams: Beams, uniform_beams: UniformBeams, step_blocks: StepBlocks, failure_bounds:
+    FailureBounds, candidates: Candidates
+) -> StepEntry:
+    """Adds forces and torques of beams that differ in length only, and marks beams near to failure.
+
+    Over bonds of a block. Reads `pose` at both ends; adds `sums` to elements.
+    """
+    return StepEntry("add_marked_uniform_beam_loads", (
+        moving, beams, uniform_beams, step_blocks, failure_bounds, candidates
+    ))
+
+
+def add_uniform_beam_loads(
+    moving: Moving, beams: Beams, uniform_beams: UniformBeams, step_blocks: StepBlocks
+) -> StepEntry:
+    """Adds forces and torques of beams that differ in length only.
+
+    Over bonds of a block. Reads `pose` at both ends; adds `sums` to elements.
+    """
+    return StepEntry("add_uniform_beam_loads", (moving, beams, uniform_beams, step_blocks))
+
+
+def add_uniform_beam_loads_softening_by_mohr_coulomb(
+    moving: Moving, beams: Beams, uniform_beams: UniformBeams, step_blocks: StepBlocks, softening_bounds:
+    SofteningBounds, candidates: Candidates
+) -> StepEntry:
+    """Adds forces and torques of beams that may soften and differ in length only, with the pressure on softened
+    ones.
+
+    Over bonds of a block. Reads `motion`, `pose` at both ends; adds `sums` to elements.
+    """
+    return StepEntry("add_uniform_beam_loads_softening_by_mohr_coulomb", (
+        moving, beams, uniform_beams, step_blocks, softening_bounds, candidates
+    ))
+
+
+def add_uniform_beam_loads_softening_by_peripheral_stress(
+    moving: Moving, beams: Beams, uniform_beams: UniformBeams, step_blocks: StepBlocks, softening_bounds:
+    SofteningBounds, candidates: Candidates
+) -> StepEntry:
+    """Adds forces and torques of beams that may soften and differ in length only, with the pressure on softened
+    ones.
+
+    Over bonds of a block. Reads `motion`, `pose` at both ends; adds `sums` to elements.
+    """
+    return StepEntry("add_uniform_beam_loads_softening_by_peripheral_stress", (
+        moving, beams, uniform_beams, step_blocks, softening_bounds, candidates
+    ))
+
+
 #: Passes `add_beam_loads_softening_by_…` by the name of their criterion.
 ADD_BEAM_LOADS_SOFTENING_BY = {
     "mohr_coulomb": add_beam_loads_softening_by_mohr_coulomb,
     "peripheral_stress": add_beam_loads_softening_by_peripheral_stress,
+}
+#: Passes `add_uniform_beam_loads_softening_by_…` by the name of their criterion.
+ADD_UNIFORM_BEAM_LOADS_SOFTENING_BY = {
+    "mohr_coulomb": add_uniform_beam_loads_softening_by_mohr_coulomb,
+    "peripheral_stress": add_uniform_beam_loads_softening_by_peripheral_stress,
 }

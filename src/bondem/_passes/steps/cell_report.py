@@ -24,12 +24,12 @@ def sum_dilatation_energies(cell_dilatation: CellDilatation, ledger: Ledger) -> 
     return StepEntry("sum_dilatation_energies", (cell_dilatation, ledger))
 
 
-def sum_energies_of_holds(moving: Moving, wall_constraints: WallConstraints, ledger: Ledger) -> StepEntry:
+def sum_energies_of_supports(moving: Moving, wall_constraints: WallConstraints, ledger: Ledger) -> StepEntry:
     """Sums the energies of half facets at walls.
 
     Over rows of a table, in the order of the table.
     """
-    return StepEntry("sum_energies_of_holds", (moving, wall_constraints, ledger))
+    return StepEntry("sum_energies_of_supports", (moving, wall_constraints, ledger))
 
 
 def sum_facet_energies(moving: Moving, elastic_facets: ElasticFacets, ledger: Ledger) -> StepEntry:

@@ -39,7 +39,7 @@ def judge_facets_by_mohr_coulomb(
 def renew_wall_rows(wall_constraints: WallConstraints, rows: Rows, candidates: Candidates) -> StepEntry:
     """Updates the forces of walls on the rows of their cells.
 
-    Over rows of a table, in the order of the table. Reads `load` of an element; writes `grip` of an element.
+    Over rows of a table, in the order of the table. Reads `load` of an element; writes `support` of an element.
     """
     return StepEntry("renew_wall_rows", (wall_constraints, rows, candidates))
 

@@ -9,7 +9,7 @@ from bondem._tables.damage_tables import EventLog
 from bondem._tables.step_tables import LaggedStresses, Moving
 
 
-def add_begun_contacts(
+def add_new_contacts(
     moving: Moving, contact_constants: ContactConstants, contact_pairs: ContactPairs, lagged_stresses:
     LaggedStresses, event_log: EventLog
 ) -> StepEntry:
@@ -19,7 +19,7 @@ def add_begun_contacts(
     Over what begins, changes or ends in the step, in order. Reads `motion` at both ends; reads `pose` at both
     ends, of elements that are postponed; adds `stress` to elements.
     """
-    return StepEntry("add_begun_contacts", (moving, contact_constants, contact_pairs, lagged_stresses, event_log))
+    return StepEntry("add_new_contacts", (moving, contact_constants, contact_pairs, lagged_stresses, event_log))
 
 
 def add_pair_moments(

@@ -22,7 +22,7 @@ def add_wall_dilatation(
 def add_wall_loads(rows: Rows, step_blocks: StepBlocks) -> StepEntry:
     """Adds the forces of walls to the sums of their cells.
 
-    Over elements of a block, then shared ones. Reads `grip` of an element; changes `sums` of an element.
+    Over elements of a block, then shared ones. Reads `support` of an element; changes `sums` of an element.
     """
     return StepEntry("add_wall_loads", (rows, step_blocks))
 
@@ -32,7 +32,7 @@ def apply_walls(moving: Moving, wall_constraints: WallConstraints, rows: Rows) -
     that move: the trapezoid of the force over the displacement.
 
     Over rows of a table, in the order of the table. Reads `arm`, `pose`, `pose.stress` of an element; changes
-    `base`, `load`, `loss`, `wall` of an element; writes `grip` of an element.
+    `base`, `load`, `loss`, `wall` of an element; writes `support` of an element.
     """
     return StepEntry("apply_walls", (moving, wall_constraints, rows))
 

@@ -18,17 +18,19 @@ BONDEM_INLINE BeamLoads<double> loads_of(Index k, const Moving &all, const Beams
     return beam_loads(ends_of(all.pose.data, beams, k), shape_of<double>(beams, k), stiffness);
 }
 // Constants of a beam of a model whose beams differ in length only.
-BONDEM_INLINE BeamLoads<double> loads_of(Index k, const Moving &all, const Beams &beams, const AlikeBeams &alike) {
-    const double h = alike.hold(k);
-    const BeamStiffness<double> stiffness = {alike.knL * h, alike.AL * h, alike.BL * h, alike.AL * h, alike.ktL * h};
+BONDEM_INLINE BeamLoads<double> loads_of(Index k, const Moving &all, const Beams &beams, const UniformBeams &uniform) {
+    const double h = uniform.per_length(k);
+    const double AL = uniform.AL * h;
+    const BeamStiffness<double> stiffness = {uniform.knL * h, AL, uniform.BL * h, AL, uniform.ktL * h};
     return beam_loads(ends_of(all.pose.data, beams, k), shape_of<double>(beams, k), stiffness);
 }
 
 inline void load_beam(Index k, const Moving &all, const Beams &beams, const LoadsOfBonds &to) {
     put(to, k, loads_of(k, all, beams));
 }
-inline void load_alike_beam(Index k, const Moving &all, const Beams &beams, const AlikeBeams &alike, const LoadsOfBonds &to) {
-    put(to, k, loads_of(k, all, beams, alike));
+inline void load_uniform_beam(Index k, const Moving &all, const Beams &beams, const UniformBeams &uniform,
+                              const LoadsOfBonds &to) {
+    put(to, k, loads_of(k, all, beams, uniform));
 }
 inline void load_dashpot(Index k, const Moving &all, const Beams &beams, const Dashpots &dashpots, const LoadsOfBonds &to) {
     put(to, k, loads_of_dashpot(all, beams, dashpots, k));

@@ -35,9 +35,9 @@ inline void load_marked_beam(Index k, const Moving &all, const Beams &beams, con
                              const FailureBounds &bounds, const BondMarks &marks) {
     put_marked(k, loads_of(k, all, beams), to, bounds, marks);
 }
-inline void load_marked_alike_beam(Index k, const Moving &all, const Beams &beams, const AlikeBeams &alike,
-                                   const LoadsOfBonds &to, const FailureBounds &bounds, const BondMarks &marks) {
-    put_marked(k, loads_of(k, all, beams, alike), to, bounds, marks);
+inline void load_marked_uniform_beam(Index k, const Moving &all, const Beams &beams, const UniformBeams &uniform,
+                                     const LoadsOfBonds &to, const FailureBounds &bounds, const BondMarks &marks) {
+    put_marked(k, loads_of(k, all, beams, uniform), to, bounds, marks);
 }
 
 // ---- judging
@@ -66,7 +66,7 @@ BONDEM_INLINE void judge_one(Index k, const DeviceSpan &span, const Moving &all,
                                      const Strengths &strengths, const BondMarks &marks, const Candidates &candidates,   \
                                      const Postponed &postponed) {                                                       \
         judge_one<Criterion>(k, span, all, beams, strengths, marks, candidates,                                          \
-                             [&] { hold_ends(postponed, beams, k); });                                                   \
+                             [&] { postpone_ends(postponed, beams, k); });                                               \
     }
 BONDEM_BEAM_CRITERIA(BONDEM_JUDGE, )
 #undef BONDEM_JUDGE
@@ -189,12 +189,12 @@ inline void resume_resisted(Index e, const DeviceSpan &span, const Moving &all, 
 }
 inline void resume_row(Index h, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks, const Rows &rows,
                        const Postponed &postponed) {
-    const Index p = blocks.ready(blocks.held(0) + h), r = rows.of(p);
+    const Index p = blocks.ready(blocks.first_owner(0) + h), r = rows.of(p);
     if (is_postponed(postponed, p)) resume(span, all, postponed, p, BoundaryRow(rows, r), NoRow{}, r);
 }
 inline void resume_resisted_row(Index h, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
                                 const Rows &rows, const Resistance &resistance, const Postponed &postponed) {
-    const Index p = blocks.ready(blocks.held(0) + h), r = rows.of(p);
+    const Index p = blocks.ready(blocks.first_owner(0) + h), r = rows.of(p);
     if (is_postponed(postponed, p)) resume(span, all, postponed, p, BoundaryRow(rows, r), resistance, r);
 }
 inline void reopen_work_of_body(Index p, const DeviceSpan &span, const Moving &all, const BodyForces &body,

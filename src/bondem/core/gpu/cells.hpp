@@ -88,7 +88,7 @@ inline void load_facet(Index k, const Moving &all, const ElasticFacets &facets, 
 // ---- walls that hold facets
 
 inline void place_wall(Index g, const DeviceSpan &span, const WallConstraints &walls) {
-    place_hold(walls, clock_of(span).time, g);
+    place_support(walls, clock_of(span).time, g);
     if (clock_of(span).first)
         for (Index axis = 0; axis < 3; axis++) walls.increment(g, axis) = 0.0;
 }
@@ -97,11 +97,11 @@ BONDEM_INLINE void sum_row(Index r, const WallConstraints &walls, const RowOrder
     double sum[6] = {};
     for (Index e = order.start(r); e < order.start(r + 1); e++)
         for (Index c = 0; c < 6; c++) sum[c] += walls.load(order.load(e), c);
-    for (Index c = 0; c < 6; c++) rows.grip(r, c) = sum[c];
+    for (Index c = 0; c < 6; c++) rows.support(r, c) = sum[c];
 }
 BONDEM_INLINE void load_row(Index r, const Moving &all, const WallConstraints &walls, const RowOrder &order,
                             const Rows &rows) {
-    for (Index e = order.start(r); e < order.start(r + 1); e++) load_hold(all.pose, all.rest, walls, order.load(e));
+    for (Index e = order.start(r); e < order.start(r + 1); e++) load_support(all.pose, all.rest, walls, order.load(e));
     sum_row(r, walls, order, rows);
 }
 // Sets the forces of walls on row r anew where the time of the clock was not reached by a step.
@@ -112,20 +112,20 @@ inline void begin_walls_of_row(Index r, const DeviceSpan &span, const Moving &al
 inline void dilate_walls_of_row(Index r, const Moving &all, const WallConstraints &walls, const RowOrder &order,
                                 const CellDilatation &cells) {
     for (Index e = order.start(r); e < order.start(r + 1); e++)
-        cells.swelling(walls.cell(order.load(e))) += dilatation_of_hold(all.pose, all.rest, walls, order.load(e));
+        cells.swelling(walls.cell(order.load(e))) += dilatation_of_support(all.pose, all.rest, walls, order.load(e));
 }
 inline void apply_walls_of_row(Index r, const Moving &all, const WallConstraints &walls, const RowOrder &order,
                                const Rows &rows) {
     for (Index e = order.start(r); e < order.start(r + 1); e++) add_half_work(walls, rows, order.load(e));
     for (Index e = order.start(r); e < order.start(r + 1); e++)
-        all.loss(walls.cell(order.load(e)), rubbed_loss) += slide_hold(all.pose, all.rest, walls, order.load(e));
+        all.loss(walls.cell(order.load(e)), rubbed_loss) += slide_support(all.pose, all.rest, walls, order.load(e));
     load_row(r, all, walls, order, rows);
     for (Index e = order.start(r); e < order.start(r + 1); e++) add_half_work(walls, rows, order.load(e));
 }
 // Tractions of element number h of those that own rows of the boundary.
 inline void add_wall_load(Index h, const Rows &rows, const StepBlocks &blocks) {
-    const Index e = blocks.held(0) + h;
-    const double *load = &rows.grip(rows.of(blocks.ready(e)), 0);
+    const Index e = blocks.first_owner(0) + h;
+    const double *load = &rows.support(rows.of(blocks.ready(e)), 0);
     for (Index axis = 0; axis < 3; axis++) {
         blocks.sums(blocks.ready_row(e), axis) += load[axis];
         blocks.sums(blocks.ready_row(e), 4 + axis) += load[3 + axis];
@@ -151,7 +151,7 @@ inline void give_dilatation(Index p, const DeviceSpan &span, const FacetTraction
 // Number h of the elements that own rows, as cells with tractions do.
 inline void add_traction_work_of_row(Index h, const Moving &all, const StepBlocks &blocks,
                                      const FacetTractions &tractions, const Rows &rows) {
-    add_traction_work_of(all, tractions, rows, blocks.ready(blocks.held(0) + h));
+    add_traction_work_of(all, tractions, rows, blocks.ready(blocks.first_owner(0) + h));
 }
 
 // ---- sums for the guard and the history
@@ -159,8 +159,8 @@ inline void add_traction_work_of_row(Index h, const Moving &all, const StepBlock
 constexpr auto check_portion_of_facets = portion_of_bonds<check_facets>;
 constexpr auto sum_portion_of_facets = portion_of_bonds<sum_facet_energies>;
 constexpr auto sum_portion_of_cells = portion_of_elements<sum_dilatation_energies>;
-inline void add_energy_of_hold(Index g, const Moving &all, const WallConstraints &walls, const Ledger &ledger) {
-    sum_of(ledger, history_column::normal).add_shared(energy_of_hold(all.pose, all.rest, walls, g));
+inline void add_energy_of_support(Index g, const Moving &all, const WallConstraints &walls, const Ledger &ledger) {
+    sum_of(ledger, history_column::normal).add_shared(energy_of_support(all.pose, all.rest, walls, g));
 }
 
 }  // namespace bondem

@@ -14,8 +14,8 @@ namespace bondem {
 // Rows of `FacetArms`: levers of both cells in space, and T_b².
 constexpr Index arm_of_i = 0, arm_of_j = 3, bending_row = 6;
 
-inline void load_kept_facet(Index k, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
-                            const LoadsOfBonds &to, const FacetArms &arms) {
+inline void load_stored_facet(Index k, const Moving &all, const ElasticFacets &facets, const FacetForces &stored,
+                              const LoadsOfBonds &to, const FacetArms &arms) {
     const FacetColumns columns(facets);
     const Row<double> i = gather(all.pose.data, facets.i(k)), j = gather(all.pose.data, facets.j(k));
     const Ends<double> ends = ends_of(i, j, facets.period.data);
@@ -27,14 +27,14 @@ inline void load_kept_facet(Index k, const Moving &all, const ElasticFacets &fac
     const FacetLoads<double> loads = facet_loads(ends, shape, open, moment, stiffness.k, stresses_of(i, j, s));
     put(to, k, loads);
     for (Index d = 0; d < 3; d++) {
-        kept.force(d, k) = -loads.force[d];
+        stored.force(d, k) = -loads.force[d];
         arms.arm(arm_of_i + d, k) = open.arm_i[d];
         arms.arm(arm_of_j + d, k) = open.arm_j[d];
     }
-    arms.arm(bending_row, k) = bending_square(ends, kept.bends(k), stiffness.H);
+    arms.arm(bending_row, k) = bending_square(ends, stored.bends(k), stiffness.H);
 }
-inline void gather_facet_moments(Index p, const FacetForces &kept, const BondsOfElements &bonds, const LoadsOfBonds &from,
-                           const FacetArms &arms) {
+inline void gather_facet_moments(Index p, const FacetForces &stored, const BondsOfElements &bonds,
+                                 const LoadsOfBonds &from, const FacetArms &arms) {
     double sum[7] = {};
     const auto add = [&](Index k, Index side, double sign) {
         const Vector f = {sign * from.load(0, k), sign * from.load(1, k), sign * from.load(2, k)};
@@ -45,7 +45,7 @@ inline void gather_facet_moments(Index p, const FacetForces &kept, const BondsOf
     };
     for (Index k = bonds.in_start(p); k < bonds.in_start(p + 1); k++) add(k, arm_of_j, 1.0);
     for (Index e = bonds.out_start(p); e < bonds.out_start(p + 1); e++) add(bonds.out_bond(e), arm_of_i, -1.0);
-    for (Index c = 0; c < 7; c++) kept.moment(p, c) = sum[c];
+    for (Index c = 0; c < 7; c++) stored.moment(p, c) = sum[c];
 }
 constexpr auto sum_moments_of_cell = one_element<sum_moments>;
 
@@ -74,7 +74,7 @@ inline void add_still_surface_stress(Index p, const DeviceSpan &span, const Movi
 
 constexpr auto judge_cell = one_element<judge_cells>;
 inline void mark_facet(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
-                       const FacetForces &kept, const FacetStrengths &strengths, const StressesOfCells &stresses,
+                       const FacetForces &stored, const FacetStrengths &strengths, const StressesOfCells &stresses,
                        const CrackOnset &onset) {
     if (!takes_time(span) || onset.listed(k) != 0) return;
     const Short i = facets.i(k), j = facets.j(k);
@@ -88,21 +88,23 @@ inline void mark_facet(Index k, const DeviceSpan &span, const Moving &all, const
     const Row<double> of_i = gather(stresses.tensor.data, i), of_j = gather(stresses.tensor.data, j);
     const double size = of_i.column[7] + of_j.column[7], bends = least(of_i.column[6], of_j.column[6]);
     const auto place = [&] {
-        return facet_in_body(all, facets, kept, mean_stress(gather_sums(stresses.tensor.data, i, j)), normal_of(facets, k), k);
+        const auto mean = mean_stress(gather_sums(stresses.tensor.data, i, j));
+        return facet_in_body(all, facets, stored, mean, normal_of(facets, k), k);
     };
-    if (begins_to_crack(traction_of(kept, strengths, k), size, bends, strengths.strength(k), place)) onset.marked(k) = 1;
+    if (begins_to_crack(traction_of(stored, strengths, k), size, bends, strengths.strength(k), place))
+        onset.marked(k) = 1;
 }
 // Evaluates facet number e of the material planes.
 inline void mark_plane(Index e, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
-                       const FacetForces &kept, const FacetStrengths &strengths, const CrackOnset &onset) {
+                       const FacetForces &stored, const FacetStrengths &strengths, const CrackOnset &onset) {
     const Index k = strengths.planes(e);
     if (!takes_time(span) || onset.listed(k) != 0 || onset.marked(k) != 0) return;
-    if (plane_begins(all, facets, kept, strengths, k)) onset.marked(k) = 1;
+    if (plane_begins(all, facets, stored, strengths, k)) onset.marked(k) = 1;
 }
-inline void begin_marked_crack(Index k, const DeviceSpan &span, const ElasticFacets &facets, const FacetForces &kept,
+inline void begin_marked_crack(Index k, const DeviceSpan &span, const ElasticFacets &facets, const FacetForces &stored,
                                const FacetStrengths &strengths, const CrackOnset &onset, const CohesiveCracks &cracks) {
     if (takes_time(span) && onset.marked(k) != 0)
-        begin_crack(facets, kept, strengths, onset, cracks, k, clock_of(span).step);
+        begin_crack(facets, stored, strengths, onset, cracks, k, clock_of(span).step);
 }
 
 }  // namespace bondem

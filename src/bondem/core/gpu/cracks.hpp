@@ -39,10 +39,10 @@ inline void begin_all_levers(Index, const ElasticFacets &facets, const CohesiveC
     for (Index d = 0; d < 3; d++) cracks.pitch(d) = facets.pitch(d);
     cracks.size(crack_number::out_of_date) = 1;
 }
-inline void restore_crack(Index k, const ElasticFacets &facets, const FacetForces &kept, const FacetStrengths &strengths,
-                          const CohesiveCracks &cracks) {
+inline void restore_crack(Index k, const ElasticFacets &facets, const FacetForces &stored,
+                          const FacetStrengths &strengths, const CohesiveCracks &cracks) {
     if (cracks.listed(k) == 0) return;
-    write_constants(facets, kept, strengths, cracks, k);
+    write_constants(facets, stored, strengths, cracks, k);
     treat(facets, cracks, k, int(history_of(cracks, k).status));
 }
 inline void weigh_cell(Index p, const CellDilatation &cells, const CellSlack &slack, const CohesiveCracks &cracks) {
@@ -108,7 +108,7 @@ inline void wake_crack(Index k, const Moving &all, const ElasticFacets &facets, 
                        const CrackLists &lists) {
     if (lists.waking(k) != crack::wakes) return;
     const SingleCrack one(all.pose, facets, cracks, k);
-    if (one.is_gone() && turned_away(one.now, one.area, slide_of(cracks, k))) {
+    if (one.is_separate() && turned_away(one.now, one.area, slide_of(cracks, k))) {
         part_resting(facets, cracks, k);
         lists.waking(k) = crack::parts;
         return;

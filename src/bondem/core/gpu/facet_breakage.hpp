@@ -27,8 +27,8 @@ BONDEM_INLINE void judge_facet(Index k, const DeviceSpan &span, const Moving &al
                                const Postponed &postponed) {
     if (marks.mark(k) == 0 || clock_of(span).first || !(facets.integrity(k) > 0.0)) return;
     if (!list_failing(k, verdict_of<Criterion>(all.pose.data, facets, strengths, k), marks, candidates)) return;
-    hold(postponed, facets.i(k), postponed_for::own_facet);
-    hold(postponed, facets.j(k), postponed_for::own_facet);
+    postpone_element(postponed, facets.i(k), postponed_for::own_facet);
+    postpone_element(postponed, facets.j(k), postponed_for::own_facet);
 }
 #define BONDEM_JUDGE(_, name, Criterion)                                                                               \
     inline void judge_facet_by_##name(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets, \
@@ -46,7 +46,7 @@ inline void postpone_neighbour(Index p, const ElasticFacets &facets, const Facet
     for_each_facet_of(release, p, [&](Index k) {
         neighbour |= facets.integrity(k) > 0.0 && loses_facet(postponed, other_cell(facets, k, p));
     });
-    if (neighbour) hold(postponed, p, postponed_for::neighbour);
+    if (neighbour) postpone_element(postponed, p, postponed_for::neighbour);
 }
 
 inline void withdraw_facets_of_cell(Index p, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
@@ -77,9 +77,9 @@ inline void write_facet_failure(Index e, const DeviceSpan &span, const Moving &a
     const Index k = candidates.marked(e);
     Removal removal = removal_of_facet(all, facets, k);
 #pragma unroll 1
-    for (Index gone = 0; gone < 2; gone++) {
-        const double energy = energy_of_cells(all, facets, walls, release, marks, k, k + gone);
-        removal.energy += gone == 0 ? energy : -energy;
+    for (Index removed = 0; removed < 2; removed++) {
+        const double energy = energy_of_cells(all, facets, walls, release, marks, k, k + removed);
+        removal.energy += removed == 0 ? energy : -energy;
     }
     write_failure(e, span, candidates, log, removal);
 }

@@ -68,9 +68,9 @@ BONDEM_INLINE void move_free_one(Index e, const DeviceSpan &span, const Moving &
     move(one, clock_on(span, one.element), all, load.on(one), NoRow{}, resistance, -1);
 }
 template <class Load, class Resisted>
-BONDEM_INLINE void move_held_one(Index h, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
-                                 const Rows &rows, const Load &load, const Resisted &resistance) {
-    const Index e = blocks.held(0) + h;
+BONDEM_INLINE void move_owner(Index h, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
+                              const Rows &rows, const Load &load, const Resisted &resistance) {
+    const Index e = blocks.first_owner(0) + h;
     const One one(range_of(span, blocks, e), e);
     const Index r = rows.of(one.element);
     move(one, clock_on(span, one.element), all, load.on(one), BoundaryRow(rows, r), resistance, r);
@@ -93,20 +93,20 @@ inline void move_summed_resisted(Index e, const DeviceSpan &span, const Moving &
 }
 inline void move_gathered_row(Index h, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
                               const Rows &rows, const BondsOfElements &bonds, const LoadsOfBonds &from) {
-    move_held_one(h, span, all, blocks, rows, Gathered{bonds, from}, NoRow{});
+    move_owner(h, span, all, blocks, rows, Gathered{bonds, from}, NoRow{});
 }
 inline void move_gathered_resisted_row(Index h, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
                                        const Rows &rows, const BondsOfElements &bonds, const LoadsOfBonds &from,
                                        const Resistance &resistance) {
-    move_held_one(h, span, all, blocks, rows, Gathered{bonds, from}, resistance);
+    move_owner(h, span, all, blocks, rows, Gathered{bonds, from}, resistance);
 }
 inline void move_summed_row(Index h, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
                             const Rows &rows) {
-    move_held_one(h, span, all, blocks, rows, Summed{blocks}, NoRow{});
+    move_owner(h, span, all, blocks, rows, Summed{blocks}, NoRow{});
 }
 inline void move_summed_resisted_row(Index h, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
                                      const Rows &rows, const Resistance &resistance) {
-    move_held_one(h, span, all, blocks, rows, Summed{blocks}, resistance);
+    move_owner(h, span, all, blocks, rows, Summed{blocks}, resistance);
 }
 
 // ---- the opening of a step after a pause, and body forces

@@ -90,7 +90,8 @@ inline void judge_pair(Index k, const DeviceSpan &span, const Beams &beams, cons
     const double *const space = stresses.space.data;
     const Row<double> i = gather(space, beams.i(k)), j = gather(space, beams.j(k));
     if (!(bound_of_index(i, j, coefficients_of(strengths, k)) >= 1.0)) return;
-    if (list_failing(k, verdict_of_pair(beams, stresses, strengths, k), marks, candidates)) hold_ends(postponed, beams, k);
+    if (list_failing(k, verdict_of_pair(beams, stresses, strengths, k), marks, candidates))
+        postpone_ends(postponed, beams, k);
 }
 inline void write_pair_failure(Index e, const DeviceSpan &span, const Moving &all, const Beams &beams,
                                const NonLocalBonds &bonds, const Candidates &candidates, const EventLog &log) {
@@ -110,7 +111,7 @@ inline void relieve_element(Index p, const Moving &all, const NonLocalBonds &bon
 inline void end_failing_pair(Index e, const NonLocalBonds &bonds, const BeamIntegrity &state, const Candidates &candidates) {
     if (e < candidates.count(0)) end_pair(bonds, state, candidates.marked(e));
 }
-constexpr auto add_all_begun_contacts = once<add_begun_contacts>;
+constexpr auto add_all_new_contacts = once<add_new_contacts>;
 
 // ---- sums for the history
 

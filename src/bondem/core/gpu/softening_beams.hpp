@@ -42,9 +42,9 @@ inline void load_softening_beam(Index k, const Moving &all, const Beams &beams, 
     mark_one(k, loads, bounds, marks);
     put_pressed(k, all, beams, loads, to, bounds);
 }
-inline void load_softening_alike_beam(Index k, const Moving &all, const Beams &beams, const AlikeBeams &alike,
-                                      const LoadsOfBonds &to, const SofteningBounds &bounds, const BondMarks &marks) {
-    const BeamLoads<double> loads = loads_of(k, all, beams, alike);
+inline void load_softening_uniform_beam(Index k, const Moving &all, const Beams &beams, const UniformBeams &uniform,
+                                        const LoadsOfBonds &to, const SofteningBounds &bounds, const BondMarks &marks) {
+    const BeamLoads<double> loads = loads_of(k, all, beams, uniform);
     mark_one(k, loads, bounds, marks);
     put_pressed(k, all, beams, loads, to, bounds);
 }

@@ -28,7 +28,7 @@ inline void judge_cell_by_size(Index p, const DeviceSpan &span, const StressesOf
 
 inline void clear_candidates(Index, const CandidateFacets &onset) { onset.number(0) = 0; }
 inline void find_stress_candidate(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
-                                  const FacetForces &kept, const StressesOfCells &stresses, const CrackOnset &cracks,
+                                  const FacetForces &stored, const StressesOfCells &stresses, const CrackOnset &cracks,
                                   const CandidateFacets &onset) {
     const Byte judged = most(cracks.judged(facets.i(k)), cracks.judged(facets.j(k)));
     if (!(clock_of(span).dt > 0.0) || judged == 0 || cracks.listed(k) != 0) return;
@@ -37,7 +37,7 @@ inline void find_stress_candidate(Index k, const DeviceSpan &span, const Moving 
         count_up(cracks.found(k / bonds_of_portion));
         return;
     }
-    with_candidate(all, facets, kept, stresses, onset, k, [&](const Stress<double> &s) {
+    with_candidate(all, facets, stored, stresses, onset, k, [&](const Stress<double> &s) {
         write_candidate(onset, count_up(onset.number(0)), k, s);
     });
 }
@@ -55,7 +55,7 @@ inline void index_candidate_by_cone(Index c, const StressCandidates &candidates,
     index_candidate<Cone>(c, candidates, by);
 }
 
-inline void mark_failing_facet(Index c, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
+inline void mark_failing_facet(Index c, const Moving &all, const ElasticFacets &facets, const FacetForces &stored,
                                const StressesOfCells &stresses, const CrackOnset &cracks, const CandidateFacets &onset) {
     if (c >= onset.number(0)) return;
     const Index k = onset.bond(c);
@@ -65,7 +65,7 @@ inline void mark_failing_facet(Index c, const Moving &all, const ElasticFacets &
     }
     cracks.marked(k) = 1;
     count_up(cracks.found(k / bonds_of_portion));
-    write_candidate(onset, c, k, stress_along(all, facets, kept, stresses, onset, k));
+    write_candidate(onset, c, k, stress_along(all, facets, stored, stresses, onset, k));
 }
 inline void find_strength_along(Index c, const CandidateFacets &onset) {
     if (c < onset.number(0) && onset.bond(c) != does_not_fail) keep_strength_along(onset, c);

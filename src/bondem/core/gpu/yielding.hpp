@@ -22,7 +22,7 @@ inline void add_yielding_work_of_row(Index h, const DeviceSpan &span, const Step
                                      const FacetTractions &tractions, const StressesOfCells &stresses,
                                      const YieldingCells &cells, const Rows &rows) {
     if (!takes_time(span)) return;
-    add_yielding_work_of(tractions, stresses, cells, rows, blocks.ready(blocks.held(0) + h));
+    add_yielding_work_of(tractions, stresses, cells, rows, blocks.ready(blocks.first_owner(0) + h));
 }
 constexpr auto sum_portion_of_heat = portion_of_elements<sum_heat>;
 

@@ -90,8 +90,8 @@ BONDEM_INLINE ContactStiffness<T> contact_stiffness(const Law &, const ContactSp
 // largest F_t / F_n.
 template <class T, class Number> BONDEM_INLINE T sliding_limit(Number friction, T N, T h) {
     const T wide = 4.0 * N * h, square = T{} + friction * friction;
-    const T held = select(square * wide > all<T>(1.0), 1.0 / wide, square);
-    return 2.0 * root(held) * N / (1.0 + root(positive(1.0 - held * wide)));
+    const T bounded = select(square * wide > all<T>(1.0), 1.0 / wide, square);
+    return 2.0 * root(bounded) * N / (1.0 + root(positive(1.0 - bounded * wide)));
 }
 
 template <class T> BONDEM_INLINE Vector3<T> tangential(Vector3<T> v, Vector3<T> n) { return minus(v, dot(v, n), n); }
@@ -121,10 +121,10 @@ BONDEM_INLINE ContactLoads<T> contact_loads(const ContactStiffness<T> &k, Number
     if (any(friction > 0.0)) {
         const Vector3<T> t = tangential(v, n), s = memory.stretch;
         const T angle = dt * twist;
-        const Vector3<T> came = turned_with(tangential(last.velocity, last.normal), n, angle);
-        Vector3<T> kept = turned_with(s, n, angle);
-        if constexpr (!hardens) kept = select(k.ks > k.ks_before, k.ks_before / k.ks, one) * kept;
-        const Vector3<T> whole = plus(kept, half, came + t);
+        const Vector3<T> before = turned_with(tangential(last.velocity, last.normal), n, angle);
+        Vector3<T> stored = turned_with(s, n, angle);
+        if constexpr (!hardens) stored = select(k.ks > k.ks_before, k.ks_before / k.ks, one) * stored;
+        const Vector3<T> whole = plus(stored, half, before + t);
         T limit = friction * normal;
         if constexpr (hardens) limit = sliding_limit(friction, normal, select(overlap > zero, k.rise / (k.ks * k.ks), zero));
         const T pull = k.ks * length(whole);

@@ -183,8 +183,8 @@ BONDEM_INLINE SwellingHalf<T> swelling_half(T k, T part, const CrackFaces<T> &at
     }
     half.grip = (one - at.left.grip) * soft;
     for (int d = 0; d < 3; d++) {  // none where both are alike
-        const Mask<T> alike = half.loose[d] == (d == 0 ? T{} : half.grip);
-        half.turns[d] = select(alike, all<T>(infinity), T(-half.pulled[d] / (half.along[d] * half.inverse)));
+        const Mask<T> equal = half.loose[d] == (d == 0 ? T{} : half.grip);
+        half.turns[d] = select(equal, all<T>(infinity), T(-half.pulled[d] / (half.along[d] * half.inverse)));
     }
     return half;
 }
@@ -226,8 +226,8 @@ template <class T>
 BONDEM_INLINE CrackFriction<T> crack_friction(T k, T grip, Vector3<T> gap, Vector3<T> n, Vector3<T> slip, T limit) {
     const Vector3<T> across = minus(gap, dot(gap, n), n), stretch = across - minus(slip, dot(slip, n), n);
     const T stiff = (1.0 - grip) * k, size = stiff * length(stretch);
-    const T kept = select(size > limit, limit / size, all<T>(1.0));
-    return {(stiff * kept) * stretch, minus(across, kept, stretch)};
+    const T share = select(size > limit, limit / size, all<T>(1.0));
+    return {(stiff * share) * stretch, minus(across, share, stretch)};
 }
 
 // -∂U/∂s_1 … -∂U/∂s_3 and -∂U/∂γ without bending and friction [J].
@@ -276,8 +276,8 @@ BONDEM_INLINE CrackLoads<T> crack_loads(const FacetCompliance<T> &facet, const C
     // each direction separately, so that the force is exactly zero at zero integrity
     Vector3<T> f = rub.force;
     for (int d = 0; d < 3; d++) {
-        const auto kept = [&](T F) { return select(F > zero, T(at.left.open(d) * F), T(at.left.shut(d) * F)); };
-        f = plus(f, T(w * kept(half.i.along[d]) + v * kept(half.j.along[d])), at.at.e[d]);
+        const auto passed = [&](T F) { return select(F > zero, T(at.left.open(d) * F), T(at.left.shut(d) * F)); };
+        f = plus(f, T(w * passed(half.i.along[d]) + v * passed(half.j.along[d])), at.at.e[d]);
     }
     const Vector3<T> couple = half_couple(k, v, at, at.share_j, stress.j, half.j.lost);
     return {f, cross(at.arm_i + at.gap, f) - couple, cross(f, at.arm_j) + couple, rub};

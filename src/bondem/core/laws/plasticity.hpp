@@ -42,7 +42,7 @@ template <class T> struct YieldStrength {
     T slope;  // sin φ, or α [-]
     T dilation;  // sin ψ, or β [-]
     T stiffness;  // H [Pa]
-    T held;  // Δγ - (1 - z²) F / H of the step before, 0 without slip [-]
+    T carry;  // Δγ - (1 - z²) F / H of the step before, 0 without slip [-]
 };
 // An upper bound of F by Mohr and Coulomb, F itself by the cone [Pa].
 template <class T>
@@ -63,25 +63,25 @@ BONDEM_INLINE T yield_load(const PrincipalStress<T> &s, const StressInvariants<T
 // A step of plastic strain: Δγ, the part of Δγ that the next step starts from, and Δε along the principal directions
 // of the stress.
 template <class T> struct PlasticStep {
-    T gamma, held;
+    T gamma, carry;
     T along[3];
 };
 // Δγ and its part for the next step; slip is at most `most_slip`.
 template <class T> BONDEM_INLINE PlasticStep<T> slip_after(T F, T most_slip, const YieldStrength<T> &by) {
     const T over = F / by.stiffness, zero = {};
-    const T gamma = positive(least(T(by.held + (part_of_growth + part_of_excess) * over), most_slip));
+    const T gamma = positive(least(T(by.carry + (part_of_growth + part_of_excess) * over), most_slip));
     return {gamma, select(gamma > zero, positive(T(gamma - part_of_growth * over)), zero), {}};
 }
 template <class T>
 BONDEM_INLINE PlasticStep<T> slip_step(const PrincipalStress<T> &s, const YieldStrength<T> &by) {
     const T high = largest_of(s), low = least_of(s), zero = {};
     const T F = sheared(high, low, by.slope) - by.cohesion;
-    const auto [gamma, held, none] = slip_after(F, T(0.25 * (high - low) / by.stiffness), by);
+    const auto [gamma, carry, none] = slip_after(F, T(0.25 * (high - low) / by.stiffness), by);
     const T up = 0.5 * gamma * (1.0 + by.dilation), down = -0.5 * gamma * (1.0 - by.dilation);
     // of equal stresses the first is the largest and the last the least
     const Mask<T> up0 = s.stress[0] >= high, up1 = opposite(up0) & (s.stress[1] >= high);
     const Mask<T> low2 = s.stress[2] <= low, low1 = opposite(low2) & (s.stress[1] <= low);
-    return {gamma, held,
+    return {gamma, carry,
             {select(up0, up, select(low2 | low1, zero, down)), select(up1, up, select(low1, down, zero)),
              select(low2, down, select(up0 | up1, zero, up))}};
 }
@@ -94,7 +94,7 @@ BONDEM_INLINE PlasticStep<T> cone_step(const PrincipalStress<T> &s, const Stress
     const auto along = [&](int d) {
         return select(gamma > zero, T(gamma * ((s.stress[d] - at.mean) * half + by.dilation)), zero);
     };
-    return {gamma, slip.held, {along(0), along(1), along(2)}};
+    return {gamma, slip.carry, {along(0), along(1), along(2)}};
 }
 // Δε in space.
 template <class T> BONDEM_INLINE Symmetric3<T> plastic_strain(const PrincipalStress<T> &s,

@@ -14,7 +14,7 @@ struct SofteningBounds {
     Array<const double, 1> tear;  // G_f A [J], (bonds,)
     Array<const double, 1> slide;  // G_II A [J], (bonds,)
     Array<double, 1> integrity;  // 1 whole … 0 broken [-], (m,)
-    Array<double, 1> hold;  // integrity over rest length of beams that share their constants [1/m], (*,)
+    Array<double, 1> per_length;  // integrity over rest length of beams that share their constants [1/m], (*,)
     Array<double, 1> press;  // stiffness of the softened part of a beam in compression, (1 - s) kn [N/m], (m,)
     Array<double, 2> onset;  // openings [√J] and energies [J] of beams that begin in this step, (bonds, 4)
 };
@@ -22,7 +22,7 @@ struct SofteningBounds {
 struct SofteningBeams {
     // beams in the order in which they began, columns of `SoftColumn`
     Array<double, 2> row;  // (bonds, soft_column::count)
-    Array<Index, 1> begun;  // number of rows, (1,)
+    Array<Index, 1> rows;  // number of rows, (1,)
     Array<Index, 1> listed;  // rows that have not broken, those of a portion of bonds from its first bond on, (bonds,)
     Array<Index, 1> number;  // number of rows of each portion, (bond_portions,)
     Array<Index, 1> parted;  // number of those that break in this step, behind the others, (bond_portions,)

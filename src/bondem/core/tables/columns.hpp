@@ -96,7 +96,7 @@ namespace crack_number { enum : Index { cracks, out_of_date }; }
 namespace crack {
 // Kinds of cracks: of the material; with one integrity for all directions, of a material plane or a cell without
 // cohesion; and of the material that no longer transmits shear along it, with a spring of friction.
-enum CrackKind : int { of_material, alike, let_go };
+enum CrackKind : int { of_material, isotropic, let_go };
 // Ways in which cracks are treated: one by one; as a facet of less stiffness; not at all, once their faces have parted.
 enum CrackStatus : int { active, resting, parted };
 }  // namespace crack

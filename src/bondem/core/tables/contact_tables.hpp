@@ -98,7 +98,7 @@ struct FacePairs {
     // torque on the earlier one [N·m]
     Array<double, 2> output;  // (pairs, 12)
     Array<double, 1> gained;  // energy taken over from facets that part [J], (pairs,)
-    Array<Index, 2> begun;  // exact sum of it, zero between steps, (1, exact_word::count)
+    Array<Index, 2> gained_sum;  // exact sum of it, zero between steps, (1, exact_word::count)
     Array<Index, 1> count;  // close pairs of each portion of elements, (element_portions,)
 };
 // Motion of the elements since their distances were measured, and since the list was made.
@@ -165,9 +165,9 @@ struct PairSources {
     Array<const Index, 1> rest_start;  // (n + 1,)
     Array<const Short, 1> rest_first;  // (rest,)
     Array<const double, 1> rest_gap;  // [m], (rest,)
-    Array<const Index, 1> kept_start;  // start of the pairs of each later element that touch, (n + 1,)
-    Array<const Short, 1> kept_first;  // (kept,)
-    Array<const double, 2> kept_memory;  // (kept, 8)
+    Array<const Index, 1> touching_start;  // start of the pairs of each later element that touch, (n + 1,)
+    Array<const Short, 1> touching_first;  // (touching,)
+    Array<const double, 2> touching_memory;  // (touching, 8)
 };
 // The list of pairs, c of them, sorted by the later element, then by the earlier one.
 struct FoundPairs {
@@ -185,9 +185,9 @@ struct WallSources {
     Array<const Index, 1> rest_start;  // start of the contacts of each element that overlap in the reference, (n + 1,)
     Array<const Short, 1> rest_wall;  // (rest,)
     Array<const double, 1> rest_gap;  // [m], (rest,)
-    Array<const Index, 1> kept_start;  // start of the contacts of each element that touch, (n + 1,)
-    Array<const Short, 1> kept_wall;  // (kept,)
-    Array<const double, 2> kept_memory;  // (kept, 6)
+    Array<const Index, 1> touching_start;  // start of the contacts of each element that touch, (n + 1,)
+    Array<const Short, 1> touching_wall;  // (touching,)
+    Array<const double, 2> touching_memory;  // (touching, 6)
     double skin;  // largest gap [m]
     Array<Index, 1> start;  // start of the found contacts of each element, (n + 1,)
 };

@@ -31,7 +31,7 @@ struct CrackSamples {
 // Cells that yield (`laws/plasticity.hpp`).
 struct YieldSamples {
     Array<const double, 2> stress;  // [Pa], (6, m)
-    Array<const double, 2> strength;  // cohesion [Pa], slope, dilation, stiffness [Pa], slip held, (5, m)
+    Array<const double, 2> strength;  // cohesion [Pa], slope, dilation, stiffness [Pa], slip carried over, (5, m)
     Index cone;  // whether by Drucker and Prager
     Index wide;
     // bound of F [Pa], Δγ, its part for the next step, strain xx, yy, zz, xy, xz, yz; principal stresses [Pa]; F and

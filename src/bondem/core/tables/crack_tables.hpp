@@ -25,12 +25,12 @@ struct YieldingCells {
     Array<const Index, 1> near_start;  // cells near cell p are near[near_start[p]] …, (n + 1,)
     Array<const Short, 1> near;  // (*,)
     Array<double, 1> slipped;  // Σ Δγ before this step, which other cells read, (n,)
-    Array<double, 1> held;  // that of a state: slip that the next step begins with, (n,)
+    Array<double, 1> carry;  // that of a state: slip that the next step begins with, (n,)
     // P - 1 by rows, Σ Δγ, last increment of strain in space, energy dissipated [J]
     Array<double, 2> plastic;  // (n, plastic_column::count)
     Array<int32_t, 2> base_i;  // levers of facets without plastic strain [pitch], (3, m)
     Array<int32_t, 2> base_j;  // levers of facets without plastic strain [pitch], (3, m)
-    Array<double, 2> base_wall;  // those of walls [m], (held, 3)
+    Array<double, 2> base_wall;  // those of walls [m], (supports, 3)
 };
 
 // Strengths of m facets.

@@ -44,7 +44,7 @@ struct EventLog {
 // Integrity of beams, which failure changes.
 struct BeamIntegrity {
     Array<double, 1> integrity;  // 1 intact … 0 broken [-], (m,)
-    Array<double, 1> hold;  // integrity over rest length of beams that share their constants [1/m], (*,)
+    Array<double, 1> per_length;  // integrity over rest length of beams that share their constants [1/m], (*,)
 };
 // Index of the criterion of each bond.
 struct FailureIndices {

@@ -38,8 +38,8 @@ struct Beams {
     Array<const double, 1> period;  // edges of the periodic cell and their inverses, zero where there is none, (6,)
 };
 // Constants of beams that differ in length only.
-struct AlikeBeams {
-    Array<const double, 1> hold;  // integrity over rest length [1/m], (m,)
+struct UniformBeams {
+    Array<const double, 1> per_length;  // integrity over rest length [1/m], (m,)
     double knL;  // kn L [N]
     double AL;  // A L = C L [N·m²]
     double BL;  // B L [N·m²]
@@ -75,14 +75,14 @@ struct StepBlocks {
     Array<const Index, 1> domain;  // (domains + 1,)
     Array<const Index, 1> bond;  // (blocks + 1,)
     Array<const Index, 1> move;  // (blocks + 1,)
-    Array<const Index, 1> held;  // (blocks,)
+    Array<const Index, 1> first_owner;  // (blocks,)
     Array<const Short, 1> ready;  // (ready,)
     Array<const Short, 1> ready_row;  // (ready,)
     Array<const Short, 1> row_i;  // (m,)
     Array<const Short, 1> row_j;  // (m,)
     Array<const Short, 1> shared;  // (shared,)
     Array<const Short, 1> shared_row;  // (shared,)
-    Index shared_held;
+    Index shared_first_owner;
     Array<const Index, 1> part;  // (shared + 1,)
     Index parts;
     Array<double, 2> sums;  // force and torque of the bonds on each element [N, N·m], (sums, 8)
@@ -97,7 +97,7 @@ struct StepScheme {
     double origin;  // time of step 0 [s]
 };
 
-// Rows of the elements that are held, driven or loaded, r of them; passes write all but `of` and `fixed`.
+// Rows of the elements that are fixed, driven or loaded, r of them; passes write all but `of` and `fixed`.
 struct Rows {
     Array<const Index, 1> of;  // row of each element, or -1, (n,)
     Array<const Byte, 2> fixed;  // degrees of freedom with prescribed motion, (rows, 6)
@@ -105,7 +105,7 @@ struct Rows {
     Array<double, 2> half;  // prescribed velocities over the step [m/s, rad/s], (rows, 6)
     Array<double, 2> full;  // prescribed velocities now, (rows, 6)
     Array<double, 2> reaction;  // minus the bond forces [N, N·m], (rows, 6)
-    Array<double, 2> grip;  // of walls that hold facets of cells [N, N·m], (r, 6), or (0, 6) without any, (*, 6)
+    Array<double, 2> support;  // of walls that hold facets of cells [N, N·m], (r, 6), or (0, 6) without any, (*, 6)
     // of loads, drives, walls that hold cells and tractions on each row [J], then of body forces and strains
     Array<double, 1> work;  // (works,)
 };
@@ -209,7 +209,7 @@ struct StepSpan {
     Index step;  // number of the present one
     Index steps;  // how many to go
     Index every;  // steps between records, 0 for none
-    Index looks;  // whether it takes none, and records the present
+    Index records_present;  // whether it takes none, and records the present
     Index stale;  // whether the acceleration is to be found for that
     Index moved;  // whether elements and walls have moved already in the first step, whose list was out of date
     Index n;  // elements

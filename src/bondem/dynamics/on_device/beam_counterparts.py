@@ -25,7 +25,7 @@ COUNTERPARTS: dict[str, Counterpart] = {
         over(kernels.add_work_of_strains, one_thread),
     ),
     "add_beam_loads": over(kernels.load_beam, bonds),
-    "add_alike_beam_loads": over(kernels.load_alike_beam, bonds),
+    "add_uniform_beam_loads": over(kernels.load_uniform_beam, bonds),
     "add_dashpot_loads": over(kernels.load_dashpot, bonds, DASHED),
     "check_beams": over(kernels.check_portion, portions_of_bonds),
     "sum_beam_energies": over(kernels.sum_portion_of_beams, portions_of_bonds),

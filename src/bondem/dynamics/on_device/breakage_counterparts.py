@@ -19,10 +19,10 @@ from bondem.dynamics.on_device.translation import (
     elements,
     free,
     gathered_or_summed,
-    held,
     in_order,
     one_thread,
     over,
+    owners,
 )
 
 
@@ -78,8 +78,8 @@ def resuming(late: Postponement) -> dict[str, Counterpart]:
         "list_postponed": in_order(),  # each thread asks whether its element is postponed
         "move_elements": over(kernels.resume_free, free, late_ones),
         "move_resisted": over(kernels.resume_resisted, free, late_ones),
-        "move_rows": over(kernels.resume_row, held, late_ones),
-        "move_resisted_rows": over(kernels.resume_resisted_row, held, late_ones),
+        "move_rows": over(kernels.resume_row, owners, late_ones),
+        "move_resisted_rows": over(kernels.resume_resisted_row, owners, late_ones),
         "reopen_elements": in_order(),  # together with their acceleration
         "reopen_rows": in_order(),
         "add_body_work": over(kernels.reopen_work_of_body, elements, late_ones),
@@ -94,7 +94,7 @@ def end(run: Translation, late: Postponement) -> list[Launch]:
 
 COUNTERPARTS: dict[str, Counterpart] = {
     "add_marked_beam_loads": over(kernels.load_marked_beam, bonds, MARKS),
-    "add_marked_alike_beam_loads": over(kernels.load_marked_alike_beam, bonds, MARKS),
+    "add_marked_uniform_beam_loads": over(kernels.load_marked_uniform_beam, bonds, MARKS),
     **{
         f"judge_beams_by_{name}": in_order(over(one, bonds, MARKS), RANKED)
         for name, one in kernels.JUDGE_BEAM_BY.items()

@@ -13,12 +13,12 @@ from bondem.dynamics.on_device.translation import (
     Translation,
     bonds,
     elements,
-    held,
     in_order,
     length_of,
     one_thread,
     ordered,
     over,
+    owners,
     portions_of_bonds,
     portions_of_elements,
 )
@@ -56,12 +56,12 @@ COUNTERPARTS: dict[str, Counterpart] = {
     ),
     "add_wall_dilatation": over(kernels.dilate_walls_of_row, _rows_with_walls, BY_ROW_OF_WALLS),
     "apply_walls": over(kernels.apply_walls_of_row, _ROWS, BY_ROW_OF_WALLS),
-    "add_wall_loads": over(kernels.add_wall_load, held),
+    "add_wall_loads": over(kernels.add_wall_load, owners),
     "follow_tractions": in_order(
         over(kernels.follow_traction, length_of(FacetTractions, lambda of: of.schedule)),
         over(kernels.give_dilatation, elements),
     ),
-    "add_traction_work": over(kernels.add_traction_work_of_row, held),
+    "add_traction_work": over(kernels.add_traction_work_of_row, owners),
     "follow_cell_strains": in_order(
         over(kernels.follow_cell_factors, one_thread),
         over(kernels.stretch_facet_of_step, bonds),
@@ -75,5 +75,5 @@ COUNTERPARTS: dict[str, Counterpart] = {
     "check_facets": over(kernels.check_portion_of_facets, portions_of_bonds),
     "sum_facet_energies": over(kernels.sum_portion_of_facets, portions_of_bonds),
     "sum_dilatation_energies": over(kernels.sum_portion_of_cells, portions_of_elements),
-    "sum_energies_of_holds": over(kernels.add_energy_of_hold, _WALLS),
+    "sum_energies_of_supports": over(kernels.add_energy_of_support, _WALLS),
 }

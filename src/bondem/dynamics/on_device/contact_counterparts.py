@@ -97,7 +97,7 @@ COUNTERPARTS: dict[str, Counterpart] = {
     "add_contact_loads": over(kernels.add_contact_load, elements),
     "begin_contacts": in_order(
         over(kernels.begin_contact_of_event, bonds),
-        over(kernels.add_begun_contacts_of_element, elements, MARKS),
+        over(kernels.add_new_contacts_of_element, elements, MARKS),
         over(kernels.take_over_energies, one_thread),
     ),
     "sum_pair_energies": over(kernels.sum_portion_of_pairs, portions_of_elements),

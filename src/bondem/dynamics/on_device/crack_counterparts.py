@@ -30,7 +30,7 @@ def _fallen(run: Translation, cracks: CohesiveCracks) -> FallenCracks:
 
 
 def _link(
-    run: Translation, facets: ElasticFacets, kept: FacetForces, strengths: FacetStrengths, cracks: CohesiveCracks,
+    run: Translation, facets: ElasticFacets, stored: FacetForces, strengths: FacetStrengths, cracks: CohesiveCracks,
     lists: CrackLists,
 ) -> list[Launch]:  # fmt: skip
     """Give the cracks of the state the numbers of their facets, also as places of the lists."""
@@ -51,7 +51,7 @@ def _link(
     run.before_keeping.append(order)
     return [
         (kernels.begin_all_levers(facets, cracks), 1),
-        (kernels.restore_crack(facets, kept, strengths, cracks), m),
+        (kernels.restore_crack(facets, stored, strengths, cracks), m),
     ]
 
 

@@ -26,13 +26,13 @@ from bondem.dynamics.on_device.translation import (
 )
 
 
-def _arms(run: Translation, kept: FacetForces) -> FacetArms:
+def _arms(run: Translation, stored: FacetForces) -> FacetArms:
     def make() -> FacetArms:
         made = FacetArms(np.zeros((7, run.span.m)))
-        run.scratch += [made.arm, kept.sums]
+        run.scratch += [made.arm, stored.sums]
         return made
 
-    return run.once(kept, make)
+    return run.once(stored, make)
 
 
 def on_surface(run: Translation, walls: WallConstraints) -> RowOrder:
@@ -45,7 +45,7 @@ _ARMS: Made = {FacetArms: lambda run, given: _arms(run, given[FacetForces])}
 ON_SURFACE: Made = {RowOrder: lambda run, given: on_surface(run, given[WallConstraints])}
 
 COUNTERPARTS: dict[str, Counterpart] = {
-    "add_and_keep_facet_loads": over(kernels.load_kept_facet, bonds, _ARMS),
+    "add_and_keep_facet_loads": over(kernels.load_stored_facet, bonds, _ARMS),
     "collect_facet_moments": in_order(),  # a step on a device is one block
     "take_moments": over(kernels.gather_facet_moments, elements, _ARMS),
     "sum_moments": over(kernels.sum_moments_of_cell, elements),

@@ -7,9 +7,9 @@ from bondem.dynamics.on_device.translation import (
     elements,
     free,
     gathered_or_summed,
-    held,
     in_order,
     over,
+    owners,
 )
 
 COUNTERPARTS: dict[str, Counterpart] = {
@@ -20,8 +20,8 @@ COUNTERPARTS: dict[str, Counterpart] = {
     "add_dashpots": in_order(),  # together with the sums of the dashpots
     "move_elements": gathered_or_summed(kernels.move_gathered, kernels.move_summed, free),
     "move_resisted": gathered_or_summed(kernels.move_gathered_resisted, kernels.move_summed_resisted, free),
-    "move_rows": gathered_or_summed(kernels.move_gathered_row, kernels.move_summed_row, held),
+    "move_rows": gathered_or_summed(kernels.move_gathered_row, kernels.move_summed_row, owners),
     "move_resisted_rows": gathered_or_summed(
-        kernels.move_gathered_resisted_row, kernels.move_summed_resisted_row, held
+        kernels.move_gathered_resisted_row, kernels.move_summed_resisted_row, owners
     ),
 }

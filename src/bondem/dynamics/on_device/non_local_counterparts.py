@@ -54,6 +54,6 @@ COUNTERPARTS: dict[str, Counterpart] = {
     "relieve_pairs": in_order(
         over(kernels.relieve_element, elements, MARKS), over(kernels.end_failing_pair, bonds)
     ),
-    "add_begun_contacts": over(kernels.add_all_begun_contacts, one_thread),
+    "add_new_contacts": over(kernels.add_all_new_contacts, one_thread),
     "sum_non_local_energies": over(kernels.sum_portion_of_springs, portions_of_bonds),
 }

@@ -32,11 +32,11 @@ COUNTERPARTS: dict[str, Counterpart] = {
     ),
     "log_softened_beams": _log_softened,
     **{
-        f"add{alike}_beam_loads_softening_by_{name}": in_order(
+        f"add{kind}_beam_loads_softening_by_{name}": in_order(
             over(load, bonds, MARKS), over(one, bonds, MARKS), RANKED
         )
         for name, one in kernels.BEGIN_BEAM_BY.items()
-        for alike, load in (("", kernels.load_softening_beam), ("_alike", kernels.load_softening_alike_beam))
+        for kind, load in (("", kernels.load_softening_beam), ("_uniform", kernels.load_softening_uniform_beam))
     },
     "begin_softening": over(kernels.begin_all_softening, one_thread),
     "release_pressure": over(kernels.release_all_pressure, one_thread),

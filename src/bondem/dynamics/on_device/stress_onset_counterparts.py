@@ -24,13 +24,13 @@ def _find_candidates(
     run: Translation,
     moving: Moving,
     facets: ElasticFacets,
-    kept: FacetForces,
+    stored: FacetForces,
     stresses: StressesOfCells,
     cracks: CrackOnset,
     onset: CandidateFacets,
 ) -> list[Launch]:
     run.scratch += [onset.bond, onset.stress, onset.found]
-    tables = run.span, moving, facets, kept, stresses, cracks, onset
+    tables = run.span, moving, facets, stored, stresses, cracks, onset
     return [(kernels.clear_candidates(onset), 1), (kernels.find_stress_candidate(*tables), run.span.m)]
 
 

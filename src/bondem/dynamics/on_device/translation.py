@@ -43,7 +43,7 @@ class Translation:
         loads: loads of each bond on its ends.
         dashed: loads of the dashpots of each bond.
         further: whether loads act beside those of bonds.
-        held: number of elements that own rows.
+        owners: number of elements that own rows.
         logs: events of the run, whose rows are copied as far as they are filled.
         scratch: arrays of zeros of counterparts that only the device reads.
         before_keeping: functions that convert tables copied from the device to the form of the CPU.
@@ -54,7 +54,7 @@ class Translation:
     ) -> None:
         n, m = len(layout.order), len(layout.i)
         self.blocks, self.ledger, self.further = blocks, ledger, further
-        self.held = n - int(blocks.held[0])
+        self.owners = n - int(blocks.first_owner[0])
         self.span = DeviceSpan(np.zeros(9, dtype=np.int64), postponed, np.zeros(1, dtype=np.int64), n, m)
         self.bonds = BondsOfElements(
             layout.in_start.astype(np.int32), layout.out_start.astype(np.int32), np.ascontiguousarray(layout.out_bond)
@@ -192,12 +192,12 @@ def portions_of_bonds(run: Translation, _: Given) -> int:
 
 def free(run: Translation, _: Given) -> int:
     """Return the number of elements that own no rows of the boundary."""
-    return run.span.n - run.held
+    return run.span.n - run.owners
 
 
-def held(run: Translation, _: Given) -> int:
+def owners(run: Translation, _: Given) -> int:
     """Return the number of elements that own rows of the boundary."""
-    return run.held
+    return run.owners
 
 
 def one_thread(_: Translation, __: Given) -> int:

@@ -24,7 +24,7 @@ from bondem.dynamics.on_device.translation import (
 
 def _pressed_rows(run: Translation, given: Given) -> int:
     """Return the number of elements that own rows, or none where no surface carries a pressure."""
-    return run.held if len(given[StressesOfCells].pressed) else 0
+    return run.owners if len(given[StressesOfCells].pressed) else 0
 
 
 _WALLS = length_of(WallConstraints, lambda walls: walls.cell)

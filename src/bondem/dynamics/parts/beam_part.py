@@ -4,7 +4,7 @@ import numpy as np
 
 from bondem._cache_lines import exact_sums
 from bondem._passes import StepEntry, steps
-from bondem._tables.step_tables import AlikeBeams, Beams, Dashpots, Moving, StepBlocks, Strain
+from bondem._tables.step_tables import Beams, Dashpots, Moving, StepBlocks, Strain, UniformBeams
 from bondem.damage.breakage_part import breakage
 from bondem.damage.damage_part import BondParts, DamageTables, Joints, damage_of
 from bondem.damage.softening_part import SofteningTables, softening
@@ -25,16 +25,16 @@ def beams(
     bonds = model.bonds.stretched(state.eigenstrain)
     if strain is not None:  # lengths change during the run
         bonds = bonds.separate()
-    table, alike = beam_tables(bonds, model.layout, model.period, state.integrity, may_share=strain is None)
+    table, uniform = beam_tables(bonds, model.layout, model.period, state.integrity, may_share=strain is None)
     damage = damage_of(model.breaking, state, blocks, len(table.i))
     soft, failure = None, []
     if damage is not None and model.beam_softening is not None:
-        soft = SofteningTables.of(model.beam_softening, damage, state, table, alike, handed=model.hands_over)
+        soft = SofteningTables.of(model.beam_softening, damage, state, table, uniform, handed=model.hands_over)
         failure = [softening(soft, damage, state, shared, table)]
     elif damage is not None:
-        failure = [breakage(damage, state, shared, table, alike, dashpots)]
+        failure = [breakage(damage, state, shared, table, uniform, dashpots)]
     present = [] if strain is None else [steps.follow_strains(shared.timeline, strain, moving, table, shared.rows)]
-    loads: Passes = [_loads(moving, table, alike, blocks, damage, soft)]
+    loads: Passes = [_loads(moving, table, uniform, blocks, damage, soft)]
     if dashpots is not None:
         loads.append(steps.add_dashpot_loads(moving, table, dashpots, blocks))
     forces = Part(
@@ -47,43 +47,43 @@ def beams(
 
 def _changing_strain(model: Model, state: State) -> Strain | None:
     """Return the stress-free strains of the boundary conditions, added to those of the state, or None."""
-    held, plain = model.constraints, model.bonds
-    if not len(held.strain_part):
+    constraints, plain = model.constraints, model.bonds
+    if not len(constraints.strain_part):
         return None
-    bond = np.flatnonzero((held.strain_part != 0.0).any(axis=0))
+    bond = np.flatnonzero((constraints.strain_part != 0.0).any(axis=0))
     return Strain(
-        schedule=held.strain_schedule,
+        schedule=constraints.strain_schedule,
         bond=bond.astype(np.uint32),
-        part=np.ascontiguousarray(held.strain_part[:, bond]),
+        part=np.ascontiguousarray(constraints.strain_part[:, bond]),
         still=1.0 + (state.eigenstrain[bond] if state.eigenstrain.size else np.zeros(len(bond))),
         length=plain.length[bond],
         shear=plain.ks[bond],
         lever=plain.lever[bond],
-        factor=np.zeros((4, len(held.strain_part))),
-        power=exact_sums(len(held.strain_part)),
+        factor=np.zeros((4, len(constraints.strain_part))),
+        power=exact_sums(len(constraints.strain_part)),
         due=np.zeros(2, dtype=np.uint8),
-        place=held.works[1],
+        place=constraints.works[1],
     )
 
 
 def _loads(
     moving: Moving,
     table: Beams,
-    alike: AlikeBeams | None,
+    uniform: UniformBeams | None,
     blocks: StepBlocks,
     damage: DamageTables | None,
     soft: SofteningTables | None,
 ) -> StepEntry:
     """Return the pass of forces: of beams that share their constants or not, and that break, soften, or do not."""
     if damage is None:
-        if alike is None:
+        if uniform is None:
             return steps.add_beam_loads(moving, table, blocks)
-        return steps.add_alike_beam_loads(moving, table, alike, blocks)
+        return steps.add_uniform_beam_loads(moving, table, uniform, blocks)
     kind, candidates = damage.table.kind, damage.candidates
     if soft is None:
-        if alike is None:
+        if uniform is None:
             return steps.add_marked_beam_loads(moving, table, blocks, damage.bounds, candidates)
-        return steps.add_marked_alike_beam_loads(moving, table, alike, blocks, damage.bounds, candidates)
-    if alike is None:
+        return steps.add_marked_uniform_beam_loads(moving, table, uniform, blocks, damage.bounds, candidates)
+    if uniform is None:
         return steps.ADD_BEAM_LOADS_SOFTENING_BY[kind](moving, table, blocks, soft.bounds, candidates)
-    return steps.ADD_ALIKE_BEAM_LOADS_SOFTENING_BY[kind](moving, table, alike, blocks, soft.bounds, candidates)
+    return steps.ADD_UNIFORM_BEAM_LOADS_SOFTENING_BY[kind](moving, table, uniform, blocks, soft.bounds, candidates)

@@ -12,16 +12,16 @@ from bondem.model.state import State
 
 def body_forces(model: Model, state: State, shared: SharedTables) -> Part | None:
     """Return the part of body forces, or None where none act."""
-    held = model.constraints
-    count = len(held.body_on)
+    constraints = model.constraints
+    count = len(constraints.body_on)
     if count == 0:
         return None
-    member, group = np.unique(held.body_on.T, axis=0, return_inverse=True)
-    body, strain, *_ = held.works
+    member, group = np.unique(constraints.body_on.T, axis=0, return_inverse=True)
+    body, strain, *_ = constraints.works
     table = BodyForces(
         group=group.ravel().astype(np.uint32), member=np.ascontiguousarray(member, dtype=float),
-        pull=np.ascontiguousarray(held.body_value), schedule=held.body_schedule, present=np.zeros((len(member), 3)),
-        factor=np.zeros(count), work=state.work[body:strain].reshape(-1, 1),
+        pull=np.ascontiguousarray(constraints.body_value), schedule=constraints.body_schedule, factor=np.zeros(count),
+        present=np.zeros((len(member), 3)), work=state.work[body:strain].reshape(-1, 1),
     )  # fmt: skip
     return Part({
         "present": [steps.follow_body_forces(shared.timeline, table)],

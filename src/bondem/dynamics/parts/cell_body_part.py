@@ -33,7 +33,7 @@ def body_of_cells(
             touches=model.contact is not None, pressed=_pressed_moments(model),
         )  # fmt: skip
         stretch, powers, _ = cracking.straining()
-        elastic = cells(shared, model, state, body, cracking.kept, stretch=stretch, powers=powers)
+        elastic = cells(shared, model, state, body, cracking.stored, stretch=stretch, powers=powers)
         return BondParts(cracking.parts(elastic), Joints.of_cracks(apart(model, state), state, cracking.joints))
     left = constants.damaged(state.integrity, layout.i, layout.j)
     body = BodyOfCells.of(model, left, state, shared, dashpots)

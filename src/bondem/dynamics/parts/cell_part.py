@@ -52,9 +52,9 @@ class BodyOfCells(NamedTuple):
             bonds = model.bonds.stretched(state.eigenstrain)
             beams, _ = beam_tables(bonds, layout, period, state.integrity, may_share=False)
             dashed = ((dashpots, beams._replace(integrity=facets.integrity)),)
-        held = model.constraints
-        walls = constants.grips.table(layout, held.row_of, state.grips)
-        if len(held.strain_part) or len(state.plastic):  # cells that grow or yield change levers
+        constraints = model.constraints
+        walls = constants.supports.table(layout, constraints.row_of, state.grips)
+        if len(constraints.strain_part) or len(state.plastic):  # cells that grow or yield change levers
             facets = facets._replace(lever_i=facets.lever_i.copy(), lever_j=facets.lever_j.copy())
         return cls(
             dashed, facets, cells, gradient_tables(constants.gradients, len(layout.order), walls), walls,
@@ -68,7 +68,7 @@ def cells(
     model: Model,
     state: State,
     body: BodyOfCells,
-    kept: FacetForces | None = None,
+    stored: FacetForces | None = None,
     damage: DamageTables | None = None,
     stretch: Sequence[StepEntry] = (),
     powers: Sequence[StepEntry] = (),
@@ -80,15 +80,15 @@ def cells(
         model: model of the body.
         state: state from which the run begins.
         body: tables of the body.
-        kept: forces of facets and moments of cells where cracks need them, or None. Then the energies of dilatation
+        stored: forces of facets and moments of cells where cracks need them, or None. Then the energies of dilatation
             are those of another part, which knows the stresses of cells with cracks.
         damage: tables of facets that break at once, or None.
         stretch: passes that follow where stress-free strains have changed levers.
         powers: passes that find the powers of these strains at cracks, where a run begins.
     """
     moving, blocks, rows, ledger = shared.moving, shared.blocks, shared.rows, shared.ledger
-    walls, held = body.walls, len(body.walls.cell) > 0
-    before: Passes = [steps.add_wall_dilatation(moving, walls, body.cells)] if held else []
+    walls, walled = body.walls, len(body.walls.cell) > 0
+    before: Passes = [steps.add_wall_dilatation(moving, walls, body.cells)] if walled else []
     dilate: Passes = [steps.accumulate_dilatation(moving, body.facets, body.cells)]
     mark = dilate
     if damage is not None:
@@ -96,29 +96,29 @@ def cells(
     collect: Passes = [steps.collect_dilatation(blocks, body.cells)]
     loads: Passes = [steps.add_facet_loads(moving, body.facets, blocks)]
     gather: Passes = []
-    if kept is not None:
+    if stored is not None:
         mark = [steps.accumulate_left_dilatation(moving, body.facets, body.cells)]
-        loads = [steps.add_and_keep_facet_loads(moving, body.facets, kept, blocks)]
-        gather = [steps.collect_facet_moments(blocks, kept), steps.take_moments(kept)]
+        loads = [steps.add_and_keep_facet_loads(moving, body.facets, stored, blocks)]
+        gather = [steps.collect_facet_moments(blocks, stored), steps.take_moments(stored)]
     loads += [steps.add_dashpot_loads(moving, beams, dashpots, blocks) for dashpots, beams in body.dashed]
     present, beside, behind = _changing(shared, body, stretch, powers)
-    constrain: Passes = [*beside, steps.apply_walls(moving, walls, rows)] if held else [*beside]
+    constrain: Passes = [*beside, steps.apply_walls(moving, walls, rows)] if walled else [*beside]
     gradients, torques, sums = _of_gradients(shared, body)
     facets = steps.sum_facet_energies(moving, body.facets, ledger)
     energies: Passes = [
         *before, *dilate, *collect, *sums, steps.sum_dilatation_energies(body.cells, ledger), facets
     ]  # fmt: skip
-    holds: Passes = [steps.sum_energies_of_holds(moving, walls, ledger)] if held else []
+    supports: Passes = [steps.sum_energies_of_supports(moving, walls, ledger)] if walled else []
     return Part(
         {
             "present": present,
             "prepare": [*beside, *before, *mark, *collect, steps.stress_cells(moving, body.cells)],
             "stress": gradients,
             "constrain": [*constrain, *behind], "loads": loads, "gather": gather,
-            "add": [*([steps.add_wall_loads(rows, blocks)] if held else []), *torques],
+            "add": [*([steps.add_wall_loads(rows, blocks)] if walled else []), *torques],
             "guard": [steps.check_facets(moving, body.facets, ledger)],
         },
-        record=lambda _: [*(energies if kept is None else [facets]), *holds],
+        record=lambda _: [*(energies if stored is None else [facets]), *supports],
     )  # fmt: skip
 
 
@@ -170,26 +170,27 @@ def _places(blocks: StepBlocks, i: np.ndarray, n: int) -> np.ndarray:
 
 def _tractions(model: Model) -> tuple[FacetTractions, ...]:
     """Return the table of tractions on free facets, if there are any."""
-    held = model.constraints
-    count = len(held.press_schedule)
+    constraints = model.constraints
+    count = len(constraints.press_schedule)
     if count == 0:
         return ()
-    schedule: Ints = held.press_schedule
-    return (FacetTractions(held.press_value, schedule, np.zeros(count), np.zeros(count)),)
+    schedule: Ints = constraints.press_schedule
+    return (FacetTractions(constraints.press_value, schedule, np.zeros(count), np.zeros(count)),)
 
 
 def _strains(model: Model, state: State) -> tuple[CellStrains, ...]:
     """Return the table of stress-free strains of the conditions, on top of those of the state, if there are any."""
-    held, cells, layout = model.constraints, model.cell_law.constants, model.layout
-    if not len(held.strain_part):
+    constraints, cells, layout = model.constraints, model.cell_law.constants, model.layout
+    if not len(constraints.strain_part):
         return ()
-    count, still = len(held.strain_part), state.eigenstrain if state.eigenstrain.size else np.zeros(len(layout.i))
-    wall = cells.grips.cell
+    count, own = len(constraints.strain_part), state.eigenstrain
+    still = own if own.size else np.zeros(len(layout.i))
+    wall = cells.supports.cell
     return (CellStrains(
-        schedule=held.strain_schedule, base_i=np.ascontiguousarray(cells.lever_i.T),
-        base_j=np.ascontiguousarray(cells.lever_j.T), still=1.0 + still, part=held.strain_part,
-        wall_base=cells.grips.lever, wall_still=1.0 + layout.of_elements(still)[wall],
-        wall_part=np.array([layout.of_elements(part)[wall] for part in held.strain_part]),
-        place=held.works[1], factor=np.zeros((4, count)),
+        schedule=constraints.strain_schedule, base_i=np.ascontiguousarray(cells.lever_i.T),
+        base_j=np.ascontiguousarray(cells.lever_j.T), still=1.0 + still, part=constraints.strain_part,
+        wall_base=cells.supports.lever, wall_still=1.0 + layout.of_elements(still)[wall],
+        wall_part=np.array([layout.of_elements(part)[wall] for part in constraints.strain_part]),
+        place=constraints.works[1], factor=np.zeros((4, count)),
         power=exact_sums(count), due=np.zeros(2, dtype=np.uint8),
     ),)  # fmt: skip

@@ -187,10 +187,10 @@ class ContactTables:
         passes: Passes = [steps.add_pair_moments(s.moving, law, self._pairs, self._near, stresses)]
         if len(walls.body):
             passes.append(steps.add_wall_moments(s.moving, law, self._at_walls, walls, stresses))
-        begun: Passes = []
+        added: Passes = []
         if self._joints.damage is not None:
-            begun.append(steps.add_begun_contacts(s.moving, law, self._pairs, stresses, self._joints.damage.log))
-        return Part({"prepare": passes, "hand_over": begun}, renewed=lambda: self.moments(stresses))
+            added.append(steps.add_new_contacts(s.moving, law, self._pairs, stresses, self._joints.damage.log))
+        return Part({"prepare": passes, "hand_over": added}, renewed=lambda: self.moments(stresses))
 
     def _record(self, history: HistoryRows) -> Passes:
         moving, law, ledger = self._shared.moving, self._law, self._shared.ledger
@@ -219,7 +219,7 @@ class ContactTables:
             pairs.first, pairs.second, pairs.bond, pairs.joined, at_walls.element, self._velocity_of_walls(),
             self._deepest,
         )  # fmt: skip
-        self._check.look(listed, self._state.motion, self._state.time)
+        self._check.examine(listed, self._state.motion, self._state.time)
 
     def _velocity_of_walls(self) -> Floats:
         """Return the velocity of the wall at the element of each contact with one [m/s], (b, 3)."""

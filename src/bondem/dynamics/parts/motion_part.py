@@ -22,13 +22,13 @@ def motion(shared: SharedTables, dashpots: Dashpots | None, resistance: Resistan
     move: Passes
     if resistance is None:
         move = [steps.move_elements(moving, blocks)]
-        held = steps.move_rows(moving, blocks, rows)
+        owners = steps.move_rows(moving, blocks, rows)
     else:
         move = [steps.move_resisted(moving, blocks, resistance)]
-        held = steps.move_resisted_rows(moving, blocks, rows, resistance)
+        owners = steps.move_resisted_rows(moving, blocks, rows, resistance)
     reopening: Passes = [steps.reopen_elements(moving)]
     if shared.owned:
-        move.append(held)
+        move.append(owners)
         reopening.append(steps.reopen_rows(moving, rows))
     return Part({"opening": opening, "gather": gather, "move": move, "resume": move, "reopening": reopening})
 

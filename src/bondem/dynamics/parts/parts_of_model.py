@@ -55,8 +55,8 @@ def parts_of(
 def parts_in_one_block(model: Model, plan: Plan, state: State, dt: float) -> tuple[SharedTables, list[Part]]:
     """Return the tables and the parts of a step that is one block."""
     block = max(len(state.pose), 1)
-    kept = 0 if model.breaking is None else len(state.pose)
-    blocks = Blocks.of(model.layout, block, 1, model.constraints.row_of >= 0).table(kept)
+    postponed = 0 if model.breaking is None else len(state.pose)
+    blocks = Blocks.of(model.layout, block, 1, model.constraints.row_of >= 0).table(postponed)
     return parts_of(model, DampingTerms.of(plan.damping), state, blocks, gauge_tables(model, plan), dt)
 
 

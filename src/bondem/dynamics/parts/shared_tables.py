@@ -35,16 +35,16 @@ class SharedTables:
     @classmethod
     def of(cls, model: Model, state: State, blocks: StepBlocks) -> "SharedTables":
         """Return the tables of a run."""
-        held = model.constraints
-        times = held.schedules
+        constraints = model.constraints
+        times = constraints.schedules
         return cls(
             moving=Moving(state.pose, state.motion, state.acceleration, state.loss, state.rest),
-            rows=held.rows(state.reaction, state.work),
+            rows=constraints.rows(state.reaction, state.work),
             blocks=blocks,
             ledger=new_ledger(),
             schedules=times,
             timeline=Timeline(times.times, times.values, times.start),
-            owned=len(held.element) > 0,
+            owned=len(constraints.element) > 0,
         )
 
 

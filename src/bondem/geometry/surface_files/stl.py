@@ -21,12 +21,12 @@ def read_stl(name: str, data: bytes) -> Contents:
         InputError: it is no STL file, or was cut or damaged.
     """
     announced = int.from_bytes(data[80:84], "little")
-    held = max(len(data) - _HEAD, 0) // _RECORD
+    found = max(len(data) - _HEAD, 0) // _RECORD
     if len(data) != _HEAD + _RECORD * announced and data.lstrip()[:5].lower() == b"solid":
         return _text(name, data.replace(b"\r\n", b"\n").replace(b"\r", b"\n"))
-    if len(data) < _HEAD or held != announced:
+    if len(data) < _HEAD or found != announced:
         raise InputError(
-            f"{name} announces {announced} triangles and holds {held}: it is no STL file, or was cut or damaged;"
+            f"{name} announces {announced} triangles and holds {found}: it is no STL file, or was cut or damaged;"
             " export it again"
         )
     record = np.dtype([("normal", "<f4", 3), ("corner", "<f4", (3, 3)), ("attribute", "<u2")])

@@ -8,7 +8,7 @@ import numpy as np
 from bondem._cache_lines import lines
 from bondem._core import run_pass
 from bondem._passes import calls
-from bondem._tables.step_tables import AlikeBeams, BeamEnergies, Beams, BeamSums, BeamTurns, Poses
+from bondem._tables.step_tables import BeamEnergies, Beams, BeamSums, BeamTurns, Poses, UniformBeams
 from bondem._types import Floats, PerBond
 from bondem.interactions.beams.bond_table import BondTable, with_twins, with_zeros
 from bondem.specimen.ordering import Layout
@@ -16,7 +16,7 @@ from bondem.specimen.ordering import Layout
 
 def beam_tables(
     bonds: BondTable, layout: Layout, period: Floats, integrity: PerBond, *, may_share: bool = True
-) -> tuple[Beams, AlikeBeams | None]:
+) -> tuple[Beams, UniformBeams | None]:
     """Return beams as the core takes them, and their common constants, or None.
 
     Args:
@@ -26,16 +26,16 @@ def beam_tables(
         integrity: integrity of each beam [-], (m,).
         may_share: True if common constants may be used; False if lengths change.
     """
-    same = bonds.alike if may_share else None
+    same = bonds.uniform if may_share else None
     X0, Y0, Z0 = bonds.direction
-    hold = integrity / bonds.length if same is not None else np.zeros(0)
+    per_length = integrity / bonds.length if same is not None else np.zeros(0)
     beams = Beams(
         i=with_twins(layout.i), j=with_twins(layout.j), X0=with_twins(X0), Y0=with_twins(Y0), Z0=with_twins(Z0),
         length=with_twins(bonds.length), kn=with_zeros(bonds.kn), A=with_zeros(bonds.A), B=with_zeros(bonds.B),
         C=with_zeros(bonds.C), kt=with_zeros(bonds.kt), ks=with_zeros(bonds.ks), lever=with_zeros(bonds.lever),
         integrity=with_zeros(integrity), period=period,
     )  # fmt: skip
-    return beams, None if same is None else AlikeBeams(with_zeros(hold), *same)
+    return beams, None if same is None else UniformBeams(with_zeros(per_length), *same)
 
 
 def load_beams(pose: Floats, beams: Beams, sums: BeamSums) -> None:

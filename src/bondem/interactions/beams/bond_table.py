@@ -89,7 +89,7 @@ class BondTable:
         return replace(self, length=self.length.copy(), ks=self.ks.copy(), lever=self.lever.copy())
 
     @property
-    def alike(self) -> tuple[float, float, float, float] | None:
+    def uniform(self) -> tuple[float, float, float, float] | None:
         """Return kn L [N], A L = C L, B L and kt L [N·m²] if all bonds share them, else None.
 
         They do for Euler–Bernoulli bonds of one material and radius, whose stiffnesses are proportional to 1 / L.

@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 
 from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement, PerElement3
-from bondem.boundary.wall_constraints import Grips, Holds
+from bondem.boundary.wall_constraints import FixedFacets, Supports
 from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.interactions.cells.cell_body import body_of
@@ -51,7 +51,7 @@ class CellConstants:
         weight: λ_p / V_p, the factor from V_p θ_p to the stress λ_p θ_p [Pa/m³], shape (n,).
         direction: normals of the facets, from i to j [-], shape (3, m).
         G, lame: shear modulus and Lamé's λ of the material of each cell [Pa], shape (n,).
-        grips: facets that walls hold; their cells in the user's order.
+        supports: facets that walls hold; their cells in the user's order.
         softness: d / 2 G of each free facet, the opening per traction [m/Pa], shape (k,).
         way: (c - g) / d along its free axes, with the centroid c of the facet and the centre g of the cell [-], shape
             (k, 3): a force F on it adds softness · F·way to V θ, and the stress of the cell moves it by
@@ -74,7 +74,7 @@ class CellConstants:
     direction: Floats
     G: PerElement
     lame: PerElement
-    grips: Grips
+    supports: Supports
     softness: Floats
     way: Floats
     free_cell: Ints
@@ -85,14 +85,14 @@ class CellConstants:
 
     @classmethod
     def of(
-        cls, body: Lattice, bond: CellAssignment, holds: Holds, *, may_fail: bool = False
+        cls, body: Lattice, bond: CellAssignment, fixed: FixedFacets, *, may_fail: bool = False
     ) -> "CellConstants":
         """Return the constants of a body.
 
         Args:
             body: a lattice with facets and cells.
             bond: law of its material.
-            holds: free facets that walls hold.
+            fixed: free facets that walls hold.
             may_fail: True for facets that may fail, whose cells have no gradients of the dilatation.
 
         Raises:
@@ -110,17 +110,17 @@ class CellConstants:
         free = cells.free
         n_free = free.share / free.area[:, None]
         open_axes = np.ones((len(free.cell), 3))
-        open_axes[holds.facet] -= holds.axes
+        open_axes[fixed.facet] -= fixed.axes
         soft = free.area * free.depth * (open_axes * n_free**2).sum(axis=1)
         lame = np.maximum(lame, -2.0 * G / compliance(body))
         slack = 1.0 + np.bincount(free.cell, weights=soft, minlength=len(G)) / cells.volume * lame / (2.0 * G)
         slack = np.maximum(slack, _LEAST_SLACK)
         share_i, share_j = _single((area * w_i)[:, None] * way_i), _single((area * w_j)[:, None] * way_j)
-        walls = FreeWalls.of(body, holds.flat(free.normal))
-        grips = _grips(cells, holds, G, n_free, rotation, walls)
+        walls = FreeWalls.of(body, fixed.flat(free.normal))
+        supports = _supports(cells, fixed, G, n_free, rotation, walls)
         gradients = GradientConstants.none()
         if not may_fail and rotation == "bending":
-            gradients = GradientConstants.of(body, G, lame, lame / slack, walls, (share_i, share_j), grips)
+            gradients = GradientConstants.of(body, G, lame, lame / slack, walls, (share_i, share_j), supports)
         H = resistance(facets.moment, normal, k / area, rotation)
         if rotation == "bending":
             H += twist_at_walls(facets.moment, area, normal, k / area, walls, (i, j))
@@ -133,7 +133,7 @@ class CellConstants:
             k=k, levers=np.array([each.T for each in levers], dtype=np.int32), strain=np.zeros(0),
             bend=H.reshape(-1, 9).T[SIX].astype(np.float32), direction=normal.T,
             shares=np.array([share_i.T, share_j.T], dtype=np.float32), volume=cells.volume,
-            weight=lame / slack / cells.volume, G=G, lame=lame, grips=grips,
+            weight=lame / slack / cells.volume, G=G, lame=lame, supports=supports,
             softness=free.depth / (2.0 * G[free.cell]),
             way=open_axes * (n_free + _along_facets(free, body.particles.position)), free_cell=free.cell,
             pressed=np.zeros(len(cells.volume)), pitch=grid, gradients=gradients,
@@ -212,7 +212,7 @@ class CellConstants:
         """
         if strain.size == 0:
             return self
-        return replace(self, strain=strain, grips=self.grips.grown(layout.of_elements(strain)))
+        return replace(self, strain=strain, supports=self.supports.grown(layout.of_elements(strain)))
 
     def damaged(self, integrity: PerBond, i: Ints, j: Ints) -> "CellConstants":
         """Return the constants with facets of integrity s; the missing part 1 - s acts as free facets of both cells.
@@ -322,12 +322,12 @@ def compliance(body: Lattice) -> PerElement:
     return np.asarray(total / cells.volume, dtype=float)
 
 
-def _grips(
-    cells: Cells, holds: Holds, G: PerElement, n_free: Floats, rotation: str, walls: FreeWalls
-) -> Grips:
+def _supports(
+    cells: Cells, fixed: FixedFacets, G: PerElement, n_free: Floats, rotation: str, walls: FreeWalls
+) -> Supports:
     """Return the half facets between cells and walls."""
-    free, facet = cells.free, holds.facet
-    cell, normal, axes = free.cell[facet], free.normal[facet], holds.axes.astype(float)
+    free, facet = cells.free, fixed.facet
+    cell, normal, axes = free.cell[facet], free.normal[facet], fixed.axes.astype(float)
     stiffness = 2.0 * G[cell] / free.depth[facet]
     # a wall that holds the normal keeps the facet plane
     flat = ((axes * normal) ** 2).sum(axis=1)
@@ -335,16 +335,16 @@ def _grips(
     whole = resistance(free.moment[facet], normal, stiffness, rotation)
     if rotation == "full":  # a wall that only keeps the facet plane lets it turn in its plane
         bent = resistance(free.moment[facet], normal, stiffness * flat, "bending")
-        every = holds.clamped[:, None, None]
+        every = fixed.clamped[:, None, None]
         H = np.where(every, H, bent)
         whole = np.where(every, whole, resistance(free.moment[facet], normal, stiffness, "bending"))
     if rotation == "bending":
-        clamped = stiffness * holds.clamped
+        clamped = stiffness * fixed.clamped
         twist = twist_at_walls(free.moment[facet], free.area[facet], normal, clamped, walls, (cell, cell))
         H, whole = H + twist, whole + twist
     lever = free.centroid[facet] - cells.centroid[cell]
-    return Grips(
+    return Supports(
         cell=cell, k=stiffness * free.area[facet], lever=lever, arm=lever,
-        share=axes * free.area[facet, None] * n_free[facet], H=H, axes=axes, motion=holds.final_motion(),
-        holds=holds, area=free.area[facet], normal=normal, way=n_free[facet], bend=whole,
+        share=axes * free.area[facet, None] * n_free[facet], H=H, axes=axes, motion=fixed.final_motion(),
+        fixed=fixed, area=free.area[facet], normal=normal, way=n_free[facet], bend=whole,
     )  # fmt: skip

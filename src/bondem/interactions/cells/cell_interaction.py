@@ -15,7 +15,9 @@ from bondem._passes import calls
 from bondem._tables.stiffness_tables import DilatationRows, FacetRows
 from bondem._threads import current_threads
 from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement, PerElement3, PerElement6
-from bondem.boundary.wall_constraints import Grips, Holds
+from bondem.boundary.conditions import Drive, Fix, Load
+from bondem.boundary.loads import Pressure, is_face
+from bondem.boundary.wall_constraints import FixedFacets, Supports, supports_facets
 from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.interactions.beams.bond_table import BondTable
@@ -47,10 +49,12 @@ class CellInteraction(CellsAtAnyPose):
     corrects_mass: ClassVar[bool] = True
     isotropic_springs: ClassVar[bool] = True
 
-    def __init__(self, lattice: Lattice, layout: Layout, laws: CellAssignment, holds: Holds, may_fail: bool) -> None:
+    def __init__(
+        self, lattice: Lattice, layout: Layout, laws: CellAssignment, fixed: FixedFacets, may_fail: bool
+    ) -> None:
         super().__init__(lattice, layout)
         self._laws, self._may_fail = laws, may_fail
-        self._own = CellConstants.of(lattice, laws, holds, may_fail=may_fail).ordered(layout)
+        self._own = CellConstants.of(lattice, laws, fixed, may_fail=may_fail).ordered(layout)
 
     @classmethod
     def join(cls, lattice: Lattice, layout: Layout, bond: Any, boundary: Boundary, may_fail: bool) -> Self:
@@ -59,28 +63,45 @@ class CellInteraction(CellsAtAnyPose):
             if not isinstance(law, cls.law):
                 advice = "give bd.CellBond(...) for all cells"
                 raise InputError(f"bond= has {shown(law)} in a part of the cells; {advice}")
-        return cls(lattice, layout, bond, Holds.of(lattice, boundary), may_fail)
+        return cls(lattice, layout, bond, FixedFacets.of(lattice, boundary), may_fail)
 
     def question(self) -> None:
         question_cells(self.lattice, self._laws, may_fail=self._may_fail)
+
+    @classmethod
+    def require_facets(cls, refusal: str) -> None:
+        return
+
+    @classmethod
+    def refuse_facets(cls, refusal: str) -> None:
+        raise InputError(refusal)
+
+    def on_elements(self, boundary: Boundary) -> Boundary:
+        return [one for one in boundary if not (isinstance(one, Fix | Drive) and supports_facets(one))]
+
+    def facet_forces(self, load: Load | Pressure) -> tuple[Ints, Floats]:
+        return load.on_facets(self.lattice) if is_face(load.region) else super().facet_forces(load)
 
     def under(self, boundary: Boundary) -> Self:
         return self.join(self.lattice, self.layout, self._laws, boundary, self._may_fail)
 
     @property
-    def grips(self) -> Grips:
-        return self._own.grips
+    def supports(self) -> Supports:
+        return self._own.supports
 
     def strained(self, strain: PerBond, base: Floats, motion: Floats, pressed: PerElement) -> Self:
         twin, cells = copy(self), self.constants.stretched(strain, self.layout)
-        grips = replace(cells.grips.taken(base), motion=motion)
-        twin.__dict__["constants"] = replace(cells, grips=grips, pressed=pressed)
+        supports = replace(cells.supports.taken(base), motion=motion)
+        twin.__dict__["constants"] = replace(cells, supports=supports, pressed=pressed)
         return twin
 
     def pressed(self, facet: Ints, force: Floats) -> PerElement:
         every = np.zeros((len(self._own.softness), 3))
         every[facet] = force
         return self._own.pressed_by(every)
+
+    def dilatational_stress(self, swelling: PerElement) -> PerElement:
+        return self.by_user.stress_of(swelling)
 
     @cached_property
     def constants(self) -> CellConstants:
@@ -107,9 +128,9 @@ class CellInteraction(CellsAtAnyPose):
         forms = np.empty((len(rows.indices), 1, 6))
         run_pass(calls.assemble_facets(facets, rows, DilatationRows(forms)), threads=current_threads())
         indptr, indices, data = rows.indptr, rows.indices, rows.data
-        own, form = c.grips.blocks()
-        gripped = layout.rank[c.grips.cell]
-        diagonal = indptr[gripped] + (layout.in_start[gripped + 1] - layout.in_start[gripped])
+        own, form = c.supports.blocks()
+        supported = layout.rank[c.supports.cell]
+        diagonal = indptr[supported] + (layout.in_start[supported + 1] - layout.in_start[supported])
         np.add.at(data, diagonal, own)
         np.add.at(forms, diagonal, form[:, None])
         return Stiffness(
@@ -117,7 +138,7 @@ class CellInteraction(CellsAtAnyPose):
             bsr_array((forms, indices, indptr), shape=(n, 6 * n)),
             c.weight,
             c.gradients.coupling(c.weight),
-            c.gradients.turns((c.gradients.way_a, c.gradients.way_b, c.gradients.held_way), n),
+            c.gradients.turns((c.gradients.way_a, c.gradients.way_b, c.gradients.wall_way), n),
         )
 
     def loads(self, pose: Floats, arrays: Arrays) -> Floats:
@@ -147,22 +168,23 @@ class CellInteraction(CellsAtAnyPose):
         self, displacement: PerElement3, rotation: PerElement3, strain: PerBond, pressed: PerElement
     ) -> CellStrain:
         """Return the deformation by small motions [m, rad], with walls at their final places; see `strain_load`."""
-        own, grips = np.empty(len(strain)), self.grips
+        own, supports = np.empty(len(strain)), self.supports
         own[self.layout.bond_order] = strain
-        wall = grips.motion + grips.lever - grips.grown(self.layout.of_elements(strain)).arm
+        wall = supports.motion + supports.lever - supports.grown(self.layout.of_elements(strain)).arm
         slip = -own[:, None] * self.lattice.branch
         return CellStrain.of(
             self.lattice, self.by_user, displacement, rotation, slip=slip, wall=wall, pressed=pressed
         )
 
     def surface_motion(self, displacement: PerElement3, rotation: PerElement3, traction: Floats) -> Floats:
-        moved, constants, grips = super().surface_motion(displacement, rotation, traction), self.by_user, self.grips
+        moved = super().surface_motion(displacement, rotation, traction)
+        constants, supports = self.by_user, self.supports
         free = body_of(self.lattice)[1].free
         pressed = constants.pressed_by(free.area[:, None] * traction)
-        found = CellStrain.of(self.lattice, constants, displacement, rotation, wall=grips.motion, pressed=pressed)
+        found = CellStrain.of(self.lattice, constants, displacement, rotation, wall=supports.motion, pressed=pressed)
         pull = traction - found.stress(constants)[free.cell, None] * constants.way
         moved = moved + constants.softness[:, None] * pull
-        moved[grips.holds.facet] = np.where(grips.axes > 0.0, grips.motion, moved[grips.holds.facet])
+        moved[supports.fixed.facet] = np.where(supports.axes > 0.0, supports.motion, moved[supports.fixed.facet])
         return moved
 
     def strain_load(self, strain: PerBond, pressed: PerElement) -> PerElement6:
@@ -171,7 +193,7 @@ class CellInteraction(CellsAtAnyPose):
         return found.nodal(self.lattice, self.by_user)[self.layout.order]
 
     def swelling_load(self, pressed: PerElement) -> PerElement6:
-        still, wall = np.zeros((len(pressed), 3)), np.zeros_like(self.grips.motion)
+        still, wall = np.zeros((len(pressed), 3)), np.zeros_like(self.supports.motion)
         found = CellStrain.of(self.lattice, self.by_user, still, still, wall=wall, pressed=pressed)
         return found.nodal(self.lattice, self.by_user)
 
@@ -184,7 +206,7 @@ class CellInteraction(CellsAtAnyPose):
         self, displacement: PerElement3, rotation: PerElement3, strain: PerBond, pressed: PerElement,
         traction: Floats,
     ) -> EnergyParts:  # fmt: skip
-        constants, grips = self.by_user, self.grips
+        constants, supports = self.by_user, self.supports
         found = self.small_strain(displacement, rotation, strain, pressed)
         facets, cells = body_of(self.lattice)
         # ½ V λ θ² is the potential of cells and loads; less the work of the loads on the openings of their facets
@@ -194,14 +216,14 @@ class CellInteraction(CellsAtAnyPose):
         turned = (found.turn * facets.normal).sum(axis=1)
         along = np.einsum("ma,mab,mb->m", facets.normal, constants.H, facets.normal) * turned**2
         whole = np.einsum("ma,mab,mb->m", found.turn, constants.H, found.turn)
-        moments, held = constants.gradients.moments(found.turn, rotation)
+        moments, at_wall = constants.gradients.moments(found.turn, rotation)
         whole += (moments * found.turn).sum(axis=1)
-        own = rotation[grips.cell]
-        gripped = (grips.k[:, None] * found.held**2).sum() + np.einsum("ga,gab,gb->", own, grips.H, own)
-        gripped -= (held * rotation).sum()
+        own = rotation[supports.cell]
+        supported = (supports.k[:, None] * found.wall_gap**2).sum() + np.einsum("ga,gab,gb->", own, supports.H, own)
+        supported -= (at_wall * rotation).sum()
         stretched = (constants.k * normal**2).sum() + found.stress(constants) @ found.swelling
         return EnergyParts(
-            normal=0.5 * float(stretched + gripped + opened),
+            normal=0.5 * float(stretched + supported + opened),
             shear=0.5 * float((constants.k * ((found.gap**2).sum(axis=1) - normal**2)).sum()),
             bending=0.5 * float((whole - along).sum()),
             twisting=0.5 * float(along.sum()),

@@ -16,14 +16,14 @@ class CellStrain:
     Attributes:
         gap: δ = u_j + θ_j × b_j - u_i - θ_i × b_i, gap between the faces of each facet [m], (m, 3).
         turn: θ_j - θ_i [rad], (m, 3).
-        held: gaps at the facets that walls hold, along the held axes [m], (g, 3).
+        wall_gap: gaps at the facets that walls hold, along the fixed axes [m], (g, 3).
         rotation: rotations of the elements [rad], (n, 3).
         swelling: V θ of each cell, without the opening of free facets by its own stress [m³], (n,).
     """
 
     gap: Floats
     turn: Floats
-    held: Floats
+    wall_gap: Floats
     rotation: PerElement3
     swelling: PerElement
 
@@ -59,10 +59,10 @@ class CellStrain:
         swelling = np.zeros(n) if pressed is None else pressed.copy()
         swelling += np.bincount(i, weights=(constants.share_i * gap).sum(axis=1), minlength=n)
         swelling += np.bincount(j, weights=(constants.share_j * gap).sum(axis=1), minlength=n)
-        grips = constants.grips
-        held = grips.gap(displacement, rotation, wall)
-        swelling += np.bincount(grips.cell, weights=(grips.share * held).sum(axis=1), minlength=n)
-        return cls(gap, rotation[j] - rotation[i], held, rotation, swelling)
+        supports = constants.supports
+        wall_gap = supports.gap(displacement, rotation, wall)
+        swelling += np.bincount(supports.cell, weights=(supports.share * wall_gap).sum(axis=1), minlength=n)
+        return cls(gap, rotation[j] - rotation[i], wall_gap, rotation, swelling)
 
     def stress(self, constants: CellConstants) -> PerElement:
         """Return the stress of each cell that its dilatation causes [Pa], (n,)."""
@@ -78,30 +78,30 @@ class CellStrain:
         """Return forces and torques of the facets on the elements [N, N·m], (n, 6)."""
         i, j = body.pairs.T
         force = self.forces(body, constants)
-        bent, held = constants.gradients.moments(self.turn, self.rotation)
+        bent, at_wall = constants.gradients.moments(self.turn, self.rotation)
         moment = np.einsum("mab,mb->ma", constants.H, self.turn) + bent
         load = np.zeros((len(body.particles), 6))
         for end, lever, sign in ((i, constants.lever_i, 1.0), (j, constants.lever_j, -1.0)):
             both = sign * np.hstack([force, np.cross(lever, force) + moment])
             for d in range(6):
                 load[:, d] += np.bincount(end, weights=both[:, d], minlength=len(load))
-        load[:, 3:] += held
+        load[:, 3:] += at_wall
         return load + self.of_walls(len(load), constants)
 
     def of_walls(self, n: int, constants: CellConstants) -> PerElement6:
         """Return forces and torques of the walls on the elements that they hold [N, N·m], (n, 6)."""
-        grips = constants.grips
-        values = grips.nodal(self.held, self.rotation, self.stress(constants))
-        parts = [np.bincount(grips.cell, weights=column, minlength=n) for column in values.T]
+        supports = constants.supports
+        values = supports.nodal(self.wall_gap, self.rotation, self.stress(constants))
+        parts = [np.bincount(supports.cell, weights=column, minlength=n) for column in values.T]
         return np.stack(parts, axis=1).astype(float)
 
     def work(self, other: "CellStrain", constants: CellConstants) -> float:
         """Return the work of the stresses of one deformation on another [J]; for equal ones twice the energy."""
-        grips = constants.grips
+        supports = constants.supports
         bent = np.einsum("ma,mab,mb->", self.turn, constants.H, other.turn)
-        moments, held = constants.gradients.moments(self.turn, self.rotation)
-        bent += (moments * other.turn).sum() - (held * other.rotation).sum()
-        bent += np.einsum("ga,gab,gb->", self.rotation[grips.cell], grips.H, other.rotation[grips.cell])
+        moments, at_wall = constants.gradients.moments(self.turn, self.rotation)
+        bent += (moments * other.turn).sum() - (at_wall * other.rotation).sum()
+        bent += np.einsum("ga,gab,gb->", self.rotation[supports.cell], supports.H, other.rotation[supports.cell])
         opened = (constants.k[:, None] * self.gap * other.gap).sum()
-        opened += (grips.k[:, None] * self.held * other.held).sum()
+        opened += (supports.k[:, None] * self.wall_gap * other.wall_gap).sum()
         return float(opened + bent + self.stress(constants) @ other.swelling)

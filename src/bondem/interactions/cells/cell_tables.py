@@ -72,14 +72,14 @@ def gradient_tables(
         np.concatenate([gradients.way_a, gradients.way_b], axis=1),
         -np.concatenate([gradients.way_b, gradients.way_a], axis=1),
     ]).reshape(-1, 12)[rows]  # fmt: skip
-    held = gradients.held
-    cell = walls.cell[held]
+    wall = gradients.wall
+    cell = walls.cell[wall]
     by_cell = np.argsort(cell, kind="stable")
-    hold = np.concatenate([[0], np.cumsum(np.bincount(cell, minlength=layered))]).astype(np.int64)
-    turned = turned_vectors(np.repeat(walls.base[held, 3:], 2, axis=0), gradients.held_way.reshape(-1, 3))
+    wall_start = np.concatenate([[0], np.cumsum(np.bincount(cell, minlength=layered))]).astype(np.int64)
+    turned = turned_vectors(np.repeat(walls.base[wall, 3:], 2, axis=0), gradients.wall_way.reshape(-1, 3))
     return DilatationGradients(
         start, other, np.tile(spring, 2)[order], np.zeros(n), layer, following, np.ascontiguousarray(way),
-        hold, held[by_cell], np.ascontiguousarray(turned.reshape(-1, 6)[by_cell]),
+        wall_start, wall[by_cell], np.ascontiguousarray(turned.reshape(-1, 6)[by_cell]),
         np.ascontiguousarray(gradients.weight), np.zeros((layered, 4)), np.zeros((layered, 3)),
     )  # fmt: skip
 
@@ -134,6 +134,6 @@ def body_energies(
     return normal, shear, bending, twisting
 
 
-def place_held_walls(walls: WallConstraints, time: float) -> None:
+def place_supports(walls: WallConstraints, time: float) -> None:
     """Bring walls to a time [s]."""
     run_pass(calls.place_walls(walls, WallTime(time)))

@@ -55,8 +55,8 @@ class BodyTables:
     ) -> "BodyTables":
         """Return the tables of a body with facets of some integrity [-], (m,); see `Interaction.energy`."""
         layout = law.layout
-        base, motion, pressed = surface or (None, constants.grips.motion, constants.pressed)
-        walls = constants.grips.table(layout, np.zeros(len(layout.order), dtype=np.int64), base)
+        base, motion, pressed = surface or (None, constants.supports.motion, constants.pressed)
+        walls = constants.supports.table(layout, np.zeros(len(layout.order), dtype=np.int64), base)
         walls.wall[:] = motion
         facets, cells = cell_tables(constants, layout, law.period, integrity, layout.i)
         cells.given[:] = pressed
@@ -103,9 +103,9 @@ class CellsAtAnyPose(Interaction):
         return found.index[: len(layout.i)]
 
     def tangent(self, pose: Floats, data: Floats, pattern: bsr_array) -> Stiffness:
-        held, own = self._grip_blocks(pose)
+        supported, own = self._support_blocks(pose)
         diagonal = pattern.indptr[:-1] + np.diff(self.layout.in_start)
-        np.add.at(data, diagonal[held], own)
+        np.add.at(data, diagonal[supported], own)
         bonds = bsr_array((data, pattern.indices, pattern.indptr), shape=pattern.shape)
         return Stiffness(bonds, self._current_forms(pose, pattern), self.constants.weight, *self._gradients_at(pose))
 
@@ -147,24 +147,25 @@ class CellsAtAnyPose(Interaction):
             else:
                 leaving = layout.i[layout.out_bond]
                 forms[diagonal[leaving] + 1 + place - layout.out_start[leaving], 0] = towards[layout.out_bond]
-        grips = cells.grips
-        held = layout.rank[grips.cell]
-        lever = turned_vectors(pose[held, 4:], grips.arm)
-        np.add.at(forms[:, 0], diagonal[held], -np.hstack([grips.share, np.cross(lever, grips.share)]))
+        supports = cells.supports
+        supported = layout.rank[supports.cell]
+        lever = turned_vectors(pose[supported, 4:], supports.arm)
+        np.add.at(forms[:, 0], diagonal[supported], -np.hstack([supports.share, np.cross(lever, supports.share)]))
         return bsr_array((forms, pattern.indices, start), shape=(len(pose), 6 * len(pose)))
 
-    def _grip_blocks(self, pose: Floats) -> tuple[np.ndarray, Floats]:
+    def _support_blocks(self, pose: Floats) -> tuple[np.ndarray, Floats]:
         """Return the cells that walls hold, (g,), and their parts of diagonal blocks in a pose, (g, 6, 6)."""
-        grips = self.constants.grips
-        held = self.layout.rank[grips.cell]
-        arm = turned_vectors(pose[held, 4:], grips.arm)
-        moved = pose[held, :3] + arm - self._rest[held] - grips.lever
-        force = grips.k[:, None] * grips.axes * (grips.motion - moved) + pose[held, STRESS, None] * grips.share
-        own, _ = grips.blocks(arm)
+        supports = self.constants.supports
+        supported = self.layout.rank[supports.cell]
+        arm = turned_vectors(pose[supported, 4:], supports.arm)
+        moved = pose[supported, :3] + arm - self._rest[supported] - supports.lever
+        force = supports.k[:, None] * supports.axes * (supports.motion - moved)
+        force = force + pose[supported, STRESS, None] * supports.share
+        own, _ = supports.blocks(arm)
         # the lever turns under the force
         along = (arm * force).sum(axis=1)[:, None, None] * np.eye(3) - arm[:, :, None] * force[:, None, :]
         own[:, 3:, 3:] += 0.5 * (along + np.swapaxes(along, 1, 2))
-        return held, own
+        return supported, own
 
     def _gradients_at(self, pose: Floats) -> tuple[csr_array | None, bsr_array | None]:
         """Return the gradients of the dilatation as `Stiffness` takes them, in the present pose.
@@ -181,7 +182,7 @@ class CellsAtAnyPose(Interaction):
             ).reshape(-1, 2, 3)
             for way in (gradients.way_a, gradients.way_b)
         )  # fmt: skip
-        own = pose[gradients.held_cell, 4:]
+        own = pose[gradients.wall_cell, 4:]
         w, v = relative_rotations(own * [1.0, -1.0, -1.0, -1.0], np.eye(4)[np.zeros(len(own), dtype=np.int64)])
-        held = w[:, None, None] * gradients.held_way + np.cross(v[:, None], gradients.held_way)
-        return gradients.coupling(cells.weight), gradients.turns((ways[0], ways[1], held), len(pose))
+        at_wall = w[:, None, None] * gradients.wall_way + np.cross(v[:, None], gradients.wall_way)
+        return gradients.coupling(cells.weight), gradients.turns((ways[0], ways[1], at_wall), len(pose))

@@ -21,7 +21,7 @@ import numpy as np
 from scipy.sparse import bsr_array, coo_array, csr_array
 
 from bondem._types import Floats, Ints, PerBond, PerElement
-from bondem.boundary.wall_constraints import Grips
+from bondem.boundary.wall_constraints import Supports
 from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.free_walls import FreeWalls
 from bondem.specimen.lattice import Lattice
@@ -44,9 +44,9 @@ class GradientConstants:
         facet: numbers of these facets, shape (l,).
         way_a, way_b: n × s of both cells for each direction across their layer [m²], shape (l, 2, 3): V χ is
             Σ ρ·way, with ρ = θ_b - θ_a.
-        held: numbers of the walls that hold cells of layers, as in `CellConstants.grips`, shape (h,).
-        held_cell: cells that these walls hold, shape (h,).
-        held_way: n × s of these walls [m²], shape (h, 2, 3): V χ has -θ·way more.
+        wall: numbers of the walls that hold cells of layers, as in `CellConstants.supports`, shape (h,).
+        wall_cell: cells that these walls hold, shape (h,).
+        wall_way: n × s of these walls [m²], shape (h, 2, 3): V χ has -θ·way more.
         weight: J λ_p / V² of each cell and direction, shape (n, 2); (0, 2) without layers [Pa/m].
     """
 
@@ -56,9 +56,9 @@ class GradientConstants:
     facet: Ints
     way_a: Floats
     way_b: Floats
-    held: Ints
-    held_cell: Ints
-    held_way: Floats
+    wall: Ints
+    wall_cell: Ints
+    wall_way: Floats
     weight: Floats
 
     @classmethod
@@ -70,7 +70,7 @@ class GradientConstants:
     @classmethod
     def of(
         cls, body: Lattice, G: PerElement, lame: PerElement, layered: PerElement, walls: FreeWalls,
-        shares: tuple[Floats, Floats], grips: Grips,
+        shares: tuple[Floats, Floats], supports: Supports,
     ) -> "GradientConstants":  # fmt: skip
         """Return the constants of a body.
 
@@ -80,7 +80,7 @@ class GradientConstants:
             layered: λ_p of each cell [Pa], (n,).
             walls: free walls of the cells.
             shares: shares of the facets in both cells [m²], (m, 3) each.
-            grips: walls that hold facets.
+            supports: walls that hold facets.
         """
         _, cells = body_of(body)
         i, j = body.pairs.T
@@ -93,13 +93,13 @@ class GradientConstants:
         inertia = 0.5 * np.einsum("naa->n", cells.inertia)[:, None]
         second = inertia - np.einsum("nxa,nab,nxb->nx", layer, cells.inertia, layer)
         weight = second * np.maximum(layered / cells.volume**2, 0.0)[:, None] * layer.any(axis=2)
-        held_way = np.cross(layer[grips.cell], grips.share[:, None])
-        held = np.flatnonzero(held_way.any(axis=(1, 2)))
+        wall_way = np.cross(layer[supports.cell], supports.share[:, None])
+        wall = np.flatnonzero(wall_way.any(axis=(1, 2)))
         if not len(facet) or not weight.any():
-            facet, held, weight = facet[:0], held[:0], weight[:0]
+            facet, wall, weight = facet[:0], wall[:0], weight[:0]
         return cls(
-            partial(_springs, body, G, lame), i[facet], j[facet], facet, way_a[facet], way_b[facet], held,
-            grips.cell[held], held_way[held], weight,
+            partial(_springs, body, G, lame), i[facet], j[facet], facet, way_a[facet], way_b[facet], wall,
+            supports.cell[wall], wall_way[wall], weight,
         )  # fmt: skip
 
     def ordered(self, layout: Layout | Reversed) -> "GradientConstants":
@@ -110,7 +110,7 @@ class GradientConstants:
         rank = layout.rank
         return GradientConstants(
             partial(_ranked, self.springs, rank), rank[self.a], rank[self.b], place[self.facet], self.way_a,
-            self.way_b, self.held, rank[self.held_cell], self.held_way, weight,
+            self.way_b, self.wall, rank[self.wall_cell], self.wall_way, weight,
         )  # fmt: skip
 
     def differences(self, stress: PerElement) -> PerElement:
@@ -129,7 +129,7 @@ class GradientConstants:
         found = np.zeros_like(self.weight)
         np.add.at(found, self.a, np.einsum("la,lxa->lx", turn[self.facet], self.way_a))
         np.add.at(found, self.b, np.einsum("la,lxa->lx", turn[self.facet], self.way_b))
-        np.add.at(found, self.held_cell, -np.einsum("ha,hxa->hx", rotation[self.held_cell], self.held_way))
+        np.add.at(found, self.wall_cell, -np.einsum("ha,hxa->hx", rotation[self.wall_cell], self.wall_way))
         return found
 
     def moments(self, turn: Floats, rotation: Floats) -> tuple[Floats, Floats]:
@@ -137,13 +137,13 @@ class GradientConstants:
 
         The arguments are those of `bends`.
         """
-        moment, held = np.zeros_like(turn), np.zeros_like(rotation)
+        moment, wall = np.zeros_like(turn), np.zeros_like(rotation)
         if len(self.facet):
             bent = self.weight * self.bends(turn, rotation)
             moment[self.facet] = np.einsum("lx,lxa->la", bent[self.a], self.way_a)
             moment[self.facet] += np.einsum("lx,lxa->la", bent[self.b], self.way_b)
-            np.add.at(held, self.held_cell, np.einsum("hx,hxa->ha", bent[self.held_cell], self.held_way))
-        return moment, held
+            np.add.at(wall, self.wall_cell, np.einsum("hx,hxa->ha", bent[self.wall_cell], self.wall_way))
+        return moment, wall
 
     def coupling(self, weight: PerElement) -> csr_array | None:
         """Return W L W, (n, n), of W = λ_p / V_p [Pa/m³] and the Laplacian L of the springs; None without springs."""
@@ -174,9 +174,9 @@ class GradientConstants:
                     column.append(end)
                     value.append(sign * root[own, slot, None] * way[:, slot])
         for slot in range(2):
-            row.append(2 * self.held_cell + slot)
-            column.append(self.held_cell)
-            value.append(-root[self.held_cell, slot, None] * ways[2][:, slot])
+            row.append(2 * self.wall_cell + slot)
+            column.append(self.wall_cell)
+            value.append(-root[self.wall_cell, slot, None] * ways[2][:, slot])
         blocks = np.concatenate(value)
         rows = np.repeat(np.concatenate(row), 3)
         columns = (6 * np.concatenate(column)[:, None] + np.arange(3, 6)).ravel()

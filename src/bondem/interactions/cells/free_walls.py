@@ -31,14 +31,14 @@ class FreeWalls:
     wall: PerElement3
 
     @classmethod
-    def of(cls, body: Lattice, held: Ints | None = None) -> "FreeWalls":
+    def of(cls, body: Lattice, fixed: Ints | None = None) -> "FreeWalls":
         """Return the free walls of the cells of a body.
 
         Args:
             body: a lattice with facets and cells.
-            held: facets on the surface whose normal a wall holds, indices into `cells.free`, which are not free.
+            fixed: facets on the surface whose normal a wall holds, indices into `cells.free`, which are not free.
         """
-        share, axis = _free_axes(body, held)
+        share, axis = _free_axes(body, fixed)
         thin = share > _THIN
         layer = np.zeros((len(share), 2, 3))
         for place, column in enumerate((2, 1)):
@@ -64,7 +64,7 @@ def thin_ways(body: Lattice) -> Ints:
     return np.asarray((_free_axes(body, None)[0] > _THIN).sum(axis=1))
 
 
-def _free_axes(body: Lattice, held: Ints | None) -> tuple[Floats, Floats]:
+def _free_axes(body: Lattice, fixed: Ints | None) -> tuple[Floats, Floats]:
     """Return the shares of free facets in Σ A d n⊗n, (n, 3), ascending, and the axes of free walls, (n, 3, 3).
 
     The axes are columns in the order of the shares: principal axes of Σ A d n⊗n of the free facets alone.
@@ -75,9 +75,9 @@ def _free_axes(body: Lattice, held: Ints | None) -> tuple[Floats, Floats]:
     whole = sums_of_normals(free.cell, outer, free.normal, n)
     whole += sums_of_normals(body.pairs[:, 0], facets.area * facets.depth_i, facets.normal, n)
     whole += sums_of_normals(body.pairs[:, 1], facets.area * facets.depth_j, facets.normal, n)
-    if held is not None:
+    if fixed is not None:
         outer = outer.copy()
-        outer[held] = 0.0
+        outer[fixed] = 0.0
     open_part = sums_of_normals(free.cell, outer, free.normal, n)
     root = np.linalg.inv(np.linalg.cholesky(whole))
     share = np.linalg.eigvalsh(root @ open_part @ np.swapaxes(root, 1, 2))

@@ -81,8 +81,8 @@ class ContactModel:
         position = np.ascontiguousarray(local_rest(lattice)[layout.order])
         start, partner = near(position, radius, lattice.particles.period, 0.0)
         later = np.repeat(np.arange(n), np.diff(start))
-        kept = partner < later
-        later, earlier = later[kept], partner[kept]
+        retained = partner < later
+        later, earlier = later[retained], partner[retained]
         order = np.lexsort((earlier, later))
         later, earlier = later[order], earlier[order]
         user = layout.order

@@ -211,11 +211,11 @@ def _read(run: ExplicitResult, ball: BallSpecimen, speed: float, begin: float, f
     both = np.abs(history["far"][: top + 1, 0] + history["near"][: top + 1, 0])
     kinetic = energy["translation"] + energy["rotation"]
     elastic = np.sum([energy[name] for name in ("normal", "shear", "bending", "twisting", "contact")], axis=0)
-    peak, held = (max(float(one[top]), 1e-300) for one in (force, elastic))
+    peak, stored = (max(float(one[top]), 1e-300) for one in (force, elastic))
     return SphereCrushing(
         force=float(force[top]), diameter=ball.diameter,
         curve=np.column_stack([moved / ball.diameter, TENSION * force / ball.diameter**2]),
         work=float(energy["work"][-1]), broken=ball.broken(run.state, fine),
-        asymmetry=float(both.max()) / peak, kinetic=float(kinetic[: top + 1].max()) / held,
+        asymmetry=float(both.max()) / peak, kinetic=float(kinetic[: top + 1].max()) / stored,
         residual=run.residual, run=run,
     )  # fmt: skip

@@ -117,11 +117,11 @@ def _walls(particles: Particles, shape: Shape, reach: float) -> tuple[Shape, tup
     return flat, (_Walls(flat, wall_tree(wall_triangles(flat)), flat.depth(particles.position)),)
 
 
-def _kept_faces(plain: Solids, kept: np.ndarray, position: PerElement3) -> Polygons:
+def _retained_faces(plain: Solids, retained: np.ndarray, position: PerElement3) -> Polygons:
     """Return the faces of whole cells on walls, and those to elements of higher number."""
     of_face = solid_of_face(plain)
     cell = plain.cell[of_face]
-    rows = np.flatnonzero(kept[of_face] & ((plain.tag < 0) | (plain.tag > cell)))
+    rows = np.flatnonzero(retained[of_face] & ((plain.tag < 0) | (plain.tag > cell)))
     own = plain.cell[of_face[rows]]
     area, centroid, moment = (values[rows] for values in polygon_measures(plain.corner, plain.vertex))
     other = np.maximum(plain.tag[rows], -1)
@@ -136,7 +136,7 @@ def _batch(centres: Bins, walls: tuple[_Walls, ...], chosen: Ints, half: Floats)
     clear = np.ones(len(chosen), dtype=bool)
     for one in walls:
         clear = measures.farthest < one.clear[chosen]
-    kept = clear & ~local
+    retained = clear & ~local
     again = chosen[clear & local]
     pieces, piece_bulk = joined([]), bulk(joined([]))
     for one in () if clear.all() else walls:
@@ -150,9 +150,9 @@ def _batch(centres: Bins, walls: tuple[_Walls, ...], chosen: Ints, half: Floats)
         again = np.concatenate([again, redo])
         good = np.flatnonzero(inside & ~np.isin(pieces.cell, redo))
         pieces, piece_bulk = chosen_solids(pieces, good), chosen_bulk(piece_bulk, good)
-    rows = np.flatnonzero(kept)
+    rows = np.flatnonzero(retained)
     return _Batch(
-        chosen_solids(plain, rows), _kept_faces(plain, kept, centres.position), chosen[rows],
+        chosen_solids(plain, rows), _retained_faces(plain, retained, centres.position), chosen[rows],
         chosen_bulk(measures, rows), pieces, piece_bulk, again, np.setdiff1d(chosen[~clear & local], again),
     )  # fmt: skip
 
@@ -199,9 +199,9 @@ def tessellation(
             break
         half[early] *= 2.0
         more = list(_batches(centres, walls, early, half, lambda share: None))
-        kept = np.flatnonzero(~np.isin(pieces.cell, early))
-        pieces = joined([chosen_solids(pieces, kept), *(batch.pieces for batch in more)])
-        measures = _joined_bulk([chosen_bulk(measures, kept), *(batch.piece_bulk for batch in more)])
+        retained = np.flatnonzero(~np.isin(pieces.cell, early))
+        pieces = joined([chosen_solids(pieces, retained), *(batch.pieces for batch in more)])
+        measures = _joined_bulk([chosen_bulk(measures, retained), *(batch.piece_bulk for batch in more)])
         ended = np.concatenate([np.setdiff1d(ended, early), *(batch.ended for batch in more)])
     sphere = np.column_stack([centres.position, centres.radius])
     all_pieces = owned(pieces, measures, found, sphere, centres.reach, sliver)

@@ -12,7 +12,7 @@ from bondem.specimen.tessellation.balanced_shares import balanced_shares
 from bondem.specimen.tessellation.facets import Facets, FreeFacets
 
 # Directions and places of free polygons that count as one wall: relative to 1 and to the width of a cell.
-_ALIKE = 1e-9
+_EQUAL = 1e-9
 # How far inside a wall it is tested which face of the shape it is, over the width of a cell.
 _INSIDE = 0.1
 
@@ -128,7 +128,7 @@ def free_facets(shape: Shape, position: PerElement3, width: float, polygons: Pol
         polygons: polygons without a neighbour.
     """
     depth = ((polygons.centroid - position[polygons.a]) * polygons.normal).sum(axis=1)
-    plane = np.rint(np.column_stack([polygons.normal, depth / width]) / _ALIKE).astype(np.int64)
+    plane = np.rint(np.column_stack([polygons.normal, depth / width]) / _EQUAL).astype(np.int64)
     order = np.lexsort((*plane.T, polygons.a))
     row = np.column_stack([polygons.a, plane])[order]
     key = np.cumsum((np.diff(row, axis=0, prepend=row[:1]) != 0).any(axis=1))

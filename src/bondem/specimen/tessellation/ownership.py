@@ -66,8 +66,8 @@ def owned(pieces: Solids, measures: Bulk, found: Patches, sphere: Floats, width:
             owner[lost] = pieces.cell[lost]
             break
         parts, theirs = divided(chosen_solids(pieces, lone), sphere, near, start, 1e-12 * width)
-        kept = np.setdiff1d(np.arange(solid_count(pieces)), lone)
-        pieces, owner = joined([chosen_solids(pieces, kept), parts]), np.concatenate([owner[kept], theirs])
+        retained = np.setdiff1d(np.arange(solid_count(pieces)), lone)
+        pieces, owner = joined([chosen_solids(pieces, retained), parts]), np.concatenate([owner[retained], theirs])
         measures = bulk(pieces)
         found = patches(pieces, sphere[:, :3], sliver)
     return Owned(pieces, measures, found, owner)

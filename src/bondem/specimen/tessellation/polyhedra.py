@@ -73,8 +73,8 @@ def _of_body(particles: Particles) -> Polyhedra:
     found, owner = made.cut.found, made.cut.owner
     own = plain.cell[solid_of_face(plain)]
     behind = np.maximum(plain.tag, -1)
-    kept = np.flatnonzero((behind < 0) | ~made.is_cut[np.maximum(behind, 0)])
-    corners, begin = ranges(plain.corner, kept)
+    retained = np.flatnonzero((behind < 0) | ~made.is_cut[np.maximum(behind, 0)])
+    corners, begin = ranges(plain.corner, retained)
     a = owner[found.piece]
     b = np.where(found.other >= 0, owner[found.other], found.element)
     outer = np.flatnonzero(a != b)
@@ -84,12 +84,12 @@ def _of_body(particles: Particles) -> Polyhedra:
     turned = np.repeat(size_turned[:-1] + size_turned[1:] - 1, np.diff(size_turned)) - np.arange(len(turned))
     turned = ranges(found.corner, back)[0][turned]
     vertex = np.concatenate([
-        plain.vertex[corners] + np.repeat(position[own[kept]], np.diff(begin), axis=0), found.vertex[forth],
+        plain.vertex[corners] + np.repeat(position[own[retained]], np.diff(begin), axis=0), found.vertex[forth],
         found.vertex[turned],
     ])  # fmt: skip
     size = np.concatenate([np.diff(begin), np.diff(size_forth), np.diff(size_turned)])
-    cell = np.concatenate([own[kept], a[outer], b[back]])
-    neighbour = np.concatenate([behind[kept], b[outer], a[back]])
+    cell = np.concatenate([own[retained], a[outer], b[back]])
+    neighbour = np.concatenate([behind[retained], b[outer], a[back]])
     order = np.argsort(cell, kind="stable")
     rows, start = ranges(np.append(0, np.cumsum(size)), order)
     return Polyhedra(freeze(vertex[rows]), freeze(start), freeze(cell[order]), freeze(neighbour[order]))

@@ -110,15 +110,15 @@ class DamagedBody:
         self._soft = c.volume / c.G
 
         users, still = model.cell_constants, np.zeros((len(order), 3))
-        grips = users.grips
-        at_rest = CellStrain.of(model.lattice, users, still, still, wall=grips.motion, pressed=model.pressed)
+        supports = users.supports
+        at_rest = CellStrain.of(model.lattice, users, still, still, wall=supports.motion, pressed=model.pressed)
         self.given = at_rest.swelling[order]
         self._right: Floats | None = None  # until the next facet loses integrity
         rigid = replace(users, weight=np.zeros_like(users.weight))
         walls = at_rest.nodal(model.lattice, rigid)[order]
         self.load = (walls + model.constraints.final_load(len(order))).ravel()
         self.motion = model.constraints.final_motion(len(order)).ravel()
-        self._held = layout.rank[grips.cell]
+        self._supported = layout.rank[supports.cell]
         free, force = cells.free, loads_on_facets(model)
         self._pressed = np.zeros((len(order), 6))
         loaded = np.flatnonzero(np.abs(force).sum(axis=1))
@@ -153,7 +153,7 @@ class DamagedBody:
         square = (found.tensor[:, :3] ** 2).sum(axis=1) + 2.0 * (found.tensor[:, 3:] ** 2).sum(axis=1)
         return 0.5 * float(self._soft @ square)
 
-    def held_by_none(self, found: Loaded) -> float:
+    def residual_energy(self, found: Loaded) -> float:
         """Return the energy of the residual stiffness of facets with zero integrity [J]."""
         none = found.cracked[self.integrity[found.cracked] <= _NONE]
         opened = found.opened[self.integrity[found.cracked] <= _NONE]
@@ -246,20 +246,20 @@ class DamagedBody:
 
     def loaded(self, motion: Floats) -> Loaded:
         """Return the loads of facets and cells under displacements and rotations (6 n,)."""
-        c, grips = self.constants, self.model.interaction.grips
+        c, supports = self.constants, self.model.interaction.supports
         u, phi = (np.ascontiguousarray(part) for part in np.hsplit(motion.reshape(-1, 6), 2))
         n, rank = len(u), self.model.layout.rank
         swelling = self._facets.swelling(u, phi, self.given)
-        if len(self._held):
-            moved = grips.gap(u[rank], phi[rank])  # what walls do is in `given`
-            swelling += np.bincount(self._held, (grips.share * moved).sum(axis=1), n)
+        if len(self._supported):
+            moved = supports.gap(u[rank], phi[rank])  # what walls do is in `given`
+            swelling += np.bincount(self._supported, (supports.share * moved).sum(axis=1), n)
         stress = self.system.matrix.weight * swelling
         loading = self._facets.load(stress, self._pressed)
         tensor, wall = loading.moment, np.zeros((0, 3))
-        if len(self._held):
-            held = grips.gap(u[rank], phi[rank], grips.motion)
-            wall = grips.k[:, None] * held + stress[self._held, None] * grips.share
-            _add_moments(tensor, self._held, grips.lever, wall)
+        if len(self._supported):
+            gap = supports.gap(u[rank], phi[rank], supports.motion)
+            wall = supports.k[:, None] * gap + stress[self._supported, None] * supports.share
+            _add_moments(tensor, self._supported, supports.lever, wall)
         tensor /= c.volume[:, None]
         cracked = np.flatnonzero(self.integrity < 1.0)
         return Loaded(

@@ -63,22 +63,22 @@ class Iterated:
         rounds, solutions: numbers of iterations and equilibria so far.
     """
 
-    def __init__(self, system: System, matrix: FacetMatrix, begun: Iteration, integrity: PerBond) -> None:
+    def __init__(self, system: System, matrix: FacetMatrix, iteration: Iteration, integrity: PerBond) -> None:
         """Begin with the preconditioner of the whole body.
 
         Args:
             system: system whose matrix changes.
-            matrix: matrix of the present body, scaled as in `begun`.
-            begun: iteration with the present matrix.
+            matrix: matrix of the present body, scaled as in `iteration`.
+            iteration: iteration with the present matrix.
             integrity: integrity of its facets, which changes too, (m,).
         """
-        self._system, self._matrix, self._begun, self._integrity = system, matrix, begun, integrity
+        self._system, self._matrix, self._iteration, self._integrity = system, matrix, iteration, integrity
         self.rounds = self.solutions = 0
         self._begin()
 
     def solve(self, right: Floats, guess: Floats, energy: float = 0.0) -> Floats:
         """See `Equilibrium`."""
-        S, gradients = self._begun, self._gradients
+        S, gradients = self._iteration, self._gradients
         scaled = S.turned(self._system.balanced(right))
         stop = _RTOL * float(np.linalg.norm(scaled)) if energy == 0.0 else 0.0
         enough = _ERROR**2 * energy
@@ -106,11 +106,11 @@ class Iterated:
 
     def _renew(self) -> None:
         """Make the preconditioner of the present matrix."""
-        self._begun = Iteration(self._system, (*self._matrix.sides, 1.0 - self._integrity))
-        self._matrix.rescale(self._begun.root)
+        self._iteration = Iteration(self._system, (*self._matrix.sides, 1.0 - self._integrity))
+        self._matrix.rescale(self._iteration.root)
         self._begin()
 
     def _begin(self) -> None:
         """Make the tables of the preconditioner, and reset its record."""
-        self._gradients = GradientSolver(self._matrix, self._begun)
+        self._gradients = GradientSolver(self._matrix, self._iteration)
         self._fresh, self._solved, self._rate, self._lost = True, 0, 0.0, 0.0

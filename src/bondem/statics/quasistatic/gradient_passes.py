@@ -19,9 +19,9 @@ from bondem.statics.quasistatic.facet_matrix import FacetMatrix
 _ROUNDS = 5000
 
 
-def new_clump_correction(begun: Iteration) -> ClumpCorrection:
+def new_clump_correction(iteration: Iteration) -> ClumpCorrection:
     """Return the correction of an iteration, with the banded Cholesky factor of its coarse matrix."""
-    clumps = begun.coarse
+    clumps = iteration.coarse
     matrix = coo_array(clumps.regular)
     sequence = reverse_cuthill_mckee(clumps.regular.tocsr(), symmetric_mode=True)
     order = np.empty(len(sequence), dtype=np.int64)
@@ -33,7 +33,7 @@ def new_clump_correction(begun: Iteration) -> ClumpCorrection:
     factor = np.ascontiguousarray(cholesky_banded(band, lower=True, overwrite_ab=True).T)
     basis = clumps.prolongation
     return ClumpCorrection(
-        6 * basis.indices.astype(np.int64), order, basis.data, factor, np.ascontiguousarray(begun.rigid.T),
+        6 * basis.indices.astype(np.int64), order, basis.data, factor, np.ascontiguousarray(iteration.rigid.T),
         np.zeros(len(order)),
     )  # fmt: skip
 
@@ -46,7 +46,7 @@ class GradientSolver:
         first: r·z of its guess, about twice the energy of its error.
     """
 
-    def __init__(self, body: FacetMatrix, begun: Iteration) -> None:
+    def __init__(self, body: FacetMatrix, iteration: Iteration) -> None:
         """Make the tables of the scaled matrix of a body, and of the clumps of an iteration with it."""
         matrix = body.scaled
         assert matrix.forms is not None
@@ -60,7 +60,7 @@ class GradientSolver:
             np.zeros(2), _ROUNDS, np.zeros(6 * n), np.zeros(6 * n), np.zeros((4, 6 * n)), np.zeros(n),
             np.zeros(1, dtype=np.int64), np.zeros(1),
         )  # fmt: skip
-        self._solve = bound_pass(calls.conjugate_gradients(scaled, new_clump_correction(begun), self._search))
+        self._solve = bound_pass(calls.conjugate_gradients(scaled, new_clump_correction(iteration), self._search))
         self.rounds, self.first = 0, 0.0
 
     def solve(self, right: Floats, guess: Floats, *, stop: float, energy: float) -> Floats | None:

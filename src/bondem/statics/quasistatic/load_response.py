@@ -9,7 +9,7 @@ from scipy.sparse import csr_array
 from bondem._types import Floats, Ints, Mask
 from bondem.boundary.conditions import Drive, Load
 from bondem.boundary.loads import Pressure, facet_numbers
-from bondem.boundary.wall_constraints import holds_wall
+from bondem.boundary.wall_constraints import supports_facets
 from bondem.errors import InputError
 from bondem.model.model import Model
 from bondem.specimen.lattice import Lattice
@@ -27,12 +27,12 @@ class Reading:
             InputError: Nothing moves on this region, and no load acts on it.
         """
         self._body, model = body, body.model
-        motion, force, held = np.zeros(3), np.zeros(3), False
+        motion, force, on_elements = np.zeros(3), np.zeros(3), False
         for condition in model.boundary:
             if getattr(condition, "region", None) != drive:
                 continue
             if isinstance(condition, Drive):
-                held = held or not holds_wall(condition)
+                on_elements = on_elements or not supports_facets(condition)
                 for axis, schedule, _ in condition.motion:
                     if axis < 3:
                         motion[axis] += schedule.final
@@ -50,8 +50,8 @@ class Reading:
         self._way, self._force = way / np.linalg.norm(way), float(np.linalg.norm(force))
         self._element = model.layout.rank[drive.select(model.lattice)]
         self._wall: Mask | None = None
-        if self._driven and not held:
-            self._wall = np.isin(model.interaction.grips.holds.facet, facet_numbers(drive, model.lattice))
+        if self._driven and not on_elements:
+            self._wall = np.isin(model.interaction.supports.fixed.facet, facet_numbers(drive, model.lattice))
 
     def read(self, found: Loaded, motion: Floats) -> tuple[float, float]:
         """Return load [N] and displacement [m]."""

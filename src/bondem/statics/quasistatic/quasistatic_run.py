@@ -27,7 +27,7 @@ from bondem.statics.quasistatic.sawtooth import Teeth
 _TIE = 1e-9
 # A body whose stiffness is this share of that of the whole one is in two parts; and one that holds so much of its
 # energy in facets without integrity: these are a larger share of the stiffness of what is slender.
-_PARTED, _HELD = 1e-5, 0.5
+_PARTED, _RESIDUAL = 1e-5, 0.5
 # Share of the events, the last ones, that have to be below the load at which a run ends.
 _LAST = 0.05
 # … and so many over the band of the steps at least: as one facet softens from beginning to end, more or less, which
@@ -199,7 +199,7 @@ def _followed(
         path.settle(body.potential(motion), load, displacement)
         stiffness, size = load / displacement, body.size(found)
         first = first or stiffness
-        if stiffness < _PARTED * first or _held_by_none(body, found, motion, load * displacement):
+        if stiffness < _PARTED * first or _is_residual(body, found, motion, load * displacement):
             end = "parted"
             break
         failing, factor = _next(body, onset, following, found, close)
@@ -250,9 +250,9 @@ def _balance(body: DamagedBody, equilibrium: Equilibrium, motion: Floats, size: 
     return motion, found
 
 
-def _held_by_none(body: DamagedBody, found: Loaded, motion: Floats, worked: float) -> bool:
+def _is_residual(body: DamagedBody, found: Loaded, motion: Floats, worked: float) -> bool:
     """Return True if stiffness of zero integrity holds the body together; `worked` is load times displacement [J]."""
-    return body.held_by_none(found) > _HELD * 0.5 * max(abs(worked), abs(float(body.right @ motion)))
+    return body.residual_energy(found) > _RESIDUAL * 0.5 * max(abs(worked), abs(float(body.right @ motion)))
 
 
 def _folds(motion: Floats, factor: float) -> bool:
@@ -271,14 +271,14 @@ def _next(
     limit, going = np.full(len(found.cracked), np.inf), np.isfinite(following[found.cracked])
     softening = found.cracked[going]
     limit[going] = following[softening] * onset.again(found, softening, found.opening[going])
-    alike = max(close, _TIE)
-    least = float(limit.min(initial=np.inf)) * (1.0 + alike)
-    whole, factor = onset.factors(found, np.flatnonzero(body.integrity == 1.0), least, alike)
+    tie = max(close, _TIE)
+    least = float(limit.min(initial=np.inf)) * (1.0 + tie)
+    whole, factor = onset.factors(found, np.flatnonzero(body.integrity == 1.0), least, tie)
     facet, factor = np.concatenate([found.cracked, whole]), np.concatenate([limit, factor])
     least = float(factor.min(initial=np.inf))
     if not np.isfinite(least):
         return facet[:0], least
-    failing = facet[factor <= least * (1.0 + alike)]
+    failing = facet[factor <= least * (1.0 + tie)]
     failing = failing[np.argsort(body.model.layout.bond_order[failing])]
     return failing if close > 0.0 else failing[:1], least * (1.0 + 0.5 * close)
 
@@ -359,8 +359,9 @@ def _begin(model: Model) -> tuple[DamagedBody, Equilibrium, FacetOnset]:
         InputError: The model has no quasi-static path.
     """
     instance("solve_quasistatic", "model", model, Model, "bd.Model(...)")
-    if not model.interaction.on_facets:
-        raise InputError("solve_quasistatic needs cells; use bd.connect(..., method='laguerre') and bd.CellBond")
+    model.interaction.require_facets(
+        "solve_quasistatic needs cells; use bd.connect(..., method='laguerre') and bd.CellBond"
+    )
     soft, brittle = model.softening, model.breaking
     if brittle is None and (soft is None or soft.judge is not None or soft.yielding):
         raise InputError(
@@ -382,9 +383,9 @@ def _begin(model: Model) -> tuple[DamagedBody, Equilibrium, FacetOnset]:
         body = DamagedBody(model, system, np.tile(np.eye(6), (len(system.free), 1, 1)))
         equilibrium = Eliminated(body.system)
     else:
-        begun = Iteration(system)
-        body = DamagedBody(model, system, begun.root)
-        equilibrium = Iterated(body.system, body.matrix, begun, body.integrity)
+        iteration = Iteration(system)
+        body = DamagedBody(model, system, iteration.root)
+        equilibrium = Iterated(body.system, body.matrix, iteration, body.integrity)
     if soft is not None:
         return body, equilibrium, StressOnset(body, soft)
     assert brittle is not None

@@ -7,7 +7,7 @@ import numpy as np
 from bondem._tables.stress_onset_tables import SofteningSearch
 from bondem._types import Floats, Ints, PerBond
 from bondem.damage.crack_columns import RATE
-from bondem.damage.crack_rows import alike_left, axes_along, crack_rows
+from bondem.damage.crack_rows import axes_along, crack_rows, isotropic_left
 from bondem.damage.softening_table import SofteningTable
 
 
@@ -51,7 +51,7 @@ def taken_cracks(table: SofteningTable, halves: CrackedHalves, opened: Softening
     pulled = ((force * first).sum(axis=2) > 0.0).all(axis=0) & ((force * halves.normal).sum(axis=2) > 0.0).all(axis=0)
     plane = table.plane[halves.facet]
     axes = axes_along(np.where((pulled & ~plane)[:, None], first, halves.normal))
-    rows = crack_rows(halves.facet, table.strength[halves.facet], axes, alike_left(left), plane)
+    rows = crack_rows(halves.facet, table.strength[halves.facet], axes, isotropic_left(left), plane)
     rows[:, RATE : RATE + 4] = _rates(halves, axes)
     return rows
 

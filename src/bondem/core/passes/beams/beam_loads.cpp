@@ -20,16 +20,16 @@ struct Own {
         return stiffness_of(beams, k, number<T>(beams.integrity.data, k));
     }
 };
-struct Alike {
-    const double *hold;
+struct Uniform {
+    const double *per_length;
     double kn, A, B, kt;
     template <class T> BONDEM_INLINE BeamStiffness<T> stiffness(Index k) const {
-        const T h = number<T>(hold, k);
+        const T h = number<T>(per_length, k);
         return {kn * h, A * h, B * h, A * h, kt * h};
     }
 };
 
-inline Alike all_alike(const AlikeBeams &alike) { return {alike.hold.data, alike.knL, alike.AL, alike.BL, alike.ktL}; }
+inline Uniform all_uniform(const UniformBeams &by) { return {by.per_length.data, by.knL, by.AL, by.BL, by.ktL}; }
 
 // Beams that cannot fail.
 struct NoMarks {
@@ -125,11 +125,11 @@ void add_beam_loads(const Range &range, const Moving &all, const Beams &beams, c
 BONDEM_PASS(add_beam_loads, bonds_of_blocks, "ends pose; adds sums")
 
 // Adds forces and torques of beams that differ in length only.
-void add_alike_beam_loads(const Range &range, const Moving &all, const Beams &beams, const AlikeBeams &alike,
-                          const StepBlocks &blocks) {
-    add_loads(range.first, range.last, all.pose.data, beams, blocks, all_alike(alike));
+void add_uniform_beam_loads(const Range &range, const Moving &all, const Beams &beams, const UniformBeams &uniform,
+                            const StepBlocks &blocks) {
+    add_loads(range.first, range.last, all.pose.data, beams, blocks, all_uniform(uniform));
 }
-BONDEM_PASS(add_alike_beam_loads, bonds_of_blocks, "ends pose; adds sums")
+BONDEM_PASS(add_uniform_beam_loads, bonds_of_blocks, "ends pose; adds sums")
 
 // Adds forces and torques of the beams of a block, and marks beams near to failure.
 void add_marked_beam_loads(const Range &range, const Moving &all, const Beams &beams, const StepBlocks &blocks,
@@ -139,11 +139,12 @@ void add_marked_beam_loads(const Range &range, const Moving &all, const Beams &b
 BONDEM_PASS(add_marked_beam_loads, bonds_of_blocks, "ends pose; adds sums")
 
 // Adds forces and torques of beams that differ in length only, and marks beams near to failure.
-void add_marked_alike_beam_loads(const Range &range, const Moving &all, const Beams &beams, const AlikeBeams &alike,
-                                 const StepBlocks &blocks, const FailureBounds &bounds, const Candidates &candidates) {
-    add_marked_loads(range, all.pose.data, beams, blocks, all_alike(alike), bounds, candidates);
+void add_marked_uniform_beam_loads(const Range &range, const Moving &all, const Beams &beams,
+                                   const UniformBeams &uniform, const StepBlocks &blocks, const FailureBounds &bounds,
+                                   const Candidates &candidates) {
+    add_marked_loads(range, all.pose.data, beams, blocks, all_uniform(uniform), bounds, candidates);
 }
-BONDEM_PASS(add_marked_alike_beam_loads, bonds_of_blocks, "ends pose; adds sums")
+BONDEM_PASS(add_marked_uniform_beam_loads, bonds_of_blocks, "ends pose; adds sums")
 
 namespace {
 
@@ -167,16 +168,16 @@ void add_softening(const Range &range, const Moving &all, const Beams &beams, co
 }
 // Adds forces and torques of beams that may soften and differ in length only, with the pressure on softened ones.
 template <class Criterion>
-void add_alike_softening(const Range &range, const Moving &all, const Beams &beams, const AlikeBeams &alike,
-                         const StepBlocks &blocks, const SofteningBounds &bounds, const Candidates &candidates) {
-    add_softening_loads<Criterion>(range, all, beams, blocks, all_alike(alike), bounds, candidates);
+void add_uniform_softening(const Range &range, const Moving &all, const Beams &beams, const UniformBeams &uniform,
+                           const StepBlocks &blocks, const SofteningBounds &bounds, const Candidates &candidates) {
+    add_softening_loads<Criterion>(range, all, beams, blocks, all_uniform(uniform), bounds, candidates);
 }
 
 }  // namespace
 
 #define BONDEM_SOFTEN(_, name, Criterion)                                                               \
     BONDEM_PASS_AS(add_beam_loads_softening_by_##name, bonds_of_blocks, "ends motion pose; adds sums", add_softening<Criterion>)       \
-    BONDEM_PASS_AS(add_alike_beam_loads_softening_by_##name, bonds_of_blocks, "ends motion pose; adds sums", add_alike_softening<Criterion>)
+    BONDEM_PASS_AS(add_uniform_beam_loads_softening_by_##name, bonds_of_blocks, "ends motion pose; adds sums", add_uniform_softening<Criterion>)
 BONDEM_SOFTENING_CRITERIA(BONDEM_SOFTEN, )
 #undef BONDEM_SOFTEN
 
@@ -186,8 +187,8 @@ Index load_beams(Index, const Poses &all, const Beams &beams, const BeamSums &to
 }
 BONDEM_CALL(load_beams, "")
 
-Index load_alike_beams(Index, const Poses &all, const Beams &beams, const AlikeBeams &alike, const BeamSums &to) {
-    add_loads(0, beams.i.size(), all.pose.data, beams, to, all_alike(alike));
+Index load_uniform_beams(Index, const Poses &all, const Beams &beams, const UniformBeams &uniform, const BeamSums &to) {
+    add_loads(0, beams.i.size(), all.pose.data, beams, to, all_uniform(uniform));
     return 0;
 }
 

@@ -15,7 +15,7 @@ template <class Pose>
 void dilate(const Pose &pose, const Array<const double, 2> &rest, const ElasticFacets &facets, const CellDilatation &cells,
             const WallConstraints &walls) {
     for (Index g = 0; g < walls.cell.size(); g++)
-        cells.swelling(walls.cell(g)) += dilatation_of_hold(pose, rest, walls, g);
+        cells.swelling(walls.cell(g)) += dilatation_of_support(pose, rest, walls, g);
     NoFacetMarks none;
     accumulate(0, facets.i.size(), pose, facets, cells, none);
 }
@@ -41,7 +41,7 @@ void load(const Pose &pose, const Array<double, 2> &to_cells, const Array<const 
     }
     add_loads_of_facets(0, facets.i.size(), pose, facets, to.row_i.data, to.row_j.data, to.sums.data);
     for (Index g = 0; g < walls.cell.size(); g++) {
-        load_hold(pose, rest, walls, g);
+        load_support(pose, rest, walls, g);
         for (Index axis = 0; axis < 3; axis++) {
             to.sums(walls.cell(g), axis) += walls.load(g, axis);
             to.sums(walls.cell(g), 4 + axis) += walls.load(g, 3 + axis);
@@ -93,7 +93,7 @@ Index measure_cell_energies(Index, const CellPoses &all, const ElasticFacets &fa
     sum_energies(0, facets.i.size(), all.pose.data, facets, sum);
     ExactSum &normal = sum.mode[0];
     for (Index p = 0; p < all.pose.size(); p++) normal.add(energy_of_gradients(all.pose, cells, walls, gradients, p));
-    for (Index g = 0; g < walls.cell.size(); g++) normal.add(energy_of_hold(all.pose, all.rest, walls, g));
+    for (Index g = 0; g < walls.cell.size(); g++) normal.add(energy_of_support(all.pose, all.rest, walls, g));
     for (Index p = 0; p < all.pose.size(); p++) normal.add(take_dilatation_energy(cells, p));
     sum.put(found.energy.data);
     return 0;
@@ -102,7 +102,7 @@ BONDEM_CALL(measure_cell_energies, "")
 
 // Brings walls to a time.
 Index place_walls(Index, const WallConstraints &walls, const WallTime &at) {
-    for (Index g = 0; g < walls.cell.size(); g++) place_hold(walls, at.time, g);
+    for (Index g = 0; g < walls.cell.size(); g++) place_support(walls, at.time, g);
     return 0;
 }
 BONDEM_CALL(place_walls, "")

@@ -51,11 +51,11 @@ void sum_dilatation_energies(const Range &range, const CellDilatation &cells, co
 BONDEM_PASS(sum_dilatation_energies, of_elements, "writes swelling")
 
 // Sums the energies of half facets at walls.
-void sum_energies_of_holds(const Range &, const Moving &all, const WallConstraints &walls, const Ledger &ledger) {
+void sum_energies_of_supports(const Range &, const Moving &all, const WallConstraints &walls, const Ledger &ledger) {
     add_up(ledger, history_column::normal, [&](ExactSum &sum) {
-        for (Index g = 0; g < walls.cell.size(); g++) sum.add(energy_of_hold(all.pose, all.rest, walls, g));
+        for (Index g = 0; g < walls.cell.size(); g++) sum.add(energy_of_support(all.pose, all.rest, walls, g));
     });
 }
-BONDEM_PASS(sum_energies_of_holds, of_rows, "")
+BONDEM_PASS(sum_energies_of_supports, of_rows, "")
 
 }  // namespace bondem

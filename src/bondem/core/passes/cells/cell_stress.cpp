@@ -20,37 +20,37 @@ void add(double *moment, const Symmetric3<double> &m, double bent) {
 }  // namespace
 
 // Adds moments of facets of other domains to the sums of shared cells, and sets their rows to zero.
-void collect_facet_moments(const Range &range, const StepBlocks &blocks, const FacetForces &kept) {
+void collect_facet_moments(const Range &range, const StepBlocks &blocks, const FacetForces &stored) {
     for (Index e = range.first; e < range.last; e++)
         for (Index q = blocks.parts + blocks.part(e); q < blocks.parts + blocks.part(e + 1); q++)
             for (Index c = 0; c < 8; c++) {
-                kept.sums(range.row[e], c) += kept.sums(q, c);
-                kept.sums(q, c) = 0.0;
+                stored.sums(range.row[e], c) += stored.sums(q, c);
+                stored.sums(q, c) = 0.0;
             }
 }
 BONDEM_PASS(collect_facet_moments, parts_of_shared, "changes FacetForces.sums")
 
 // Sets V σ and Σ `bending_square` of cells from their complete sums, which are set to zero.
-void take_moments(const Range &range, const FacetForces &kept) {
+void take_moments(const Range &range, const FacetForces &stored) {
     for (Index e = range.first; e < range.last; e++) {
-        double *const sums = &kept.sums(range.row[e], 0);
-        for (Index c = 0; c < 7; c++) kept.moment(range.element[e], c) = sums[column_of[c]];
+        double *const sums = &stored.sums(range.row[e], 0);
+        for (Index c = 0; c < 7; c++) stored.moment(range.element[e], c) = sums[column_of[c]];
         for (Index c = 0; c < 8; c++) sums[c] = 0.0;
     }
 }
 BONDEM_PASS(take_moments, elements_of_blocks, "changes sums; writes moment")
 
 void sum_moments(const Range &range, const Moving &all, const ElasticFacets &facets, const FacetsOfCells &of_cells,
-                 const FacetForces &kept) {
+                 const FacetForces &stored) {
     const FacetColumns columns(facets);
     for (Index p = range.first; p < range.last; p++) {
-        double *const moment = &kept.moment(p, 0);
+        double *const moment = &stored.moment(p, 0);
         for (Index c = 0; c < 7; c++) moment[c] = 0.0;
         const auto add_facet = [&](Index k, bool is_j) {
             const Ends<double> ends = ends_of(all.pose.data, facets, k);
             const OpenFacet<double> open = opened(ends, columns.shape<double>(k));
-            const Vector on_i = {kept.force(0, k), kept.force(1, k), kept.force(2, k)};
-            const double bent = bending_square(ends, kept.bends(k), columns.stiffness(k, facets.integrity(k)).H);
+            const Vector on_i = {stored.force(0, k), stored.force(1, k), stored.force(2, k)};
+            const double bent = bending_square(ends, stored.bends(k), columns.stiffness(k, facets.integrity(k)).H);
             add(moment, is_j ? symmetric_product(open.arm_j, -on_i) : symmetric_product(open.arm_i, on_i), bent);
         };
         for (Index k = of_cells.in_start(p); k < of_cells.in_start(p + 1); k++) add_facet(k, true);

@@ -6,6 +6,6 @@ namespace bondem {
 
 // Finds V σ of cells from stored forces at the start of a run, with the bits of the sums of a step.
 void sum_moments(const Range &range, const Moving &all, const ElasticFacets &facets, const FacetsOfCells &of_cells,
-                 const FacetForces &kept);
+                 const FacetForces &stored);
 
 }  // namespace bondem

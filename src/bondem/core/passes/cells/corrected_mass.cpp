@@ -12,7 +12,7 @@ void find_accelerations(const Range &range, const Moving &all, const Rows &rows,
     for (Index e = range.first; e < range.last; e++) {
         const Index p = range.element[e];
         const double *const sum = &blocks.sums(range.row[e], 0);
-        if (e < range.held) find_acceleration(all, mass, sum, p);
+        if (e < range.first_owner) find_acceleration(all, mass, sum, p);
         else find_acceleration(all, rows, mass, sum, p);
     }
 }

@@ -13,13 +13,14 @@
 namespace bondem {
 namespace {
 
-void hold_with_neighbours(const ElasticFacets &facets, const FacetRelease &release, const Postponed &postponed, Index p) {
+void postpone_with_neighbours(const ElasticFacets &facets, const FacetRelease &release, const Postponed &postponed,
+                              Index p) {
     for_each_facet_of(release, p, [&](Index k) {
         const Index other = other_cell(facets, k, p);
         if (facets.integrity(k) > 0.0 && !is_postponed(postponed, other))
-            hold(postponed, other, postponed_for::neighbour);
+            postpone_element(postponed, other, postponed_for::neighbour);
     });
-    hold(postponed, p, postponed_for::own_facet);
+    postpone_element(postponed, p, postponed_for::own_facet);
 }
 
 // Evaluates marked facets by a criterion at the present stresses, and postpones cells that lose facets and their
@@ -34,8 +35,8 @@ void judge_facets(const Range &range, const Moving &all, const ElasticFacets &fa
             block, candidates, [&](Index k) { return facets.integrity(k) > 0.0; },
             [&](Index k) { return verdict_of<Criterion>(all.pose.data, facets, strengths, k); },
             [&](Index k) {
-                hold_with_neighbours(facets, release, postponed, facets.i(k));
-                hold_with_neighbours(facets, release, postponed, facets.j(k));
+                postpone_with_neighbours(facets, release, postponed, facets.i(k));
+                postpone_with_neighbours(facets, release, postponed, facets.j(k));
             });
     }
 }
@@ -144,7 +145,7 @@ void take_off_changing(double sign, const Moving &all, const ElasticFacets &face
 void add_changed(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                  const FacetRelease &release, const Postponed &postponed, Index p) {
     if (loses_facet(postponed, p))
-        for_each_wall_of(release, p, [&](Index g) { load_hold(all.pose, all.rest, walls, g); });
+        for_each_wall_of(release, p, [&](Index g) { load_support(all.pose, all.rest, walls, g); });
     take_off_changing(-1.0, all, facets, walls, release, postponed, p);
 }
 
@@ -178,7 +179,7 @@ BONDEM_PASS(restore_facets, of_events, "own arm base wall; ends flag pose.stress
 void renew_wall_rows(const Range &, const WallConstraints &walls, const Rows &rows, const Candidates &candidates) {
     if (any_fails(candidates)) set_rows(walls, rows);
 }
-BONDEM_PASS(renew_wall_rows, of_rows, "own load; writes grip")
+BONDEM_PASS(renew_wall_rows, of_rows, "own load; writes support")
 
 // Computes the weights of all cells from their unbroken facets at the start of a run.
 Index weigh_cells(Index, const ElasticFacets &facets, const FacetRelease &release) {

@@ -22,11 +22,11 @@ BONDEM_PASS(add_facet_loads, bonds_of_blocks, "ends pose pose.stress; adds sums"
 
 // Adds and stores the forces of the facets of a block, and adds up the moments V σ of their cells. A facet without
 // integrity has no force, also if an earlier one is stored.
-void add_and_keep_facet_loads(const Range &range, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
-                              const StepBlocks &blocks) {
+void add_and_keep_facet_loads(const Range &range, const Moving &all, const ElasticFacets &facets,
+                              const FacetForces &stored, const StepBlocks &blocks) {
     const FacetColumns columns(facets);
     const Short *const row_i = blocks.row_i.data, *const row_j = blocks.row_j.data;
-    double *const force = kept.force.data;
+    double *const force = stored.force.data;
     for_each_facets(range.first, range.last, all.pose.data, facets, columns.period,
                     [&](Index k) __attribute__((always_inline)) { return any_left(columns, k); },
                     [&](Index k, int known, const Row<Lanes> &a, const Row<Lanes> &b, const Ends<Lanes> &ends)
@@ -40,8 +40,8 @@ void add_and_keep_facet_loads(const Range &range, const Moving &all, const Elast
         const Vector3<Lanes> on_i = -loads.force;
         // cells of the group before may have moved since its forces were stored
         for (Index axis = 0; axis < 3; axis++) store_behind(force + axis * columns.m + k, on_i[axis], known);
-        const Lanes bent = bending_square(ends, load(kept.bends.data + k), stiffness.H);
-        add_rows(kept.sums.data, row_i + k, row_j + k, moment_row(open.arm_i, on_i, bent),
+        const Lanes bent = bending_square(ends, load(stored.bends.data + k), stiffness.H);
+        add_rows(stored.sums.data, row_i + k, row_j + k, moment_row(open.arm_i, on_i, bent),
                  moment_row(open.arm_j, loads.force, bent), known);
         add_loads_of(blocks.sums.data, row_i + k, row_j + k, loads, known);
     });

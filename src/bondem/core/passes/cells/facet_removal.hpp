@@ -29,7 +29,7 @@ inline Dilated dilated(const Moving &all, const ElasticFacets &facets, const Wal
                        const FacetRelease &release, Index p, double weight, Left left) {
     const FacetColumns columns(facets);
     double grown = release.given(p);
-    for_each_wall_of(release, p, [&](Index g) { grown += dilatation_of_hold(all.pose, all.rest, walls, g); });
+    for_each_wall_of(release, p, [&](Index g) { grown += dilatation_of_support(all.pose, all.rest, walls, g); });
     for_each_facet_of(release, p, [&](Index k) {
         const double s = left(k);
         if (s <= 0.0) return;

@@ -33,7 +33,8 @@ BONDEM_PASS(follow_tractions, of_rows, "writes given")
 // after.
 void add_traction_work(const Range &range, const Moving &all, const FacetTractions &tractions, const Rows &rows) {
     if (comes(tractions))
-        for (Index e = range.held; e < range.last; e++) add_traction_work_of(all, tractions, rows, range.element[e]);
+        for (Index e = range.first_owner; e < range.last; e++)
+            add_traction_work_of(all, tractions, rows, range.element[e]);
 }
 BONDEM_PASS(add_traction_work, elements_of_blocks, "own pose.stress")
 

@@ -30,21 +30,21 @@ inline double difference_of(const DilatationGradients &gradients, Index p, Stres
 inline bool has_layers(const DilatationGradients &gradients) { return gradients.bend.size() > 0; }
 
 // The rotation of the other cell of facet e of a layer relative to cell p: its cosine, and its vector in the frame of p.
-template <class T> HeldTurn<T> positive(T w, Vector3<T> v) {
+template <class T> CellTurn<T> positive(T w, Vector3<T> v) {
     const T sign = w < 0.0 ? -1.0 : 1.0;
     return {sign * w, sign * v};
 }
 template <class Pose>
-inline HeldTurn<NumberOf<Pose>> layer_turn(const Pose &pose, const DilatationGradients &gradients, Index p, Index e) {
+inline CellTurn<NumberOf<Pose>> layer_turn(const Pose &pose, const DilatationGradients &gradients, Index p, Index e) {
     const auto own = orientation(gather(pose, Short(p)));
     const auto turn = relative_turn(own, orientation(gather(pose, gradients.next(e))));
     return positive(turn.w, turn.v);
 }
 // Rotation of cell p since the wall of entry e began to hold it, in space.
 template <class Pose>
-inline HeldTurn<NumberOf<Pose>> wall_turn(const Pose &pose, const WallConstraints &walls,
+inline CellTurn<NumberOf<Pose>> wall_turn(const Pose &pose, const WallConstraints &walls,
                                           const DilatationGradients &gradients, Index e) {
-    const auto turn = held_turn(pose, walls, gradients.wall(e));
+    const auto turn = support_turn(pose, walls, gradients.wall(e));
     return positive(turn.w, turn.v);
 }
 // n × s of one direction of facet e, of the cell itself (0, 1) or of the other (2, 3); and that of a wall.
@@ -67,7 +67,7 @@ inline void bend_cell(const Pose &pose, const WallConstraints &walls, const Dila
         const Vector3<T> v = layer_turn(pose, gradients, p, e).v;
         for (Index d = 0; d < 2; d++) sum[d] = sum[d] + 2.0 * dot(v, vector_of<T>(gradients.way, e, d));
     }
-    for (Index e = gradients.hold(p); e < gradients.hold(p + 1); e++) {
+    for (Index e = gradients.wall_start(p); e < gradients.wall_start(p + 1); e++) {
         const Vector3<T> v = wall_turn(pose, walls, gradients, e).v;
         for (Index d = 0; d < 2; d++) sum[d] = sum[d] - 2.0 * dot(v, vector_of<T>(gradients.wall_way, e, d));
     }
@@ -79,7 +79,7 @@ inline void twist_cell(const Pose &pose, const WallConstraints &walls, const Dil
     using T = NumberOf<Pose>;
     Vector3<T> sum = {};
     for (Index e = gradients.layer(p); e < gradients.layer(p + 1); e++) {
-        const HeldTurn<T> turn = layer_turn(pose, gradients, p, e);
+        const CellTurn<T> turn = layer_turn(pose, gradients, p, e);
         const Index q = gradients.next(e);
         Vector3<T> m = {};
         for (Index d = 0; d < 2; d++) {
@@ -89,8 +89,8 @@ inline void twist_cell(const Pose &pose, const WallConstraints &walls, const Dil
         sum = sum + plus_cross(turn.w * m, turn.v, m);
     }
     Vector3<T> torque = turned_by(orientation(gather(pose, Short(p))), sum);
-    for (Index e = gradients.hold(p); e < gradients.hold(p + 1); e++) {
-        const HeldTurn<T> turn = wall_turn(pose, walls, gradients, e);
+    for (Index e = gradients.wall_start(p); e < gradients.wall_start(p + 1); e++) {
+        const CellTurn<T> turn = wall_turn(pose, walls, gradients, e);
         Vector3<T> m = {};
         for (Index d = 0; d < 2; d++) m = plus(m, bend_of<T>(gradients, p, d), vector_of<T>(gradients.wall_way, e, d));
         torque = torque + plus_cross(turn.w * m, turn.v, m);

@@ -6,7 +6,7 @@ namespace bondem {
 namespace {
 
 void load_all(const Moving &all, const WallConstraints &walls, const Rows &rows) {
-    for (Index g = 0; g < walls.cell.size(); g++) load_hold(all.pose, all.rest, walls, g);
+    for (Index g = 0; g < walls.cell.size(); g++) load_support(all.pose, all.rest, walls, g);
     set_rows(walls, rows);
 }
 
@@ -18,7 +18,7 @@ void add_half_works(const WallConstraints &walls, const Rows &rows) {
 
 // Brings walls to the time of the clock; at a time that no step has reached, their forces are updated as well.
 void follow_walls(const Range &range, const Moving &all, const WallConstraints &walls, const Rows &rows) {
-    for (Index g = 0; g < walls.cell.size(); g++) place_hold(walls, range.clock.time, g);
+    for (Index g = 0; g < walls.cell.size(); g++) place_support(walls, range.clock.time, g);
     if (!range.clock.first) return;
     for (Index g = 0; g < walls.cell.size(); g++)
         for (Index axis = 0; axis < 3; axis++) walls.increment(g, axis) = 0.0;
@@ -30,7 +30,7 @@ BONDEM_PASS(follow_walls, of_rows, "own base; changes increment wall")
 void add_wall_dilatation(const Range &, const Moving &all, const WallConstraints &walls,
                          const CellDilatation &cells) {
     for (Index g = 0; g < walls.cell.size(); g++)
-        cells.swelling(walls.cell(g)) += dilatation_of_hold(all.pose, all.rest, walls, g);
+        cells.swelling(walls.cell(g)) += dilatation_of_support(all.pose, all.rest, walls, g);
 }
 BONDEM_PASS(add_wall_dilatation, of_rows, "own arm pose wall; changes swelling")
 
@@ -39,22 +39,22 @@ BONDEM_PASS(add_wall_dilatation, of_rows, "own arm pose wall; changes swelling")
 void apply_walls(const Range &, const Moving &all, const WallConstraints &walls, const Rows &rows) {
     add_half_works(walls, rows);
     for (Index g = 0; g < walls.cell.size(); g++)
-        all.loss(walls.cell(g), rubbed_loss) += slide_hold(all.pose, all.rest, walls, g);
+        all.loss(walls.cell(g), rubbed_loss) += slide_support(all.pose, all.rest, walls, g);
     load_all(all, walls, rows);
     add_half_works(walls, rows);
 }
-BONDEM_PASS(apply_walls, of_rows, "own arm pose pose.stress; changes base load loss wall; writes grip")
+BONDEM_PASS(apply_walls, of_rows, "own arm pose pose.stress; changes base load loss wall; writes support")
 
 // Adds the forces of walls to the sums of their cells.
 void add_wall_loads(const Range &range, const Rows &rows, const StepBlocks &blocks) {
-    for (Index e = range.held; e < range.last; e++) {
-        const double *load = &rows.grip(rows.of(range.element[e]), 0);
+    for (Index e = range.first_owner; e < range.last; e++) {
+        const double *load = &rows.support(rows.of(range.element[e]), 0);
         for (Index axis = 0; axis < 3; axis++) {
             blocks.sums(range.row[e], axis) += load[axis];
             blocks.sums(range.row[e], 4 + axis) += load[3 + axis];
         }
     }
 }
-BONDEM_PASS(add_wall_loads, elements_of_blocks, "own grip; changes sums")
+BONDEM_PASS(add_wall_loads, elements_of_blocks, "own support; changes sums")
 
 }  // namespace bondem

@@ -7,7 +7,7 @@
 // A wall with friction μ holds a facet across its pressure N as long as |f_t| ≤ μ N; beyond, the facet slides: the wall is
 // moved after it, by as much as brings f_t to μ N, and the work ½ (f before + f after) · slip is lost to friction.
 //
-// P keeps the held axes, k = 2 G A / d is that of the half facet of the cell, and v the vector part of q q₀*, the
+// P keeps the fixed axes, k = 2 G A / d is that of the half facet of the cell, and v the vector part of q q₀*, the
 // rotation of the cell since the wall holds it. A wall that begins to hold a moved face starts at the place of the
 // face: `base` has the displacement there and q₀.
 #pragma once
@@ -16,13 +16,13 @@
 
 namespace bondem {
 
-// A held facet in space: its gap, and its lever turned with the cell [m].
-template <class T> struct HeldFacet {
+// A fixed facet in space: its gap, and its lever turned with the cell [m].
+template <class T> struct SupportedFacet {
     Vector3<T> gap, arm;
 };
 template <class Pose>
-inline HeldFacet<NumberOf<Pose>> held_facet(const Pose &pose, const Array<const double, 2> &rest,
-                                            const WallConstraints &walls, Index g) {
+inline SupportedFacet<NumberOf<Pose>> supported_facet(const Pose &pose, const Array<const double, 2> &rest,
+                                                      const WallConstraints &walls, Index g) {
     using T = NumberOf<Pose>;
     const Index p = walls.cell(g);
     const Row<T> at = gather(pose, Short(p));
@@ -35,12 +35,12 @@ inline HeldFacet<NumberOf<Pose>> held_facet(const Pose &pose, const Array<const 
 }
 
 // The rotation q q₀* of a cell since its wall holds it.
-template <class T> struct HeldTurn {
+template <class T> struct CellTurn {
     T w;
     Vector3<T> v;
 };
 template <class Pose>
-inline HeldTurn<NumberOf<Pose>> held_turn(const Pose &pose, const WallConstraints &walls, Index g) {
+inline CellTurn<NumberOf<Pose>> support_turn(const Pose &pose, const WallConstraints &walls, Index g) {
     const auto q = orientation(gather(pose, Short(walls.cell(g))));
     const Quaternion<NumberOf<Pose>> o = {walls.base(g, 3), walls.base(g, 4), walls.base(g, 5), walls.base(g, 6)};
     return {relative_cosine(q, o), relative_sine(o, q)};
@@ -48,24 +48,25 @@ inline HeldTurn<NumberOf<Pose>> held_turn(const Pose &pose, const WallConstraint
 
 // Contribution of a wall to V θ of its cell [m³].
 template <class Pose>
-inline double dilatation_of_hold(const Pose &pose, const Array<const double, 2> &rest, const WallConstraints &walls,
-                                 Index g) {
-    return written(dot(constant<NumberOf<Pose>>(walls.share.row<const Vector>(g)), held_facet(pose, rest, walls, g).gap));
+inline double dilatation_of_support(const Pose &pose, const Array<const double, 2> &rest, const WallConstraints &walls,
+                                    Index g) {
+    const auto share = constant<NumberOf<Pose>>(walls.share.row<const Vector>(g));
+    return written(dot(share, supported_facet(pose, rest, walls, g).gap));
 }
 
 // Force of a wall on its cell, whose stress is known [N].
 template <class Pose, class T>
-inline Vector3<T> force_of_hold(const Pose &pose, const WallConstraints &walls, Index g, const Vector3<T> &gap) {
+inline Vector3<T> force_of_support(const Pose &pose, const WallConstraints &walls, Index g, const Vector3<T> &gap) {
     const T stress = gather(pose, Short(walls.cell(g))).column[stress_column];
     return plus(T(walls.k(g)) * gap, stress, constant<T>(walls.share.row<const Vector>(g)));
 }
 
 // Slides a facet on its wall beyond the limit of friction; returns the energy lost to friction [J].
-inline double slide_hold(const Array<double, 2> &pose, const Array<const double, 2> &rest, const WallConstraints &walls,
-                         Index g) {
+inline double slide_support(const Array<double, 2> &pose, const Array<const double, 2> &rest,
+                            const WallConstraints &walls, Index g) {
     const double friction = walls.friction(g);
     if (!(friction >= 0.0)) return 0.0;
-    const Vector f = force_of_hold(pose, walls, g, held_facet(pose, rest, walls, g).gap);
+    const Vector f = force_of_support(pose, walls, g, supported_facet(pose, rest, walls, g).gap);
     const Vector inward = walls.inward.row<const Vector>(g);
     const double pressing = dot(f, inward), limit = friction * positive(pressing);
     const Vector along = f - pressing * inward;
@@ -84,11 +85,11 @@ inline double slide_hold(const Array<double, 2> &pose, const Array<const double,
 
 // Sets force and torque of a wall on its cell, whose stress is known.
 template <class Pose>
-inline void load_hold(const Pose &pose, const Array<const double, 2> &rest, const WallConstraints &walls, Index g) {
+inline void load_support(const Pose &pose, const Array<const double, 2> &rest, const WallConstraints &walls, Index g) {
     using T = NumberOf<Pose>;
-    const HeldFacet<T> facet = held_facet(pose, rest, walls, g);
-    const Vector3<T> f = force_of_hold(pose, walls, g, facet.gap);
-    const HeldTurn<T> turn = held_turn(pose, walls, g);
+    const SupportedFacet<T> facet = supported_facet(pose, rest, walls, g);
+    const Vector3<T> f = force_of_support(pose, walls, g, facet.gap);
+    const CellTurn<T> turn = support_turn(pose, walls, g);
     const Vector3<T> h = constant<T>(walls.H.row<const Symmetric3<double>>(g)) * turn.v;
     const Vector3<T> torque = cross(facet.arm, f) - T(2.0) * plus(cross(turn.v, h), turn.w, h);
     for (Index axis = 0; axis < 3; axis++) {
@@ -99,10 +100,10 @@ inline void load_hold(const Pose &pose, const Array<const double, 2> &rest, cons
 
 // Sets the forces of walls on the rows of the boundary that their cells own.
 inline void set_rows(const WallConstraints &walls, const Rows &rows) {
-    for (Index r = 0; r < rows.grip.size(); r++)
-        for (Index c = 0; c < 6; c++) rows.grip(r, c) = 0.0;
+    for (Index r = 0; r < rows.support.size(); r++)
+        for (Index c = 0; c < 6; c++) rows.support(r, c) = 0.0;
     for (Index g = 0; g < walls.cell.size(); g++)
-        for (Index c = 0; c < 6; c++) rows.grip(walls.row(g), c) += walls.load(g, c);
+        for (Index c = 0; c < 6; c++) rows.support(walls.row(g), c) += walls.load(g, c);
 }
 
 // Adds half the work of a wall that moves to the row of its cell.
@@ -112,14 +113,14 @@ inline void add_half_work(const WallConstraints &walls, const Rows &rows, Index 
 }
 
 // Energy of the half facet at a wall, without dilatation [J].
-inline double energy_of_hold(const Array<double, 2> &pose, const Array<const double, 2> &rest,
-                             const WallConstraints &walls, Index g) {
-    const Vector gap = held_facet(pose, rest, walls, g).gap, v = held_turn(pose, walls, g).v;
+inline double energy_of_support(const Array<double, 2> &pose, const Array<const double, 2> &rest,
+                                const WallConstraints &walls, Index g) {
+    const Vector gap = supported_facet(pose, rest, walls, g).gap, v = support_turn(pose, walls, g).v;
     return 0.5 * walls.k(g) * dot(gap, gap) + 2.0 * dot(v, walls.H.row<const Symmetric3<double>>(g) * v);
 }
 
-// Moves the wall of a held facet to its place at a time; `increment` is its displacement.
-inline void place_hold(const WallConstraints &walls, double time, Index g) {
+// Moves the wall of a fixed facet to its place at a time; `increment` is its displacement.
+inline void place_support(const WallConstraints &walls, double time, Index g) {
     const Timeline timeline = {walls.times, walls.values, walls.start};
     for (Index axis = 0; axis < 3; axis++) {
         const Index s = walls.drive(g, axis);

@@ -32,10 +32,10 @@ void insert(const FoundPairs &found, Index begin, Index count, Short first, Inde
 // Restores gap and memory of a contact of the previous list.
 template <class Found>
 void recall(const Found &found, Index k, const Array<const double, 1> &rest_gap, Index rest,
-            const Array<const double, 2> &kept_memory, Index kept) {
+            const Array<const double, 2> &touching_memory, Index known) {
     found.gap(k) = rest >= 0 ? rest_gap(rest) : 0.0;
-    found.touch(k) = kept >= 0 ? touching : separate;
-    for (Index c = 0; c < found.memory.shape[1]; c++) found.memory(k, c) = kept >= 0 ? kept_memory(kept, c) : 0.0;
+    found.touch(k) = known >= 0 ? touching : separate;
+    for (Index c = 0; c < found.memory.shape[1]; c++) found.memory(k, c) = known >= 0 ? touching_memory(known, c) : 0.0;
 }
 
 double gap_of(const Poses &all, const Walls &walls, const WallSources &from, Index p, Index w) {
@@ -72,7 +72,8 @@ Index list_pairs(Index, const SphereGrid &grid, const PairSources &from, const F
             const Short q = found.first(k);
             found.second(k) = Short(p);
             recall(found, k, from.rest_gap, place_of(from.rest_first, from.rest_start(p), from.rest_start(p + 1), q),
-                   from.kept_memory, place_of(from.kept_first, from.kept_start(p), from.kept_start(p + 1), q));
+                   from.touching_memory,
+                   place_of(from.touching_first, from.touching_start(p), from.touching_start(p + 1), q));
         }
         found.start(p + 1) = count;
     }
@@ -102,7 +103,8 @@ Index list_wall_contacts(Index, const Poses &all, const Walls &walls, const Wall
             found.wall(k) = Short(w);
             found.now(k) = gap;
             recall(found, k, from.rest_gap, place_of(from.rest_wall, from.rest_start(p), from.rest_start(p + 1), Short(w)),
-                   from.kept_memory, place_of(from.kept_wall, from.kept_start(p), from.kept_start(p + 1), Short(w)));
+                   from.touching_memory,
+                   place_of(from.touching_wall, from.touching_start(p), from.touching_start(p + 1), Short(w)));
             k++;
         }
     }

@@ -8,7 +8,7 @@
 
 namespace bondem {
 
-BegunContact begin_pair(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, Index k) {
+NewContact begin_pair(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, Index k) {
     for (Index x = 0; x < 8; x++) pairs.memory(k, x) = 0.0;
     pairs.touch(k) = separate;
     if (!(length(branch_of(all.pose.data, pairs, k)) < pairs.reach(k))) return {false, {}, {}};
@@ -41,11 +41,11 @@ double hand_over(const Moving &all, const ContactConstants &c, const ContactPair
     const Index k = pairs.of_bond(bond);
     if (k < 0) return 0.0;
     examine(pairs, near, k);
-    const BegunContact begun = begin_pair(all, c, pairs, k);
-    if (!begun.touches) return 0.0;
+    const NewContact contact = begin_pair(all, c, pairs, k);
+    if (!contact.touches) return 0.0;
     const Short a = pairs.first(k), b = pairs.second(k);
-    add_begun(sums + 8 * uint64_t(a), false, c.radius(a), begun);
-    add_begun(sums + 8 * uint64_t(b), true, c.radius(b), begun);
+    add_new_contact(sums + 8 * uint64_t(a), false, c.radius(a), contact);
+    add_new_contact(sums + 8 * uint64_t(b), true, c.radius(b), contact);
     return pair_energy(all.pose.data, c, pairs, k);
 }
 
@@ -114,7 +114,7 @@ void begin_face_contacts(const Range &, const Moving &all, const ContactPairs &p
     over_parted([&](Index k, Short, Short, Index pair) { mark_parting(pairs, faces, k, pair); });
     constexpr double unknown = infinity;
     over_all_pairs([&](Index k) { faces.gained(k) = unknown; });
-    ExactSum &gained = exact_sum(faces.begun, 0);
+    ExactSum &gained = exact_sum(faces.gained_sum, 0);
     over_all_pairs([&](Index k) {
         if (faces.gained(k) != unknown) return;
         faces.gained(k) = begin_by_faces(all, pairs, faces, k);

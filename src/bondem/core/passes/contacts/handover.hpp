@@ -11,19 +11,19 @@
 namespace bondem {
 
 // Initial contact of a pair: whether its two elements touch, and their forces.
-struct BegunContact {
+struct NewContact {
     bool touches;
     Vector force;  // on the later element [N]
     Vector torque;  // on either, over its radius [N]
 };
 // Begins the contact of pair k in its present position.
-BegunContact begin_pair(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, Index k);
+NewContact begin_pair(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, Index k);
 // Adds an initial contact to a row of sums of one of its two elements.
-inline void add_begun(double *row, bool is_later, double radius, const BegunContact &begun) {
+inline void add_new_contact(double *row, bool is_later, double radius, const NewContact &contact) {
     const double sign = is_later ? 1.0 : -1.0;
     for (Index x = 0; x < 3; x++) {
-        row[x] += sign * begun.force[x];
-        row[4 + x] += radius * begun.torque[x];
+        row[x] += sign * contact.force[x];
+        row[4 + x] += radius * contact.torque[x];
     }
 }
 

@@ -29,11 +29,12 @@ __attribute__((noinline)) inline SeenFromWall seen_from_turning(const WallPlace 
                                                                 const ContactMemory<double> &memory, double dt) {
     const WallRow &row = wall.row;
     const auto with_wall = [&](Vector v) { return rotate(turned({1.0, 0.0, 0.0, 0.0}, dt * row.spin), v); };
-    const Vector arm = place - wall.pivot(), came = with_wall(minus(arm, dt, who.velocity));
+    const Vector arm = place - wall.pivot(), before = with_wall(minus(arm, dt, who.velocity));
     const AtWall now = {who.radius, who.spin - row.spin, minus_cross(who.velocity, row.spin, arm), who.growing};
     const AtWall last = {who.radius, with_wall(who.spin) - row.spin,
-                         minus_cross(with_wall(who.velocity), row.spin, came), who.growing};
-    return {now, last, wall.surface(wall.pivot() + came, who.radius), {with_wall(memory.stretch), with_wall(memory.viscous)}};
+                         minus_cross(with_wall(who.velocity), row.spin, before), who.growing};
+    const ContactMemory<double> turned_memory = {with_wall(memory.stretch), with_wall(memory.viscous)};
+    return {now, last, wall.surface(wall.pivot() + before, who.radius), turned_memory};
 }
 BONDEM_INLINE SeenFromWall seen_from(const WallPlace &wall, Vector place, double radius, const Motion<double> &moving,
                                      const ContactMemory<double> &memory, double dt) {

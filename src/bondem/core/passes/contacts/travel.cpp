@@ -39,8 +39,8 @@ void check_travel(const Range &, const Travel &travel, const Walls &walls, const
     double farthest = 0.0;
     for (Index q = 0; q < travel.portion.size(); q++) farthest = most(farthest, travel.portion(q, 0));
     travel.far(0) = root(farthest);
-    const bool holds = travel.far(0) + most(travel.far(1), 0.0) < travel.reach && wall_travel(walls, travel.reach) < travel.reach;
-    ledger.found(guard_number::out_of_date) = !holds;
+    const bool valid = travel.far(0) + most(travel.far(1), 0.0) < travel.reach && wall_travel(walls, travel.reach) < travel.reach;
+    ledger.found(guard_number::out_of_date) = !valid;
     if (travel.far(1) < 0.0) travel.far(0) = infinity;  // distances have not been measured yet
 }
 BONDEM_PASS(check_travel, single, "")

@@ -89,13 +89,13 @@ void list_cracks(const Range &, const ElasticFacets &facets, const CohesiveCrack
 BONDEM_PASS(list_cracks, of_cracks, "")
 
 // Prepares the cracks of a state at the start of a run: constants, weights of cells, lists, and forces of cracks.
-void link_cracks(const Range &range, const ElasticFacets &facets, const FacetForces &kept,
+void link_cracks(const Range &range, const ElasticFacets &facets, const FacetForces &stored,
                  const FacetStrengths &strengths,
                  const CohesiveCracks &cracks, const CrackLists &lists) {
     for (Index d = 0; d < 3; d++) cracks.pitch(d) = facets.pitch(d);
     for (Index c = 0; c < cracks.size(crack_number::cracks); c++) {
         const Index k = cracks.order(c);
-        write_constants(facets, kept, strengths, cracks, k);
+        write_constants(facets, stored, strengths, cracks, k);
         treat(facets, cracks, k, int(history_of(cracks, k).status));
     }
     clear_half(lists, 0);

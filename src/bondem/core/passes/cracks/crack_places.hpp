@@ -11,7 +11,7 @@ template <class T> struct CrackPlace {
     CrackFaces<T> now;
     FacetCompliance<T> facet;
     T area, friction, slips;
-    Mask<T> alike;  // one integrity goes for all directions
+    Mask<T> isotropic;  // one integrity goes for all directions
     Row<T> state;
 };
 template <class Group, class T = typename Group::Number>
@@ -25,7 +25,7 @@ BONDEM_INLINE CrackPlace<T> place_of(const Group &group, const Array<double, 2> 
     CrackPlace<T> at = {ends, {a.column[stress_column], b.column[stress_column]}, {}, {f[6], f[3]}, f[4], f[5], f[7], {},
                         group.lines(cracks.state)};
     const T *const s = at.state.column;
-    at.alike = s[7] == all<T>(double(crack::alike));
+    at.isotropic = s[7] == all<T>(double(crack::isotropic));
     const CrackIntegrity<T> left = {{q[4], q[5], q[6]}, q[7]};
     at.now = crack_faces(ends, group.shapes(cracks), {f[0], f[1], f[2]}, {q[0], q[1], q[2], q[3]}, left,
                          s[7] > T{}, {s[0], s[1], s[2]});
@@ -35,7 +35,7 @@ BONDEM_INLINE CrackPlace<T> place_of(const Group &group, const Array<double, 2> 
 // -∂U/∂s a step ago. For an intact direction of a crack of the material it follows from the force of the whole facet
 // along it; for the first direction also from the energy of bending.
 template <class T>
-BONDEM_INLINE CrackRates<T> rates_before(const FacetCompliance<T> &facet, const CrackFaces<T> &now, Mask<T> alike,
+BONDEM_INLINE CrackRates<T> rates_before(const FacetCompliance<T> &facet, const CrackFaces<T> &now, Mask<T> isotropic,
                                          const CrackHalves<T> &half, Vector3<T> pull, T bending,
                                          const CrackIntegrity<T> &before, const T *rate) {
     const CrackAxes<T> &at = now.at;
@@ -45,7 +45,7 @@ BONDEM_INLINE CrackRates<T> rates_before(const FacetCompliance<T> &facet, const 
         const T along = positive(dot(pull, at.e[d])), apart = positive(half.i.along[d]) - positive(half.j.along[d]);
         const T square = along * along + w * (one - w) * apart * apart;
         const T whole = 0.5 * square / facet.k + (d == 0 ? bending : T{});
-        found.of[d] = select(opposite(alike) & (before.s[d] == one), whole, found.of[d]);
+        found.of[d] = select(opposite(isotropic) & (before.s[d] == one), whole, found.of[d]);
     }
     return found;
 }

@@ -70,7 +70,7 @@ template <class T> void soften(const SofteningSamples &samples, Index e) {
     const Symmetric3<T> mean = given.tensor();
     const Softening<T> tension = {given.number(), given.number()};
     const PlaneStrength<T> plane = {given.number(), given.number(), given.number()};
-    const Mask<T> alike = given.number() > all<T>(0.5);
+    const Mask<T> isotropic = given.number() > all<T>(0.5);
     CrackFaces<T> at = {};
     at.at = {{given.vector(), given.vector(), given.vector()}};
     at.left = {{given.number(), given.number(), given.number()}, given.number()};
@@ -79,14 +79,14 @@ template <class T> void soften(const SofteningSamples &samples, Index e) {
     const FacesMoved<T, decltype(apart)> moved = {slip, apart};
     const CurveShape curve = {samples.kink, samples.steep};
     const auto all_at_once = [] { return Vector3<T>{all<T>(1.0), all<T>(1.0), all<T>(1.0)}; };
-    const CrackStrength<T> by = {tension, plane, alike};
+    const CrackStrength<T> by = {tension, plane, isotropic};
     Softened<T> found = soften_along(at, load, mean, all_at_once, tension, moved, curve, all<T>(1.0) < T{});
     const T one = integrity_left(at.left.s[0], load, by, curve);
     WriteColumns<T> left(samples.left, e);
-    left(select(alike, one, found.left.s[0])), left(found.left.s[1]), left(found.left.s[2]);
-    left(select(alike, one, found.left.grip));
+    left(select(isotropic, one, found.left.s[0])), left(found.left.s[1]), left(found.left.s[2]);
+    left(select(isotropic, one, found.left.grip));
     const T steep = most(absolute(dot(load.normal, at.at.e[0])), all<T>(least_slope));
-    left(select(alike, unsoftened_below(at.left.s[0], by),
+    left(select(isotropic, unsoftened_below(at.left.s[0], by),
                 softens_at(at.left.s[0], T(tension.strength * steep), tension.brittleness, curve)));
 }
 
@@ -134,7 +134,7 @@ template <class T> void flow(const YieldSamples &samples, Index e) {
     const PlasticStep<T> step = samples.cone ? cone_step(p, at, by) : slip_step(p, by);
     const Symmetric3<T> strain = plastic_strain(p, step);
     WriteColumns<T> found(samples.found, e);
-    found(yield_bound(at, by, samples.cone != 0)), found(step.gamma), found(step.held);
+    found(yield_bound(at, by, samples.cone != 0)), found(step.gamma), found(step.carry);
     found(Vector3<T>{strain.xx, strain.yy, strain.zz}), found(Vector3<T>{strain.xy, strain.xz, strain.yz});
     found(Vector3<T>{p.stress[0], p.stress[1], p.stress[2]});
     found(yield_load(p, at, by.slope, samples.cone != 0));

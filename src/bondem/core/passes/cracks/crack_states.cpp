@@ -103,7 +103,7 @@ void wake_cracks(const Range &range, const Moving &all, const ElasticFacets &fac
             if (lists.waking(e) != crack::wakes) continue;
             const Index k = lists.resting(e);
             const SingleCrack one(all.pose, facets, cracks, k);
-            if (one.is_gone() && turned_away(one.now, one.area, slide_of(cracks, k))) {
+            if (one.is_separate() && turned_away(one.now, one.area, slide_of(cracks, k))) {
                 part_resting(facets, cracks, k);
                 lists.parted(lists.size(list_count::parted)++) = k;
                 continue;

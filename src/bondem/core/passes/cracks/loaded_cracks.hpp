@@ -34,8 +34,8 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
         rates.of[0] = select(bound, rates.of[0] + bending.energy, rates.of[0]);
     }
     const Mask<T> treated = opposite(group.flagged(lists.flag));
-    const auto kept = [&](T x) { return select(treated, x, zero); };
-    const Vector3<T> f = {kept(loads.force.x), kept(loads.force.y), kept(loads.force.z)}, none = {};
+    const auto of_treated = [&](T x) { return select(treated, x, zero); };
+    const Vector3<T> f = {of_treated(loads.force.x), of_treated(loads.force.y), of_treated(loads.force.z)}, none = {};
     const Vector3<T> rub = loads.friction.force, e = at.now.across();
     CrackLosses<T> lost = {zero, zero};
     T across = {};  // what pulls across the cracks of a cell that may slip
@@ -47,8 +47,8 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
         if (any(falls | at.now.rubs)) {
             const Vector3<T> increment = select<T>(at.now.rubs, now - slip, none);
             const Vector3<T> was_rub = select<T>(at.now.rubs, stored, none);
-            const CrackRates<T> was = rates_before(at.facet, at.now, at.alike, half, group.pull(cracks), bending.energy,
-                                                   before, past.column + 4);
+            const CrackRates<T> was = rates_before(at.facet, at.now, at.isotropic, half, group.pull(cracks),
+                                                   bending.energy, before, past.column + 4);
             lost = crack_losses(at.facet.k, CrackStep<T>{before, left, was, rates, was_rub, rub, increment});
         }
         // work of the force on the slip of the faces of a crack of the material
@@ -59,7 +59,7 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
             const Mask<T> grinds = (slid != zero) & (at.friction > zero);
             if (any(grinds)) rubbed = friction_share(at, both, of, strengths) * slid;
         }
-        lost = {kept(lost.cracked + (slid - rubbed)), kept(select(at.now.rubs, lost.rubbed, rubbed))};
+        lost = {of_treated(lost.cracked + (slid - rubbed)), of_treated(select(at.now.rubs, lost.rubbed, rubbed))};
         across = shear_each(group, at, loads.force, treated, of, strengths, stresses, lists);
         // the spring of friction of a crack that has lost its grip is at rest at the present place of the faces
         const Mask<T> lets_go = opposite(at.now.rubs) & (left.grip == zero);
@@ -68,9 +68,9 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
             const Vector3<T> end = select<T>(lets_go, beside, now), back = turned_by(inverse(at.ends.i), end);
             const Vector3<T> own = select<T>(at.now.rubs | lets_go, back, Vector3<T>{state[0], state[1], state[2]});
             const T kind = select(lets_go, bondem::all<T>(double(crack::let_go)), state[7]);
-            const Vector3<T> own_kept = select<T>(treated, own, none), went = select<T>(at.now.rubs, rub, stored);
-            const Vector3<T> rub_kept = select<T>(treated & opposite(lets_go), went, none);
-            group.put(cracks.state, {{own_kept.x, own_kept.y, own_kept.z, rub_kept.x, rub_kept.y, rub_kept.z, zero,
+            const Vector3<T> point = select<T>(treated, own, none), went = select<T>(at.now.rubs, rub, stored);
+            const Vector3<T> drag = select<T>(treated & opposite(lets_go), went, none);
+            group.put(cracks.state, {{point.x, point.y, point.z, drag.x, drag.y, drag.z, zero,
                                       kind}});
         }
         group.put(cracks.past, {{left.s[0], left.s[1], left.s[2], left.grip, rates.of[0], rates.of[1], rates.of[2],
@@ -87,8 +87,8 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
     group.put_pull(cracks, f);
     const Vector3<T> p = loads.on_i, q = loads.on_j;
     group.put_halves(lists,
-                     {{f.x, f.y, f.z, lost.rubbed, kept(p.x), kept(p.y), kept(p.z), across}},
-                     {{-f.x, -f.y, -f.z, zero, kept(q.x), kept(q.y), kept(q.z), across}});
+                     {{f.x, f.y, f.z, lost.rubbed, of_treated(p.x), of_treated(p.y), of_treated(p.z), across}},
+                     {{-f.x, -f.y, -f.z, zero, of_treated(q.x), of_treated(q.y), of_treated(q.z), across}});
     group.add(lost.cracked, total);
 }
 

@@ -7,8 +7,8 @@
 namespace bondem {
 namespace {
 
-BONDEM_INLINE Vector3<Lanes> traction_of(const FacetForces &kept, Index m, Index k, Lanes area) {
-    const double *const f = kept.force.data + k;
+BONDEM_INLINE Vector3<Lanes> traction_of(const FacetForces &stored, Index m, Index k, Lanes area) {
+    const double *const f = stored.force.data + k;
     return (1.0 / area) * Vector3<Lanes>{load(f), load(f + m), load(f + 2 * m)};
 }
 BONDEM_INLINE Lanes of_cells(const StressesOfCells &stresses, const Short *i, const Short *j, Index column,
@@ -25,7 +25,7 @@ BONDEM_INLINE Lanes of_cells(const StressesOfCells &stresses, const Short *i, co
 }  // namespace
 
 // Marks facets of the material that begin to crack.
-void mark_cracking_facets(const Range &range, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
+void mark_cracking_facets(const Range &range, const Moving &all, const ElasticFacets &facets, const FacetForces &stored,
                           const FacetStrengths &strengths, const StressesOfCells &stresses,
                           const CrackOnset &onset) {
     if (!(range.clock.dt > 0.0)) return;
@@ -50,7 +50,7 @@ void mark_cracking_facets(const Range &range, const Moving &all, const ElasticFa
         }
         if (judged_here == 0) return;
         const Lanes area = load(strengths.area.data + k), strength = load(strengths.strength.data + k);
-        const Vector3<Lanes> t = traction_of(kept, m, k, area);
+        const Vector3<Lanes> t = traction_of(stored, m, k, area);
         const Short *const i = at_i + k, *const j = at_j + k;
         const Lanes size = of_cells(stresses, i, j, 7, false);
         const Lanes bends = of_cells(stresses, i, j, 6, true);
@@ -60,7 +60,7 @@ void mark_cracking_facets(const Range &range, const Moving &all, const ElasticFa
             const Vector3<Lanes> n = {load(normal), load(normal + m), load(normal + 2 * m)};
             const Symmetric3<Lanes> H = columns.stiffness<Lanes>(k, bondem::all<Lanes>(1.0)).H;
             const Symmetric3<Lanes> mean = mean_stress(gather_sums(stresses.tensor.data, i, j));
-            return {turned_by(ends.i, n), mean, bending_traction(ends, load(kept.bends.data + k), H)};
+            return {turned_by(ends.i, n), mean, bending_traction(ends, load(stored.bends.data + k), H)};
         };
         const Mask<Lanes> begin = begins_to_crack(t, size, bends, strength, place);
         for (int n = group.known; n < lanes; n++) {
@@ -75,14 +75,14 @@ void mark_cracking_facets(const Range &range, const Moving &all, const ElasticFa
 BONDEM_PASS(mark_cracking_facets, of_bonds, "ends judged pose tensor")
 
 // Marks facets of planes, such as joints, that begin to crack.
-void mark_cracking_planes(const Range &range, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
+void mark_cracking_planes(const Range &range, const Moving &all, const ElasticFacets &facets, const FacetForces &stored,
                           const FacetStrengths &strengths, const CrackOnset &onset) {
     if (!(range.clock.dt > 0.0)) return;
     Index found = 0;
     for (Index e = 0; e < strengths.planes.size(); e++) {
         const Index k = strengths.planes(e);
         if (onset.listed(k) != 0 || onset.marked(k) != 0) continue;
-        if (plane_begins(all, facets, kept, strengths, k)) {
+        if (plane_begins(all, facets, stored, strengths, k)) {
             onset.marked(k) = 1;
             found++;
         }
@@ -92,14 +92,14 @@ void mark_cracking_planes(const Range &range, const Moving &all, const ElasticFa
 BONDEM_PASS(mark_cracking_planes, of_rows, "ends pose")
 
 // Begins the cracks of facets that are marked.
-void begin_cracks(const Range &range, const ElasticFacets &facets, const FacetForces &kept,
+void begin_cracks(const Range &range, const ElasticFacets &facets, const FacetForces &stored,
                   const FacetStrengths &strengths,
                   const CrackOnset &onset, const CohesiveCracks &cracks) {
     if (!(range.clock.dt > 0.0)) return;
     const Index portions = onset.found.size() - 1;
     const auto begin = [&](Index k) {
         cracks.order(cracks.size(crack_number::cracks)++) = k;
-        begin_crack(facets, kept, strengths, onset, cracks, k, range.clock.step);
+        begin_crack(facets, stored, strengths, onset, cracks, k, range.clock.step);
     };
     const bool on_planes = onset.found(portions) > 0;
     for (Index q = 0; q < portions; q++) {

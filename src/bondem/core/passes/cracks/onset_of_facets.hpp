@@ -47,27 +47,27 @@ BONDEM_INLINE Mask<T> begins_to_crack(Vector3<T> t, T size, T bends, T strength,
 }
 
 // Facet k in space.
-inline FacetInBody<double> facet_in_body(const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
+inline FacetInBody<double> facet_in_body(const Moving &all, const ElasticFacets &facets, const FacetForces &stored,
                                          const Symmetric3<double> &mean, Vector normal, Index k) {
     const Ends<double> ends = ends_of(all.pose.data, facets, k);
     const Symmetric3<double> H = FacetColumns(facets).stiffness(k, 1.0).H;
-    return {turned_by(ends.i, normal), mean, bending_traction(ends, kept.bends(k), H)};
+    return {turned_by(ends.i, normal), mean, bending_traction(ends, stored.bends(k), H)};
 }
-inline Vector traction_of(const FacetForces &kept, const FacetStrengths &strengths, Index k) {
+inline Vector traction_of(const FacetForces &stored, const FacetStrengths &strengths, Index k) {
     const double one = 1.0 / strengths.area(k);
-    return {one * kept.force(0, k), one * kept.force(1, k), one * kept.force(2, k)};
+    return {one * stored.force(0, k), one * stored.force(1, k), one * stored.force(2, k)};
 }
 
 // True if facet k of a material plane begins to crack.
-inline bool plane_begins(const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
+inline bool plane_begins(const Moving &all, const ElasticFacets &facets, const FacetForces &stored,
                          const FacetStrengths &strengths, Index k) {
     const Ends<double> ends = ends_of(all.pose.data, facets, k);
-    const double bent = bending_traction(ends, kept.bends(k), FacetColumns(facets).stiffness(k, 1.0).H);
+    const double bent = bending_traction(ends, stored.bends(k), FacetColumns(facets).stiffness(k, 1.0).H);
     const Softening<double> facet = {strengths.strength(k), strengths.brittleness(k)};
     const PlaneStrength<double> plane = {strengths.cohesion(k), strengths.slip_brittleness(k), strengths.friction(k)};
     const CurveShape curve = {strengths.kink, strengths.steep};
     const Vector n = present_normal(ends, normal_of(facets, k));
-    return left_on_plane(1.0, traction_of(kept, strengths, k), n, bent, facet, plane, curve) < 1.0;
+    return left_on_plane(1.0, traction_of(stored, strengths, k), n, bent, facet, plane, curve) < 1.0;
 }
 
 }  // namespace bondem

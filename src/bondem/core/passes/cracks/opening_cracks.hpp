@@ -20,13 +20,13 @@ BONDEM_INLINE void measure_each(const Group &group, const Moving &all, const Ela
     group.put_halves(lists, i.second, j.second, 8);
     if (!changes) return;
     const CrackIntegrity<T> &left = at.now.left;
-    const Mask<T> whole = opposite(at.alike) & (left.s[0] == bondem::all<T>(1.0));
+    const Mask<T> whole = opposite(at.isotropic) & (left.s[0] == bondem::all<T>(1.0));
     if (any(whole))
         group.where(whole, [&](Index k, Index, int) { choose_axes(all, facets, slack, stresses, cracks, lists, k); });
-    const Mask<T> gone = (left.s[0] == T{}) & (left.grip == T{});
-    if (!any(gone)) return;
-    const Mask<T> slid = gone & turned_away(at.now, at.area, cracks.slide);
-    Mask<T> away = gone & turned_away(at.now, at.area, 1.0);
+    const Mask<T> separate = (left.s[0] == T{}) & (left.grip == T{});
+    if (!any(separate)) return;
+    const Mask<T> slid = separate & turned_away(at.now, at.area, cracks.slide);
+    Mask<T> away = separate & turned_away(at.now, at.area, 1.0);
     if (any(slid)) away = away | (slid & (group.softening(cracks).plane > T{}));
     group.flag(lists.flag, lists.flagged, portion, away, crack::parts);
 }

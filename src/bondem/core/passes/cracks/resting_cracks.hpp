@@ -44,13 +44,13 @@ inline void end_treating(const ElasticFacets &facets, const CohesiveCracks &crac
 // ---- parting
 
 // Change of the stress of cell p, of a given weight, with V θ if one of its halves is open [Pa/m³]. Halves that
-// `gone` names belong to cracks that have left the list earlier.
-template <class Gone>
+// `removed` names belong to cracks that have left the list earlier.
+template <class Removed>
 inline double stiffness_without(const Moving &all, const CrackLists &lists, double weight, Short p, Index without,
-                                Gone gone) {
+                                Removed removed) {
     double softness = 0.0;
     for (Index h = lists.head(p); h > 0; h = lists.next(h)) {
-        if (gone(h)) continue;
+        if (removed(h)) continue;
         SwellingHalf<double> half = half_at(lists, h);
         if (h == without) {  // open along all directions, which have lost everything
             const double *const g = half.along;

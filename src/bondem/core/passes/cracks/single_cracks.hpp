@@ -14,7 +14,7 @@ struct SingleCrack {
     OfCells<double> stress;
     FacetCompliance<double> stiffness;
     double area;
-    bool alike;
+    bool isotropic;
     CrackFaces<double> now;
 
     SingleCrack(const Array<double, 2> &pose, const ElasticFacets &facets, const CohesiveCracks &cracks, Index k)
@@ -25,14 +25,14 @@ struct SingleCrack {
         const CrackFrameRow &frame = frame_of(cracks, k);
         stiffness = {face.k, face.part};
         area = face.area;
-        alike = state.kind == crack::alike;
+        isotropic = state.kind == crack::isotropic;
         const CrackIntegrity<double> left = left_of(frame.left);
         now = crack_faces(ends, facet_shape(cracks, k), {face.normal[0], face.normal[1], face.normal[2]},
                           quaternion_of(frame.axes), left, state.kind > crack::of_material,
                           {state.slip[0], state.slip[1], state.slip[2]});
     }
     // True if a crack transmits only pressure along its normal.
-    bool is_gone() const { return now.left.s[0] == 0.0 && now.left.grip == 0.0; }
+    bool is_separate() const { return now.left.s[0] == 0.0 && now.left.grip == 0.0; }
 };
 // Stores the axes of crack k, given in space.
 inline void put_axes(const CohesiveCracks &cracks, Index k, Quaternion<double> cell, const CrackAxes<double> &axes) {
@@ -102,7 +102,7 @@ inline void write_levers(const ElasticFacets &facets, const CohesiveCracks &crac
 template <class T> BONDEM_INLINE Mask<T> may_slip(T spent, T absorbed) { return spent < 2.0 * absorbed; }
 
 // Stores the constants of a facet as it begins to crack.
-inline void write_constants(const ElasticFacets &facets, const FacetForces &kept, const FacetStrengths &strengths,
+inline void write_constants(const ElasticFacets &facets, const FacetForces &stored, const FacetStrengths &strengths,
                             const CohesiveCracks &cracks, Index k) {
     write_levers(facets, cracks, k);
     CrackShapeRow &shape = shape_of(cracks, k);
@@ -119,7 +119,7 @@ inline void write_constants(const ElasticFacets &facets, const FacetForces &kept
     face.friction = strengths.friction(k);
     for (Index d = 0; d < 6; d++) softening.H[d] = facets.H(d, k);
     softening.plane = float(strengths.plane(k));
-    softening.bends = kept.bends(k);
+    softening.bends = stored.bends(k);
     softening.brittleness = strengths.brittleness(k);
     softening.fastest = strengths.fastest(k);
     CrackHistoryRow &history = history_of(cracks, k);
@@ -130,12 +130,12 @@ inline void write_constants(const ElasticFacets &facets, const FacetForces &kept
 }
 
 // Facet k, which is marked, begins to crack.
-inline void begin_crack(const ElasticFacets &facets, const FacetForces &kept, const FacetStrengths &strengths,
+inline void begin_crack(const ElasticFacets &facets, const FacetForces &stored, const FacetStrengths &strengths,
                         const CrackOnset &onset, const CohesiveCracks &cracks, Index k, Index step) {
     const bool loose = onset.marked(k) != 1;
     state_of(cracks, k) = {};
     state_of(cracks, k).fresh = 1.0;
-    state_of(cracks, k).kind = loose || strengths.plane(k) != 0.0 ? crack::alike : crack::of_material;
+    state_of(cracks, k).kind = loose || strengths.plane(k) != 0.0 ? crack::isotropic : crack::of_material;
     frame_of(cracks, k) = {};
     past_of(cracks, k) = {};
     for (int d = 0; d < 4; d++) frame_of(cracks, k).left[d] = past_of(cracks, k).left[d] = 1.0;
@@ -144,8 +144,8 @@ inline void begin_crack(const ElasticFacets &facets, const FacetForces &kept, co
     history_of(cracks, k).began = history_of(cracks, k).onset_step = double(step);
     softening_of(cracks, k).strength = loose ? 0.0 : strengths.strength(k);
     shape_of(cracks, k).top = 0.0;
-    write_constants(facets, kept, strengths, cracks, k);
-    for (Index d = 0; d < 3; d++) cracks.pull(k, d) = kept.force(d, k);
+    write_constants(facets, stored, strengths, cracks, k);
+    for (Index d = 0; d < 3; d++) cracks.pull(k, d) = stored.force(d, k);
     treat(facets, cracks, k, crack::active);
     put_shared(onset.cracked(facets.i(k)), Byte(1));
     put_shared(onset.cracked(facets.j(k)), Byte(1));

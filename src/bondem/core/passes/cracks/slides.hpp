@@ -20,7 +20,7 @@
 namespace bondem {
 
 // Share of the slip of a step that continues in the next one; it reduces the lag of steady slip to a fifth.
-constexpr double kept_slip = 0.8;
+constexpr double lasting_slip = 0.8;
 
 // Shear that the cracks of a group transmit without friction: over their strength [-], and as a force [N].
 template <class T> struct Cohesion {
@@ -118,7 +118,7 @@ inline void slide_crack(const Moving &all, const ElasticFacets &facets, const Co
     const double loose = root(stiff / face_of(cracks, k).k);
     Vector increment = turned_by(inverse(turn), loose * minus(apart, dot(apart, across), across));
     // continuing slip has no lag where it dissipates energy
-    const Vector more = plus(increment, kept_slip, before);
+    const Vector more = plus(increment, lasting_slip, before);
     const Vector f = {cracks.pull(k, 0), cracks.pull(k, 1), cracks.pull(k, 2)};
     if (dot(increment, before) > 0.0 && dot(f, turned_by(turn, more)) > 0.0) increment = more;
     for (int d = 0; d < 3; d++) state.slip[d] += increment[d], state.rub[d] = increment[d];

@@ -211,10 +211,10 @@ BONDEM_INLINE void soften_each(const Group &group, const Moving &all, const Elas
     const CrackPlace<T> at = place_of(group, all.pose, facets.period.data, cracks);
     const CrackFaces<T> &now = at.now;
     const Mask<T> fresh = at.state.column[6] > zero, treated = opposite(group.flagged(lists.flag));
-    const Mask<T> gone = (now.left.s[0] == zero) & (now.left.grip == zero);
+    const Mask<T> separate = (now.left.s[0] == zero) & (now.left.grip == zero);
     const Vector3<T> whole = whole_force(at.facet.k, now, at.stress);
-    Mask<T> calm = treated & opposite(fresh) & gone;
-    const Mask<T> softens = treated & opposite(gone);
+    Mask<T> calm = treated & opposite(fresh) & separate;
+    const Mask<T> softens = treated & opposite(separate);
     if (any(softens)) {
         const CrackJudgement<T> of = judgement_of(group, cracks);
         const T bent = bending_traction(at.ends, of.bends, of.H), strength = of.by.tension.strength;
@@ -222,7 +222,7 @@ BONDEM_INLINE void soften_each(const Group &group, const Moving &all, const Elas
         const FacetTraction<T> load = {(1.0 / at.area) * whole, now.normal, bent};
         Softened<T> found = {now.at, now.left};
         // cracks of the material, except brittle ones in the step of their onset
-        const Mask<T> bulk = softens & opposite(at.alike) & opposite(fresh & at_once);
+        const Mask<T> bulk = softens & opposite(at.isotropic) & opposite(fresh & at_once);
         if (any(bulk)) {
             const auto losses = [&]() {
                 const Row<T> past = group.lines(cracks.past);
@@ -230,7 +230,7 @@ BONDEM_INLINE void soften_each(const Group &group, const Moving &all, const Elas
                 const CrackHalves<T> half = crack_halves(at.facet, now, at.stress);
                 const CrackRates<T> rate = crack_rates(at.facet, now.left, half);
                 const CrackRates<T> was =
-                    rates_before(at.facet, now, at.alike, half, group.pull(cracks), zero, before, past.column + 4);
+                    rates_before(at.facet, now, at.isotropic, half, group.pull(cracks), zero, before, past.column + 4);
                 const Mask<T> brittle = of.by.tension.brittleness == bondem::all<T>(infinity);
                 const auto loss = [&](int d) { return select(brittle, of.fastest, largest_loss(was.of[d], rate.of[d])); };
                 return Vector3<T>{loss(0), loss(1), loss(2)};
@@ -242,7 +242,7 @@ BONDEM_INLINE void soften_each(const Group &group, const Moving &all, const Elas
             found = soften_along(now, load, mean_of_cells(group, stresses), losses, of.by.tension, moved, curve,
                                  turned_away(now, at.area, 1.0));
         }
-        const Mask<T> plane = softens & at.alike & opposite(fresh);
+        const Mask<T> plane = softens & at.isotropic & opposite(fresh);
         if (any(plane)) {
             const T s = now.left.s[0], least_traction = unsoftened_below(s, of.by);
             const FacetTraction<T> own = {load.t, now.across(), bent};

@@ -33,7 +33,7 @@ BONDEM_PASS(judge_cells_by_size, of_elements, "own cracked tensor; writes judged
 
 // Writes the stresses of facets in tension, as candidates of a portion; marks facets of cells without cohesion.
 void find_stress_candidates(const Range &range, const Moving &all, const ElasticFacets &facets,
-                            const FacetForces &kept, const StressesOfCells &stresses, const CrackOnset &cracks,
+                            const FacetForces &stored, const StressesOfCells &stresses, const CrackOnset &cracks,
                             const CandidateFacets &onset) {
     Index next = range.first, marked = 0;
     if (range.clock.dt > 0.0)
@@ -45,7 +45,7 @@ void find_stress_candidates(const Range &range, const Moving &all, const Elastic
                 marked++;
                 continue;
             }
-            with_candidate(all, facets, kept, stresses, onset, k,
+            with_candidate(all, facets, stored, stresses, onset, k,
                            [&](const Stress<double> &s) { next = write_candidate(onset, next, k, s); });
         }
     onset.number(range.block) = next - range.first;
@@ -54,7 +54,7 @@ void find_stress_candidates(const Range &range, const Moving &all, const Elastic
 BONDEM_PASS(find_stress_candidates, of_bonds, "ends judged pose tensor")
 
 // Marks candidates that fail, and leaves these with the mean stress of their cells, of which the index gives their strength.
-void mark_failing_facets(const Range &, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
+void mark_failing_facets(const Range &, const Moving &all, const ElasticFacets &facets, const FacetForces &stored,
                          const StressesOfCells &stresses, const CrackOnset &cracks, const CandidateFacets &onset) {
     Index next = 0;
     for (Index c = 0; c < onset.total(0); c++) {
@@ -62,7 +62,7 @@ void mark_failing_facets(const Range &, const Moving &all, const ElasticFacets &
         const Index k = onset.bond(c);
         cracks.marked(k) = 1;
         cracks.found(k / bonds_of_portion)++;
-        next = write_candidate(onset, next, k, stress_along(all, facets, kept, stresses, onset, k));
+        next = write_candidate(onset, next, k, stress_along(all, facets, stored, stresses, onset, k));
     }
     for (Index q = 0; q < onset.number.size(); q++) onset.number(q) = 0;
     if (next > 0) onset.number(0) = next;  // one after the other, as from one portion

@@ -57,12 +57,12 @@ struct JudgedFacet {
     Stress<double> mean;
     double opened;  // by bending, beyond the pressure of its cells [Pa]
 
-    JudgedFacet(const Moving &all, const ElasticFacets &facets, const FacetForces &kept, const StressesOfCells &stresses,
-                Index k) {
+    JudgedFacet(const Moving &all, const ElasticFacets &facets, const FacetForces &stored,
+                const StressesOfCells &stresses, Index k) {
         const Ends<double> ends = ends_of(all.pose.data, facets, k);
         normal = present_normal(ends, normal_of(facets, k));
         mean = mean_of(tensor_of(stresses, facets.i(k)), tensor_of(stresses, facets.j(k)));
-        const double bent = bending_traction(ends, kept.bends(k), FacetColumns(facets).stiffness(k, 1.0).H);
+        const double bent = bending_traction(ends, stored.bends(k), FacetColumns(facets).stiffness(k, 1.0).H);
         opened = opened_at_most(bent, mean) > 0.0 ? positive(bent - largest_pressure(principal(mean))) : 0.0;
     }
 };
@@ -79,11 +79,11 @@ inline bool is_far_below(const StressesOfCells &stresses, const CandidateFacets 
 
 // Calls on(σ*) where facet k is a candidate, with σ* times f_t over that of the facet.
 template <class On>
-inline void with_candidate(const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
+inline void with_candidate(const Moving &all, const ElasticFacets &facets, const FacetForces &stored,
                            const StressesOfCells &stresses, const CandidateFacets &onset, Index k, On on) {
-    const Vector t = (1.0 / onset.area(k)) * Vector{kept.force(0, k), kept.force(1, k), kept.force(2, k)};
+    const Vector t = (1.0 / onset.area(k)) * Vector{stored.force(0, k), stored.force(1, k), stored.force(2, k)};
     if (is_far_below(stresses, onset, facets.i(k), facets.j(k), k, t)) return;
-    const JudgedFacet facet(all, facets, kept, stresses, k);
+    const JudgedFacet facet(all, facets, stored, stresses, k);
     const PulledTraction<double> pull = pulled_traction(t, facet.normal, facet.opened);
     if (pull.along <= 0.0) return;
     const Stress<double> s = agreed_stress(facet.mean, facet.normal, pull.t);
@@ -91,9 +91,9 @@ inline void with_candidate(const Moving &all, const ElasticFacets &facets, const
     on(onset.scale(k) * s);
 }
 // The stress whose index gives the strength of a facet that fails.
-inline Stress<double> stress_along(const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
+inline Stress<double> stress_along(const Moving &all, const ElasticFacets &facets, const FacetForces &stored,
                                    const StressesOfCells &stresses, const CandidateFacets &onset, Index k) {
-    const JudgedFacet facet(all, facets, kept, stresses, k);
+    const JudgedFacet facet(all, facets, stored, stresses, k);
     return onset.scale(k) * bent_stress(facet.mean, facet.normal, facet.opened);
 }
 // Keeps the strength of the facet of candidate c.

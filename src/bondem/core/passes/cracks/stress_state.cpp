@@ -17,9 +17,9 @@ Symmetric3<double> turned_moment(Quaternion<double> q, const double *c) {
     return {x.x, y.y, z.z, 0.5 * (y.x + x.y), 0.5 * (z.x + x.z), 0.5 * (z.y + y.z)};
 }
 
-void find_stresses(const Range &range, const Moving &all, const FacetForces &kept, const StressesOfCells &stresses) {
+void find_stresses(const Range &range, const Moving &all, const FacetForces &stored, const StressesOfCells &stresses) {
     for (Index p = range.first; p < range.last; p++) {
-        const double *m = &kept.moment(p, 0), *c = &stresses.carried(p, 0);
+        const double *m = &stored.moment(p, 0), *c = &stresses.carried(p, 0);
         const double one = 1.0 / stresses.volume(p);
         const Symmetric3<double> more =
             c[has_cracks] != 0.0 ? turned_moment(orientation(gather(all.pose.data, Short(p))), c) : Symmetric3<double>{};
@@ -40,15 +40,15 @@ void add_of_surface(const Moving &all, const WallConstraints &walls, const Facet
 
 }  // namespace
 
-void find_cell_stresses(const Range &range, const Moving &all, const FacetForces &kept,
+void find_cell_stresses(const Range &range, const Moving &all, const FacetForces &stored,
                         const StressesOfCells &stresses) {
-    if (range.clock.dt > 0.0) find_stresses(range, all, kept, stresses);
+    if (range.clock.dt > 0.0) find_stresses(range, all, stored, stresses);
 }
 BONDEM_PASS(find_cell_stresses, of_elements, "own carried moment pose; writes tensor")
 
-void find_still_stresses(const Range &range, const Moving &all, const FacetForces &kept,
+void find_still_stresses(const Range &range, const Moving &all, const FacetForces &stored,
                          const StressesOfCells &stresses) {
-    if (!(range.clock.dt > 0.0)) find_stresses(range, all, kept, stresses);
+    if (!(range.clock.dt > 0.0)) find_stresses(range, all, stored, stresses);
 }
 BONDEM_PASS(find_still_stresses, of_elements, "own carried moment pose; writes tensor")
 

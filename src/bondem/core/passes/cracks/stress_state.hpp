@@ -30,10 +30,10 @@ inline void add_wall_stress(const Moving &all, const WallConstraints &walls, con
 }
 
 // Finds the mean stresses of cells from the forces of the last step on their facets and cracks.
-void find_cell_stresses(const Range &range, const Moving &all, const FacetForces &kept,
+void find_cell_stresses(const Range &range, const Moving &all, const FacetForces &stored,
                         const StressesOfCells &stresses);
 // Finds the mean stresses of cells from present forces that were found without a step.
-void find_still_stresses(const Range &range, const Moving &all, const FacetForces &kept,
+void find_still_stresses(const Range &range, const Moving &all, const FacetForces &stored,
                          const StressesOfCells &stresses);
 // Finds the cells whose facets may crack: those with cracks, and those whose stress may reach their strength.
 void judge_cells(const Range &range, const FacetStrengths &strengths, const StressesOfCells &stresses,

@@ -8,14 +8,14 @@ namespace {
 // Cells that may flow, as many as there are lanes, with the remaining share of their cohesion.
 struct Batch {
     Index count = 0, cell[lanes];
-    double cohesion[lanes], held[lanes];
+    double cohesion[lanes], carry[lanes];
 };
 void flow_together(const Moving &all, const StressesOfCells &stresses, const YieldingCells &cells, Batch &batch) {
     if (batch.count == 0) return;
     for (Index n = batch.count; n < lanes; n++) {
         batch.cell[n] = batch.cell[0];
         batch.cohesion[n] = batch.cohesion[0];
-        batch.held[n] = batch.held[0];
+        batch.carry[n] = batch.carry[0];
     }
     const auto each = [&](const auto &of) {
         Lanes a;
@@ -26,12 +26,12 @@ void flow_together(const Moving &all, const StressesOfCells &stresses, const Yie
     const Symmetric3<Lanes> s = {component(0), component(1), component(2), component(3), component(4), component(5)};
     const YieldStrength<Lanes> by = {load(batch.cohesion), each([&](Index p) { return cells.slope(p); }),
                                      each([&](Index p) { return cells.dilation(p); }),
-                                     each([&](Index p) { return cells.stiffness(p); }), load(batch.held)};
+                                     each([&](Index p) { return cells.stiffness(p); }), load(batch.carry)};
     const PlasticFlow<Lanes> found = flow_under(s, by, cells.cone != 0);
     const Symmetric3<Lanes> &e = found.strain;
     for (int n = 0; n < batch.count; n++)
         flow(all, stresses, cells, batch.cell[n],
-             {found.gamma[n], found.held[n], {e.xx[n], e.yy[n], e.zz[n], e.xy[n], e.xz[n], e.yz[n]}});
+             {found.gamma[n], found.carry[n], {e.xx[n], e.yy[n], e.zz[n], e.xy[n], e.xz[n], e.yz[n]}});
     batch.count = 0;
 }
 
@@ -45,13 +45,13 @@ void yield_cells(const Range &range, const Moving &all, const FacetStrengths &, 
     for (Index p = range.first; p < range.last; p++)
         where_yields(stresses, cells, onset, p, [&](const YieldStrength<double> &by) {
             batch.cell[batch.count] = p;
-            batch.held[batch.count] = by.held;
+            batch.carry[batch.count] = by.carry;
             batch.cohesion[batch.count++] = by.cohesion;
             if (batch.count == lanes) flow_together(all, stresses, cells, batch);
         });
     flow_together(all, stresses, cells, batch);
 }
-BONDEM_PASS(yield_cells, of_elements, "own pose tensor; ends slipped; adds held plastic; changes judged")
+BONDEM_PASS(yield_cells, of_elements, "own pose tensor; ends slipped; adds carry plastic; changes judged")
 
 // Stretches levers of facets with the plastic deformation of their cells, where it has grown.
 void stretch_cells(const Range &range, const ElasticFacets &facets, const FacetsOfCells &of_cells,
@@ -100,7 +100,7 @@ BONDEM_PASS(stretch_anew, of_rows, "ends plastic; changes arm slipped; writes ba
 void add_yielding_work(const Range &range, const FacetTractions &tractions, const StressesOfCells &stresses,
                        const YieldingCells &cells, const Rows &rows) {
     if (!(range.clock.dt > 0.0)) return;
-    for (Index e = range.held; e < range.last; e++)
+    for (Index e = range.first_owner; e < range.last; e++)
         add_yielding_work_of(tractions, stresses, cells, rows, range.element[e]);
 }
 BONDEM_PASS(add_yielding_work, elements_of_blocks, "own plastic tensor")

@@ -45,26 +45,26 @@ inline void where_yields(const StressesOfCells &stresses, const YieldingCells &c
     if (whole == infinity) return;
     close_increment(stresses, cells, p);
     const YieldStrength<double> by = {cohesion_left(cells, p) * whole, cells.slope(p), cells.dilation(p),
-                                      cells.stiffness(p), cells.held(p)};
+                                      cells.stiffness(p), cells.carry(p)};
     if (by.cohesion == 0.0 && has_yielded(cells, p)) onset.judged(p) = 2;
-    if (by.held > 0.0 || yield_bound(invariants(tensor_of(stresses, p)), by, cells.cone != 0) > 0.0) on(by);
+    if (by.carry > 0.0 || yield_bound(invariants(tensor_of(stresses, p)), by, cells.cone != 0) > 0.0) on(by);
 }
 
 // Δγ, its part for the next step, and Δε in space.
 template <class T> struct PlasticFlow {
-    T gamma, held;
+    T gamma, carry;
     Symmetric3<T> strain;
 };
 template <class T> BONDEM_INLINE PlasticFlow<T> flow_under(const Symmetric3<T> &s, const YieldStrength<T> &by, bool cone) {
     const PrincipalStress<T> found = principal(s);
     const PlasticStep<T> step = cone ? cone_step(found, invariants(s), by) : slip_step(found, by);
-    return {step.gamma, step.held, plastic_strain(found, step)};
+    return {step.gamma, step.carry, plastic_strain(found, step)};
 }
 // Lets cell p flow if it yields.
 inline void flow(const Moving &all, const StressesOfCells &stresses, const YieldingCells &cells, Index p,
                  const PlasticFlow<double> &by) {
     using namespace plastic_column;
-    cells.held(p) = by.held;
+    cells.carry(p) = by.carry;
     if (!(by.gamma > 0.0)) return;
     double *const row = &cells.plastic(p, 0);
     auto &P = *reinterpret_cast<PlasticDeformation<double> *>(row + deformation);

@@ -13,7 +13,7 @@ void judge_beams(const Range &range, const Moving &all, const Beams &beams, cons
     judge(
         range, candidates, [&](Index k) { return beams.integrity(k) > 0.0; },
         [&](Index k) { return verdict_of<Criterion>(all.pose.data, beams, strengths, k); },
-        [&](Index k) { hold_ends(postponed, beams, k); });
+        [&](Index k) { postpone_ends(postponed, beams, k); });
 }
 
 #if defined(BONDEM_LANES)

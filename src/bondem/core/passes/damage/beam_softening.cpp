@@ -31,7 +31,7 @@ BONDEM_PASS(soften_beams, of_bonds, "ends motion pose")
 void log_softened_beams(const Range &range, const Moving &all, const Beams &beams, const SofteningBeams &soft,
                         const EventLog &log) {
     log.written(log_count::before) = log.written(log_count::events);
-    if (soft.begun(0) == 0) return;
+    if (soft.rows(0) == 0) return;
     log.released(0) += exact_sum(soft.lost, 0).take();
     for (Index q = 0; q < soft.number.size(); q++) {
         for (Index e = 0; e < soft.parted(q); e++) {
@@ -53,7 +53,7 @@ void begin_softening(const Range &range, const Candidates &candidates, const Sof
     if (!any_fails(candidates)) return;
     ExactSum lost = {};
     for_each_failing(candidates, [&](Index k, Index mode) {
-        const Index c = soft.begun(0)++, q = k / bonds_of_portion;
+        const Index c = soft.rows(0)++, q = k / bonds_of_portion;
         const double *const onset = &bounds.onset(k, 0), spent = onset[onset_column::spent];
         const double all[7] = {double(k), onset[onset_column::first], onset[onset_column::last], onset[onset_column::rate],
                                spent, double(mode), double(range.clock.step)};
@@ -82,7 +82,7 @@ BONDEM_PASS(sum_pressed_energies, of_bonds, "ends pose")
 void write_crushing_of_beams(const Range &range, const SofteningBounds &bounds, const SofteningBeams &soft, const EventLog &log,
                              const HistoryRows &history) {
     ExactSum sum = {};
-    for (Index c = 0; c < soft.begun(0); c++) sum.add(crushed_by_beam(bounds, soft, c));
+    for (Index c = 0; c < soft.rows(0); c++) sum.add(crushed_by_beam(bounds, soft, c));
     history.record(range.clock.record, history_column::crushing) = sum.value() - log.crushed(0);
 }
 BONDEM_PASS(write_crushing_of_beams, of_rows, "")

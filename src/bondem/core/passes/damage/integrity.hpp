@@ -8,7 +8,7 @@ template <class Bonds> inline void put_integrity(const Bonds &bonds, Index k, do
 // Beams that share their constants have their integrity over the rest length, too.
 template <class Bonds> inline void put_integrity_of_beam(const Bonds &bonds, Index k, double left, double length) {
     put_integrity(bonds, k, left);
-    if (bonds.hold.size() > 0) bonds.hold(k) = left / length;
+    if (bonds.per_length.size() > 0) bonds.per_length(k) = left / length;
 }
 
 }  // namespace bondem

@@ -93,12 +93,12 @@ class Marks {
 // ---- judging
 
 // Postpones an element at the end of the step. Several threads may postpone an element that domains share.
-inline void hold(const Postponed &postponed, Index element, Byte as = 1) {
+inline void postpone_element(const Postponed &postponed, Index element, Byte as = 1) {
     put_shared(postponed.flag(element), as);
 }
-inline void hold_ends(const Postponed &postponed, const Beams &beams, Index k) {
-    hold(postponed, beams.i(k));
-    hold(postponed, beams.j(k));
+inline void postpone_ends(const Postponed &postponed, const Beams &beams, Index k) {
+    postpone_element(postponed, beams.i(k));
+    postpone_element(postponed, beams.j(k));
 }
 inline bool is_postponed(const Postponed &postponed, Index element) {
     return get_shared(postponed.flag(element)) != 0;
@@ -117,20 +117,20 @@ template <class Strong> inline Coefficients<double> coefficients_of(const Strong
 template <class MayFail, class IndexOf, class Postpone>
 inline void judge(const Range &range, const Candidates &candidates, MayFail may_fail, IndexOf index, Postpone postpone) {
     const Index first = candidates.begin(range.block);
-    Index kept = 0;
+    Index failing = 0;
     if (!range.clock.first)
         for (Index e = first; e < first + candidates.count(range.block); e++) {
             const Index k = candidates.marked(e);
             if (!may_fail(k)) continue;
             const Verdict<double> verdict = index(k);
             if (!(verdict.index >= 1.0)) continue;
-            candidates.marked(first + kept) = k;
-            candidates.mode(first + kept) = Index(verdict.mode);
-            kept++;
+            candidates.marked(first + failing) = k;
+            candidates.mode(first + failing) = Index(verdict.mode);
+            failing++;
             postpone(k);
         }
-    candidates.count(range.block) = kept;
-    if (kept > 0) put_shared(candidates.any(0), Index(1));
+    candidates.count(range.block) = failing;
+    if (failing > 0) put_shared(candidates.any(0), Index(1));
 }
 
 // ---- removal

@@ -9,10 +9,10 @@ namespace {
 
 // A list of elements that is being written: those without a row of the boundary, then those with a row.
 struct Filling {
-    Index first, held, last;
+    Index first, first_owner, last;
 
     ElementList list(const Postponed &postponed) const {
-        return {first, last, held, postponed.element.data, postponed.row.data};
+        return {first, last, first_owner, postponed.element.data, postponed.row.data};
     }
 };
 
@@ -29,16 +29,16 @@ void postpone_elements(const Range &range, const StepBlocks &blocks, const Candi
     if (!any_fails(candidates)) return;
     Index free = 0, own = 0;  // postponed elements that own no row, and that own one
     for (Index e = range.first; e < range.last; e++)
-        if (is_postponed(postponed, range.element[e])) (e < range.held ? free : own)++;
+        if (is_postponed(postponed, range.element[e])) (e < range.first_owner ? free : own)++;
     if (free + own == 0) return;
     // shared elements have their places behind those of the blocks
-    const Index first = range.first + (range.block < blocks.held.size() ? 0 : blocks.ready.size());
+    const Index first = range.first + (range.block < blocks.first_owner.size() ? 0 : blocks.ready.size());
     const Index middle = first + (range.last - range.first) - free - own;
-    const Filling going = {first, middle - (range.last - range.held - own), middle};
+    const Filling going = {first, middle - (range.last - range.first_owner - own), middle};
     const Filling late = {middle, middle + free, middle + free + own};
-    Index next[4] = {going.first, late.first, going.held, late.held};
+    Index next[4] = {going.first, late.first, going.first_owner, late.first_owner};
     for (Index e = range.first; e < range.last; e++) {
-        const Index list = (e < range.held ? 0 : 2) + (is_postponed(postponed, range.element[e]) ? 1 : 0);
+        const Index list = (e < range.first_owner ? 0 : 2) + (is_postponed(postponed, range.element[e]) ? 1 : 0);
         put(postponed, next[list]++, range.element[e], range.row[e]);
     }
     *range.division = {going.list(postponed), late.list(postponed)};

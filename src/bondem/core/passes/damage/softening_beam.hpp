@@ -113,23 +113,23 @@ inline Verdict<double> begin_beam(const Moving &all, const Beams &beams, const S
     const double product = opened_product(all, beams, now, rate, dt, k);
     const double left = most(softened(1.0, {first, last}, 0.0, product / root(rate), root(rate)), 0.5 * broken_integrity);
     put_softened(beams, bounds, k, left);
-    const double kept[4] = {first, last, rate, (1.0 - left) * product};
-    for (Index column = 0; column < 4; column++) bounds.onset(k, column) = kept[column];
+    const double onset[4] = {first, last, rate, (1.0 - left) * product};
+    for (Index column = 0; column < 4; column++) bounds.onset(k, column) = onset[column];
     return verdict;
 }
 
 // Moves the rows of portion q that have broken behind the others, each kind in its order.
 inline void part_broken(const SofteningBounds &bounds, const SofteningBeams &soft, Index q) {
     const Index first = q * bonds_of_portion, count = soft.number(q);
-    Index kept = 0;
+    Index unbroken = 0;
     for (Index e = 0; e < count; e++) {
         const Index c = soft.listed(first + e);
         if (has_broken(bounds, soft, c)) continue;
-        for (Index place = e; place > kept; place--) soft.listed(first + place) = soft.listed(first + place - 1);
-        soft.listed(first + kept++) = c;
+        for (Index place = e; place > unbroken; place--) soft.listed(first + place) = soft.listed(first + place - 1);
+        soft.listed(first + unbroken++) = c;
     }
-    soft.number(q) = kept;
-    soft.parted(q) = count - kept;
+    soft.number(q) = unbroken;
+    soft.parted(q) = count - unbroken;
 }
 
 }  // namespace bondem

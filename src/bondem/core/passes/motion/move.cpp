@@ -19,7 +19,7 @@ template <class Who> BONDEM_INLINE Wrench<typename Who::Number> taken(double *su
 template <class Resisted>
 BONDEM_INLINE void move_free(const Range &range, const Moving &all, const StepBlocks &blocks,
                              const Resisted &resistance) {
-    const Index last = range.held;
+    const Index last = range.first_owner;
     for (Index e = range.first; e < last; e += lanes) {
         const Several later(range, least(e + ahead, last - 1), last);
         prefetch(all.pose.data, later.element);
@@ -30,9 +30,9 @@ BONDEM_INLINE void move_free(const Range &range, const Moving &all, const StepBl
 }
 
 template <class Resisted>
-inline void move_held(const Range &range, const Moving &all, const StepBlocks &blocks, const Rows &rows,
-                      const Resisted &resistance) {
-    for (Index e = range.held; e < range.last; e++) {
+inline void move_owners(const Range &range, const Moving &all, const StepBlocks &blocks, const Rows &rows,
+                        const Resisted &resistance) {
+    for (Index e = range.first_owner; e < range.last; e++) {
         const One one(range, e);
         const Index r = rows.of(one.element);
         move(one, range.clock, all, taken(blocks.sums.data, one), BoundaryRow(rows, r), resistance, r);
@@ -55,14 +55,14 @@ BONDEM_PASS(move_resisted, elements_of_blocks, "changes acceleration dashed loss
 
 // Closes the step, and opens the next, for elements that own rows of the boundary.
 void move_rows(const Range &range, const Moving &all, const StepBlocks &blocks, const Rows &rows) {
-    move_held(range, all, blocks, rows, NoRow{});
+    move_owners(range, all, blocks, rows, NoRow{});
 }
 BONDEM_PASS(move_rows, elements_of_blocks, "own force full half; changes acceleration motion pose sums; writes reaction")
 
 // Closes the step, and opens the next, for damped elements that own rows of the boundary.
 void move_resisted_rows(const Range &range, const Moving &all, const StepBlocks &blocks, const Rows &rows,
                         const Resistance &resistance) {
-    move_held(range, all, blocks, rows, resistance);
+    move_owners(range, all, blocks, rows, resistance);
 }
 BONDEM_PASS(move_resisted_rows, elements_of_blocks, "own force full half; changes acceleration dashed loss motion pose sums; writes reaction")
 
@@ -86,13 +86,13 @@ BONDEM_PASS(open_elements_and_rows, of_elements, "own acceleration half; changes
 
 // Opens a step for elements of a list that own no row of the boundary.
 void reopen_elements(const Range &range, const Moving &all) {
-    for (Index e = range.first; e < range.held; e++) open_one(range.element[e], range.clock, all, NoRow{});
+    for (Index e = range.first; e < range.first_owner; e++) open_one(range.element[e], range.clock, all, NoRow{});
 }
 BONDEM_PASS(reopen_elements, elements_of_blocks, "own acceleration; changes motion pose")
 
 // Opens a step for elements of a list that own rows of the boundary.
 void reopen_rows(const Range &range, const Moving &all, const Rows &rows) {
-    for (Index e = range.held; e < range.last; e++) {
+    for (Index e = range.first_owner; e < range.last; e++) {
         const Short p = range.element[e];
         open_one(p, range.clock, all, BoundaryRow(rows, rows.of(p)));
     }

@@ -97,8 +97,8 @@ BONDEM_INLINE void move(const Who &who, const Clock &clock, const Moving &all, W
 template <class Boundary>
 inline void open_one(Index p, const Clock &clock, const Moving &all, const Boundary &row) {
     const One one(p);
-    const double *kept = &all.acceleration(p, 0);
-    const Vector a = {kept[0], kept[1], kept[2]}, b = {kept[3], kept[4], kept[5]};
+    const double *stored = &all.acceleration(p, 0);
+    const Vector a = {stored[0], stored[1], stored[2]}, b = {stored[3], stored[4], stored[5]};
     Motion<double> moving(gather(all.motion.data, one.element));
     kick(moving, clock.begin, a, b);
     if constexpr (sizeof(Boundary) > sizeof(NoRow)) {

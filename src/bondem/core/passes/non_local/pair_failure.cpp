@@ -44,7 +44,7 @@ void judge_pairs(const Range &range, const Beams &beams, const LaggedStresses &s
     judge(
         range, candidates, [&](Index k) { return beams.integrity(k) > 0.0; },
         [&](Index k) { return verdict_of_pair(beams, stresses, strengths, k); },
-        [&](Index k) { hold_ends(postponed, beams, k); });
+        [&](Index k) { postpone_ends(postponed, beams, k); });
 }
 BONDEM_PASS(judge_pairs, bonds_of_blocks, "ends space; adds flag")
 

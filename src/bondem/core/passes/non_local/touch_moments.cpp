@@ -20,20 +20,20 @@ void add_to_stress(const double *pose, const LaggedStresses &stresses, Short p, 
 
 }  // namespace
 
-void add_begun_contacts(const Range &, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
-                        const LaggedStresses &stresses, const EventLog &log) {
+void add_new_contacts(const Range &, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+                      const LaggedStresses &stresses, const EventLog &log) {
     const double *const pose = all.pose.data;
     for_each_event(log, [&](Index bond, Index) {
         const Index k = pairs.of_bond(bond);
         if (k < 0 || pairs.touch(k) != touching) return;
         const TouchLevers lever(c, pairs, k, branch_of(pose, pairs, k));
-        const Vector *const kept = &pairs.memory.row<Vector>(k);
-        const Vector force = present_loads(all, c, pairs, k, {kept[0], kept[1]}).contact.force;
+        const Vector *const memory = &pairs.memory.row<Vector>(k);
+        const Vector force = present_loads(all, c, pairs, k, {memory[0], memory[1]}).contact.force;
         add_to_stress(pose, stresses, pairs.first(k), lever.of_first, -force);
         add_to_stress(pose, stresses, pairs.second(k), lever.of_second, force);
     });
 }
-BONDEM_PASS(add_begun_contacts, of_events, "ends motion; still pose; adds stress")
+BONDEM_PASS(add_new_contacts, of_events, "ends motion; still pose; adds stress")
 
 // Adds contacts of pairs to the stresses of the elements of a range, in the order of the pairs.
 void add_pair_moments(const Range &range, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,

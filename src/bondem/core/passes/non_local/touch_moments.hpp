@@ -11,7 +11,7 @@ void add_wall_moments(const Range &range, const Moving &all, const ContactConsta
                       const Walls &walls, const LaggedStresses &stresses);
 // Adds new contacts to the stresses of the ends of bonds that have failed in this step, after these contacts have
 // begun. Other elements are not read, because they may have moved.
-void add_begun_contacts(const Range &range, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
-                        const LaggedStresses &stresses, const EventLog &log);
+void add_new_contacts(const Range &range, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+                      const LaggedStresses &stresses, const EventLog &log);
 
 }  // namespace bondem

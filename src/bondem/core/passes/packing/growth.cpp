@@ -152,7 +152,7 @@ struct Flying {
     }
 
     // Chooses the next event of sphere p; spheres whose event was with it or with its new partner choose again.
-    void look_ahead(Index p, double now) const {
+    void predict(Index p, double now) const {
         const Event event = next_event(p, now);
         const Index other = flight.what(p);
         if (other >= 0) {  // chosen a moment ago by the one before
@@ -208,8 +208,8 @@ Index fly_and_grow(Index, const Spheres &spheres, const PackingWalls &walls, con
             collisions++;
         }
         flying.schedule(i, {infinity, nothing});
-        flying.look_ahead(i, now);
-        if (kind >= 0) flying.look_ahead(kind, now);
+        flying.predict(i, now);
+        if (kind >= 0) flying.predict(kind, now);
     }
     for (Index i = 0; i < n; i++) {
         flying.fly(i, now);

@@ -118,7 +118,7 @@ Index conjugate_gradients(Index, const ScaledMatrix &matrix, const ClumpCorrecti
     double *z = search.work.data, *p = z + size, *product = p + size, *load = product + size;
     for (Index k = 0; k < size; k++) load[k] = r[k];
     bool begins = true;
-    double rho = 1.0, begun = 0.0;
+    double rho = 1.0, rho_first = 0.0;
     search.first(0) = 0.0;
     for (Index round = 0; round < search.most; round++) {
         if (begins) {
@@ -134,10 +134,10 @@ Index conjugate_gradients(Index, const ScaledMatrix &matrix, const ClumpCorrecti
         precondition(clumps, r, z);
         const double before = rho;
         rho = dot(r, z, size);
-        if (begins) begun = rho;
+        if (begins) rho_first = rho;
         if (round == 0) search.first(0) = rho;
         if (small || (rho > 0.0 && rho <= search.limits(1))) {
-            if (begins || begun <= rounded * rho) return 0;
+            if (begins || rho_first <= rounded * rho) return 0;
             begins = true;
             continue;
         }

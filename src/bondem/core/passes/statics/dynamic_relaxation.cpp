@@ -108,10 +108,11 @@ Index relax_beams(Index, const Beams &beams, const BeamSums &sums, const Dynamic
 BONDEM_CALL(relax_beams, "balanced all_steps_done")
 
 // Takes steps until the forces of beams that differ in length only balance the loads.
-Index relax_alike_beams(Index, const Beams &beams, const AlikeBeams &alike, const BeamSums &sums,
-                        const DynamicRelaxation &relaxation, const RelaxationSpan &span) {
-    return relax(relaxation, sums, span, [&](const Poses &poses) { load_alike_beams(1, poses, beams, alike, sums); });
+Index relax_uniform_beams(Index, const Beams &beams, const UniformBeams &uniform, const BeamSums &sums,
+                          const DynamicRelaxation &relaxation, const RelaxationSpan &span) {
+    const auto load = [&](const Poses &poses) { load_uniform_beams(1, poses, beams, uniform, sums); };
+    return relax(relaxation, sums, span, load);
 }
-BONDEM_CALL(relax_alike_beams, "balanced all_steps_done")
+BONDEM_CALL(relax_uniform_beams, "balanced all_steps_done")
 
 }  // namespace bondem

@@ -73,7 +73,7 @@ struct Cell {
         if (deepest <= tolerance) return false;
         Buffer work(room.work), lid(room.other);
         lid.square(by, 1.01 * farthest);
-        Index kept = 0;
+        Index count = 0;
         for (Index f = 0; f < faces; f++) {
             const Heights height = face(f).over(by);
             // faces that meet the plane at an edge also bound the new face
@@ -81,21 +81,21 @@ struct Cell {
             if (height.high > 0.0) {
                 work.clip(face(f), by);
                 if (work.size == 0) continue;
-                set_face(kept, work);
-            } else if (kept < f) {
-                set_face(kept, face(f));
+                set_face(count, work);
+            } else if (count < f) {
+                set_face(count, face(f));
             }
-            plane(kept) = plane(f);
-            room.tag(kept) = room.tag(f);
-            kept++;
+            plane(count) = plane(f);
+            room.tag(count) = room.tag(f);
+            count++;
         }
         if (lid.size > 0) {
-            plane(kept) = by;
-            room.tag(kept) = behind;
-            set_face(kept, lid);
-            kept++;
+            plane(count) = by;
+            room.tag(count) = behind;
+            set_face(count, lid);
+            count++;
         }
-        faces = kept >= 4 ? kept : 0;
+        faces = count >= 4 ? count : 0;
         return true;
     }
 

@@ -11,17 +11,17 @@ from bondem.boundary.schedules import Constant
 Scheduled = Load | Pressure | BodyForce | Eigenstrain
 
 
-def held_conditions(boundary: Sequence[BoundaryCondition], factor: float = 1.0) -> tuple[BoundaryCondition, ...]:
+def frozen_conditions(boundary: Sequence[BoundaryCondition], factor: float = 1.0) -> tuple[BoundaryCondition, ...]:
     """Return conditions whose displacements, loads and strains are those at the end of all schedules, times a factor.
 
     Args:
         boundary: conditions without prescribed velocities, which have no equilibrium.
         factor: factor of the values at the end of the schedules [-].
     """
-    return tuple(_held(one, factor) for one in boundary)
+    return tuple(_frozen(one, factor) for one in boundary)
 
 
-def _held(one: BoundaryCondition, factor: float) -> BoundaryCondition:
+def _frozen(one: BoundaryCondition, factor: float) -> BoundaryCondition:
     if isinstance(one, Drive):
         names = ("x", "y", "z", "rx", "ry", "rz")
         motion = {names[dof]: Constant(factor * schedule.final) for dof, schedule, _ in one.motion}

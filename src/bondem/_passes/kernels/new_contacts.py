@@ -1,4 +1,4 @@
-"""Passes over an index, for devices, of `core/gpu/begun_contacts.hpp`.
+"""Passes over an index, for devices, of `core/gpu/new_contacts.hpp`.
 
 Written by `python -m tests.core.passes`.
 """
@@ -11,7 +11,7 @@ from bondem._tables.device_tables import BondMarks, BondsOfElements
 from bondem._tables.step_tables import Moving
 
 
-def add_begun_contacts_of_element(
+def add_new_contacts_of_element(
     bonds_of_elements: BondsOfElements, bond_marks: BondMarks, contact_constants: ContactConstants, contact_pairs:
     ContactPairs, near_pairs: NearPairs, event_log: EventLog, postponed: Postponed
 ) -> Kernel:
@@ -20,7 +20,7 @@ def add_begun_contacts_of_element(
 
     Over one index.
     """
-    return Kernel("add_begun_contacts_of_element", (
+    return Kernel("add_new_contacts_of_element", (
         bonds_of_elements, bond_marks, contact_constants, contact_pairs, near_pairs, event_log, postponed
     ))
 

@@ -20,13 +20,13 @@ inline void begin_contact_of_event(Index e, const Moving &all, const ContactCons
     if (event >= log.written(log_count::events)) return;
     const Index k = pair_of_event(pairs, log, event);
     if (k < 0) return;
-    const BegunContact begun = begin_pair(all, c, pairs, k);
-    const double energy = begun.touches ? pair_energy(all.pose.data, c, pairs, k) : 0.0;
-    const Vector f = begun.force, t = begun.torque;
-    near.output.row<Row<double>>(k) = {{f.x, f.y, f.z, energy, t.x, t.y, t.z, begun.touches ? 1.0 : 0.0}};
+    const NewContact contact = begin_pair(all, c, pairs, k);
+    const double energy = contact.touches ? pair_energy(all.pose.data, c, pairs, k) : 0.0;
+    const Vector f = contact.force, t = contact.torque;
+    near.output.row<Row<double>>(k) = {{f.x, f.y, f.z, energy, t.x, t.y, t.z, contact.touches ? 1.0 : 0.0}};
     log.event(event, event_column::energy) -= energy;
 }
-inline void add_begun_contacts_of_element(Index p, const BondsOfElements &bonds, const BondMarks &marks,
+inline void add_new_contacts_of_element(Index p, const BondsOfElements &bonds, const BondMarks &marks,
                                           const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near,
                                           const EventLog &log, const Postponed &postponed) {
     if (log.written(log_count::before) == log.written(log_count::events) || !is_postponed(postponed, p)) return;
@@ -35,8 +35,8 @@ inline void add_begun_contacts_of_element(Index p, const BondsOfElements &bonds,
         if (k < 0) return;
         const double *const out = near.output.row<Row<double>>(k).column;
         if (out[7] == 0.0) return;
-        const BegunContact begun = {true, {out[0], out[1], out[2]}, {out[4], out[5], out[6]}};
-        add_begun(&postponed.sum(p, 0), pairs.second(k) == Short(p), c.radius(p), begun);
+        const NewContact contact = {true, {out[0], out[1], out[2]}, {out[4], out[5], out[6]}};
+        add_new_contact(&postponed.sum(p, 0), pairs.second(k) == Short(p), c.radius(p), contact);
     });
 }
 // Subtracts the energies that contacts store from the energy released in the run.
@@ -67,7 +67,7 @@ inline void open_face(Index k, const ContactPairs &pairs, const FacePairs &faces
 inline void begin_faces_of_pair(Index k, const Moving &all, const ContactPairs &pairs, const FacePairs &faces) {
     const bool begins = faces.faced(pairs.first(k)) == 2 || faces.faced(pairs.second(k)) == 2;
     faces.gained(k) = begins ? begin_by_faces(all, pairs, faces, k) : 0.0;
-    if (begins) exact_sum(faces.begun, 0).add_shared(faces.gained(k));
+    if (begins) exact_sum(faces.gained_sum, 0).add_shared(faces.gained(k));
 }
 inline void settle_face(Index k, const FacePairs &faces) {
     if (faces.open(k) == 2) faces.open(k) = 1;
@@ -77,7 +77,7 @@ inline void settle_faces_of_cell(Index p, const FacePairs &faces) {
 }
 // Subtracts the energy that faces store as they begin to touch from the released energy.
 inline void take_over_from_cracks(Index, const FacePairs &faces, const EventLog &log) {
-    log.released(0) -= exact_sum(faces.begun, 0).take();
+    log.released(0) -= exact_sum(faces.gained_sum, 0).take();
 }
 
 }  // namespace bondem
