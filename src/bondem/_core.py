@@ -48,7 +48,7 @@ def _is_source_tree() -> bool:
 
 
 def _found(name: str, suffix: str, digest: str = "*") -> Path | None:
-    """A compiled library, the newest one of its name."""
+    """Return the path of the newest compiled library of a name, or None if there is none."""
     made = list((SOURCES / LIBRARIES).glob(f"{name}.{digest}{suffix}"))
     return max(made, key=lambda path: path.stat().st_mtime_ns, default=None)
 
@@ -221,7 +221,7 @@ def compiled_level() -> str:
 
 
 def core_lanes() -> int:
-    """Numbers of a register of the library in use: a table of fewer bonds is filled up to so many."""
+    """Number of lanes of the library in use, which is the least number of rows of a table of bonds."""
     return _library().lanes
 
 
@@ -361,7 +361,7 @@ def _of_system(name: str) -> Callable[..., int] | None:
 
 
 def return_free_memory(bonds: int) -> None:
-    """Return memory that work on so many bonds has freed to the system, where the C library can and where it pays."""
+    """Return freed memory to the system after work on many bonds, if the C library supports it."""
     if bonds >= _MANY_BONDS and (trim := _of_system("malloc_trim")) is not None:
         trim(0)
 

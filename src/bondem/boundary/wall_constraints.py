@@ -48,7 +48,7 @@ class Holds:
 
     @classmethod
     def none(cls) -> "Holds":
-        """Return no facets."""
+        """Return the table of no facets."""
         no, none = np.zeros((0, 3)), np.zeros(0, dtype=np.int64)
         return cls(none, no > 0.0, (), no.astype(np.int64), (), no[:, 0], none)
 
@@ -143,7 +143,7 @@ class Grips:
 
     @classmethod
     def none(cls) -> "Grips":
-        """Return those of elements that no wall holds."""
+        """Return the table of no half facets."""
         no, square, holds = np.zeros((0, 3)), np.zeros((0, 3, 3)), Holds.none()
         return cls(holds.facet, no[:, 0], no, no, no, square, no, no, holds, no[:, 0], no, no, square)
 
@@ -219,7 +219,7 @@ class Grips:
         return own, -np.hstack([self.share, np.cross(b, self.share)])
 
     def table(self, layout: Layout, row_of: Ints, base: Floats | None = None) -> WallConstraints:
-        """Return the held facets as the core takes them; arrays that change are those of the table.
+        """Return the held facets in the layout of the core; arrays that change are those of the table.
 
         Args:
             layout: order of the elements.

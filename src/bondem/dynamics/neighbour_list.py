@@ -126,7 +126,7 @@ class ContactSearch:
     def _listed(self, position: Floats, skin: float) -> np.ndarray:
         """Return a mask of the bonds whose pairs are listed, (m,): breakable ones, and broken ones with near ends.
 
-        If contacts act beside bonds, these are all bonds with near ends.
+        If contacts act in parallel with bonds, these are all bonds with near ends.
         """
         layout, size = self._state.layout, self._size
         broken = (self._joined[: len(layout.i)] <= 0.0) | self._contacts.laws.parallel

@@ -24,7 +24,7 @@ _OFF = 0.1
 
 
 def closed_surface(name: str, vertices: Floats, triangles: Ints) -> tuple[Floats, Ints, Ints]:
-    """Return corners and triangles of a closed surface, all outwards, without doubled ones or ones without area.
+    """Return corners and triangles of a closed surface, facing outwards, without duplicates or ones without area.
 
     The third result has the remaining rows of `triangles`.
 
@@ -65,7 +65,7 @@ def closed_surface(name: str, vertices: Floats, triangles: Ints) -> tuple[Floats
 
 
 def _merged(vertices: Floats, triangles: Ints, tolerance: float) -> tuple[Floats, Ints, Ints]:
-    """Merge corners of one place, remove triangles without area and doubled ones; third are the remaining rows."""
+    """Merge coincident corners and remove triangles without area and duplicates; also return the kept rows."""
     place = vertices + 0.0 if tolerance == 0.0 else np.rint(vertices / tolerance)
     _, first, number = np.unique(place, axis=0, return_index=True, return_inverse=True)
     if len(first) < len(vertices):

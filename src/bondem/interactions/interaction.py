@@ -94,7 +94,7 @@ class Run:
         blocks: division of a step into domains and blocks.
         ledger: sums of a record or a guard.
         arrays: arrays of the state that the law owns.
-        dashpots: dashpots beside the bonds, or None.
+        dashpots: dashpots parallel to the bonds, or None.
         damage: damage pipeline, or None if bonds do not fail.
         failing: function that returns the part of that pipeline, given passes that find failing bonds, passes that
             remove them, and the integrity that these write.
@@ -174,7 +174,7 @@ class Interaction(ABC):
         """
 
     def question(self) -> None:
-        """Warn about a specimen that the law fits badly."""
+        """Warn about a specimen for which the law is inaccurate."""
         return
 
     def under(self, boundary: Boundary) -> "Interaction":
@@ -196,7 +196,7 @@ class Interaction(ABC):
         return twin
 
     def pressed(self, facet: Ints, force: Floats) -> PerElement:
-        """Return what forces on free facets [N], (k, 3), add to V θ of each element [m³], user's order, (n,)."""
+        """Return the contribution of forces on free facets [N], (k, 3), to V θ [m³], user's order, (n,)."""
         return np.zeros(len(self.layout.order))
 
     @property

@@ -108,7 +108,7 @@ def damage(path: Path, kind: Kind, *passing: type[Exception]) -> Iterator[None]:
 
 
 def _require_stored(name: str, item: Any) -> None:
-    """Refuse arrays that announce more bytes than the file can hold, before memory is allocated for them."""
+    """Reject arrays that announce more bytes than the file can hold, before memory is allocated for them."""
     if isinstance(item, h5py.Dataset):
         held = item.id.get_storage_size()
         if item.nbytes > _LITTLE + _MOST_COMPRESSED * held:

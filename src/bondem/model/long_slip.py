@@ -45,7 +45,7 @@ class LongSlip:
         return found
 
     def forces(self, motion: Floats) -> Floats:
-        """Return forces and torques against small displacements and rotations, beside those without slip, (n, 6)."""
+        """Return the forces and torques by which slip adds to those of small motions without slip, (n, 6)."""
         i, j, n, b = self.i, self.j, self.normal, self.across
         u, turn = motion[:, :3], motion[:, 3:]
         opening = u[j] - u[i] + np.cross(turn[j], self.arm_j) - np.cross(turn[i], self.arm_i)

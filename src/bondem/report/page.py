@@ -262,7 +262,7 @@ def rows_of(findings: Findings) -> list[dict[str, Any]]:
 
 
 def _peak(name: str, outcomes: Sequence[Outcome], band: tuple[float, float] | None) -> dict[str, Any] | None:
-    """Mean peak of the curves beside the measured range; None without one."""
+    """Mean peak of the curves, with the measured range; None without one."""
     if band is None:
         return None
     found, style = float(np.mean([one.curves["stress"].max() for one in outcomes])), FAILURE_TESTS[name].figure

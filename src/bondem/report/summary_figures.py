@@ -1,4 +1,4 @@
-"""Figure of all errors beside published ones."""
+"""Figure of all errors, compared with published ones."""
 
 from pathlib import Path
 

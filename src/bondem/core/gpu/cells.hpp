@@ -92,7 +92,7 @@ inline void place_wall(Index g, const DeviceSpan &span, const WallConstraints &w
     if (clock_of(span).first)
         for (Index axis = 0; axis < 3; axis++) walls.increment(g, axis) = 0.0;
 }
-// Sum of the forces of the walls of row r; and these forces.
+// Sums the forces of the walls of row r.
 BONDEM_INLINE void sum_row(Index r, const WallConstraints &walls, const RowOrder &order, const Rows &rows) {
     double sum[6] = {};
     for (Index e = order.start(r); e < order.start(r + 1); e++)

@@ -204,7 +204,7 @@ inline void slide_crack_of(Index k, const DeviceSpan &span, const Moving &all, c
 }
 constexpr auto add_crack_load = listed_element<add_crack_loads>;
 
-// Takes what cracks have dissipated, and logs those that have no integrity left, by the numbers of their facets.
+// Adds the dissipation of cracks to the released energy, and logs cracks without integrity in the order of facets.
 inline void log_all_cracks(Index, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
                            const CohesiveCracks &cracks, const CrackLists &lists, const EventLog &log,
                            const FallenCracks &of) {

@@ -47,7 +47,7 @@ template <class... Tables, void (*pass)(const Range &, const Tables &...)> struc
         pass(portion_of(span, b, bonds_of_portion, span.m), tables...);
     }
 };
-// The index is 0; an element; the place of an element in the list of a step; a portion of elements; of bonds.
+// Kinds of index: 0 alone, an element, a place in the list of elements of a step, a portion of elements, of bonds.
 template <auto pass> constexpr auto once = &OneRange<pass>::once;
 template <auto pass> constexpr auto one_element = &OneRange<pass>::element;
 template <auto pass> constexpr auto listed_element = &OneRange<pass>::listed;

@@ -230,7 +230,7 @@ BONDEM_INLINE CrackFriction<T> crack_friction(T k, T grip, Vector3<T> gap, Vecto
     return {(stiff * kept) * stretch, minus(across, kept, stretch)};
 }
 
-// -∂U/∂s_1 … -∂U/∂s_3 and -∂U/∂γ without bending and friction [J].
+// Energy released per loss of each integrity and of the grip, -∂U/∂s_d and -∂U/∂γ, without bending and friction [J].
 template <class T> struct CrackRates {
     T of[4];
 };

@@ -8,7 +8,7 @@ namespace bondem {
 
 using Byte = uint8_t;
 
-// Bonded facets, m of them, and a few without force behind them where they are fewer than a group.
+// Bonded facets, m of them; fewer than a group are followed by facets without force.
 //
 // Levers are whole multiples of a pitch, shares and H single precision: results from them are exact, and passes read
 // half as much.

@@ -9,7 +9,7 @@ namespace bondem {
 struct StressesOfCells {
     Array<const double, 1> volume;  // [m³], (n,)
     Array<double, 2> tensor;  // stress in the last step, xx … yz [Pa], Σ T_b² [Pa²], size [Pa], (n, 8)
-    // Σ b⊗f of cracks, b in the reference and f in space: b_x f, b_y f, b_z f [J], and a number behind each, the
+    // Σ b⊗f of cracks, b in the reference and f in space: b_x f, b_y f, b_z f [J], and a number after each, the
     // first of which is 0 for cells that have had no crack
     Array<double, 2> carried;  // (n, 12)
     Array<const double, 3> pressed;  // contribution of loads on free facets to V σ at full load [J], (*, n, 6)
@@ -91,8 +91,8 @@ struct CellSlack {
 struct CrackLists {
     // numbers of cracks treated one by one, of those that rest, of cells of the first, and of `parted`
     Array<Index, 1> size;  // (4,)
-    Array<Index, 1> treated;  // cracks; lanes behind the last one repeat it, (places,)
-    Array<Index, 1> resting;  // cracks; lanes behind the last one repeat it, (places,)
+    Array<Index, 1> treated;  // cracks; lanes after the last one repeat it, (places,)
+    Array<Index, 1> resting;  // cracks; lanes after the last one repeat it, (places,)
     Array<Short, 1> treated_i;  // their cells, (places,)
     Array<Short, 1> treated_j;  // their cells, (places,)
     Array<Short, 1> resting_i;  // their cells, (places,)

@@ -129,7 +129,7 @@ def _none(n: int) -> WallContacts:
 
 
 def lists_of_contacts(passes: Passes) -> list[Any]:
-    """Return the tables of the passes of a step that are made anew with a list of contacts."""
+    """Return the tables of the passes of a step that each new list of contacts replaces."""
     kinds = AdheringPairs, ContactPairs, FacePairs, NearPairs, RolledPairs, RolledWalls, Travel, WallContacts
     return list({id(table): table for _, tables in passes for table in tables if isinstance(table, kinds)}.values())
 

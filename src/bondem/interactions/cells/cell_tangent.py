@@ -33,7 +33,7 @@ from bondem.specimen.local_origin import local_rest
 
 @dataclass(frozen=True, eq=False)
 class BodyTables:
-    """Facets, cells and walls of a body as the core takes them.
+    """Facets, cells and walls of a body in the layout of the core.
 
     Tractions on facets are those of the constants and do not change.
 

@@ -78,7 +78,7 @@ class GradientConstants:
             body: a lattice with facets and cells.
             G, lame: shear modulus and Lamé's λ of each cell [Pa], (n,).
             layered: λ_p of each cell [Pa], (n,).
-            walls: free walls of the cells.
+            walls: directions across which the cells are free.
             shares: shares of the facets in both cells [m²], (m, 3) each.
             grips: walls that hold facets.
         """
