@@ -6,7 +6,7 @@ from bondem._types import Bytes, Floats, Int32s, Ints, Singles, Uint32s
 
 
 class ElasticFacets(NamedTuple):
-    """Bonded facets, m of them, and a few without force behind them where they are fewer than a group.
+    """Bonded facets, m of them; fewer than a group are followed by facets without force.
 
     Levers are whole multiples of a pitch, shares and H single precision: results from them are exact, and passes read
     half as much.

@@ -10,7 +10,7 @@ class StressesOfCells(NamedTuple):
 
     volume: Floats  #: [m³], (n,)
     tensor: Floats  #: stress in the last step, xx … yz [Pa], Σ T_b² [Pa²], size [Pa], (n, 8)
-    #: Σ b⊗f of cracks, b in the reference and f in space: b_x f, b_y f, b_z f [J], and a number behind each, the
+    #: Σ b⊗f of cracks, b in the reference and f in space: b_x f, b_y f, b_z f [J], and a number after each, the
     #: first of which is 0 for cells that have had no crack, (n, 12)
     carried: Floats
     pressed: Floats  #: contribution of loads on free facets to V σ at full load [J], (*, n, 6)
@@ -101,8 +101,8 @@ class CrackLists(NamedTuple):
 
     #: numbers of cracks treated one by one, of those that rest, of cells of the first, and of `parted`, (4,)
     size: Ints
-    treated: Ints  #: cracks; lanes behind the last one repeat it, (places,)
-    resting: Ints  #: cracks; lanes behind the last one repeat it, (places,)
+    treated: Ints  #: cracks; lanes after the last one repeat it, (places,)
+    resting: Ints  #: cracks; lanes after the last one repeat it, (places,)
     treated_i: Uint32s  #: their cells, (places,)
     treated_j: Uint32s  #: their cells, (places,)
     resting_i: Uint32s  #: their cells, (places,)

@@ -130,7 +130,7 @@ def yield_cell(
     device_span: DeviceSpan, moving: Moving, stresses_of_cells: StressesOfCells, yielding_cells: YieldingCells,
     crack_onset: CrackOnset
 ) -> Kernel:
-    """Lets the cells of a portion yield whose stress reaches their yield surface.
+    """Applies plastic flow to the cells of a portion whose stress reaches their yield surface.
 
     Over one index.
     """
