@@ -57,7 +57,7 @@ def _compiled(target: Platform, name: str) -> Path:
     """Return a library compiled from the present sources.
 
     Raises:
-        ImportError: there is none, and none can be compiled.
+        ImportError: No library exists, and none can be compiled.
     """
     if not _is_source_tree():
         found = _found(name, target.suffix)
@@ -86,7 +86,7 @@ def _level(target: Platform) -> str:
     """The level of instructions to use: of this CPU, or the one that BONDEM_ISA names.
 
     Raises:
-        InputError: BONDEM_ISA names none, or one that this CPU does not offer.
+        InputError: BONDEM_ISA names no level, or one that this CPU does not offer.
     """
     levels = target.levels
     if len(levels) == 1:
@@ -156,7 +156,7 @@ def _library() -> _Library:
     """The library for this CPU.
 
     Raises:
-        ImportError: there is none, or it does not lay tables out as this module does.
+        ImportError: No library exists, or its layout of tables differs from that of this module.
     """
     target = Platform.named(None)
     level = _level(target)

@@ -180,7 +180,7 @@ def _summary(value: object) -> tuple[str, bool]:
 
 
 def _brief(value: object) -> str:
-    """Return the first line of a representation."""
+    """Return a text as it is, else the first line of the representation, or the class where that is long."""
     if isinstance(value, str):
         return value
     text = repr(value).split("\n", 1)[0]

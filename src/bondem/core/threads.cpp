@@ -19,7 +19,7 @@ inline void pause() {
 #endif
 }
 
-// Threads take turns at tasks: thread t of k has tasks t n / k … (t + 1) n / k - 1.
+// Threads that share n tasks in contiguous parts: thread t of k has tasks t n / k … (t + 1) n / k - 1.
 struct Team {
     pthread_mutex_t busy, lock;  // held while tasks are shared; guards what follows
     pthread_cond_t begun, ended;

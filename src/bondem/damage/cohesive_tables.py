@@ -52,7 +52,7 @@ def new_cohesive_cracks(state: FailingState, listed: np.ndarray, slide: float) -
 
 
 def _columns_of_cracks(cracks: CohesiveCracks) -> list[tuple[int | slice, Floats, int | slice]]:
-    """Return where a run has columns of cracks of a state: state columns, table of the run, table columns."""
+    """Return the columns of cracks in a state, each with the table and the columns of a run that contain them."""
     def columns(first: int, number: int) -> slice:
         return slice(first, first + number)
 

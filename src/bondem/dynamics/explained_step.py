@@ -63,8 +63,8 @@ def explain_step(
 ) -> ExplainedStep:
     """Return the passes that the core calls in one step of `solve_explicit`, with the purpose of each.
 
-    The step is composed from a state as a run composes it, and no pass is called. A subject that the model lacks,
-    such as contact, is a pass that its step does not have.
+    The step is composed from a state as a run composes it, and no pass is called. The step of a model
+    without contact, for example, has no pass of contact.
 
     Args:
         model: model of the run.

@@ -34,7 +34,7 @@ def closed_surface(name: str, vertices: Floats, triangles: Ints) -> tuple[Floats
         triangles: three corners each, (t, 3).
 
     Raises:
-        InputError: it is not closed, encloses nothing, or has solids that overlap, touch, or lie in each other.
+        InputError: The surface is not closed, encloses nothing, or has solids that overlap, touch or contain others.
     """
     if vertices.ndim != 2 or triangles.ndim != 2 or vertices.shape[1:] != (3,) or triangles.shape[1:] != (3,):
         raise InputError(f"{name}: vertices {vertices.shape}, triangles {triangles.shape}; give (v, 3) and (t, 3)")

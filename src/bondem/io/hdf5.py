@@ -119,8 +119,8 @@ def array_at(file: Any, name: str) -> np.ndarray:
     """Read an array.
 
     Raises:
-        KeyError: there is none of this name.
-        ValueError: it is not an array.
+        KeyError: The file has no array of this name.
+        ValueError: The name is not that of an array.
     """
     item = file[name]
     if not isinstance(item, h5py.Dataset):

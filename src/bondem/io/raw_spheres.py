@@ -109,7 +109,7 @@ def announced_count(path: Path, line: int, text: str, what: str) -> int:
     """Read a count of a header.
 
     Raises:
-        InputError: it is no count, or beyond all files.
+        InputError: The text is no count, or a count larger than any file can contain.
     """
     if not text.isascii() or not text.isdigit() or len(text) > _DIGITS:
         raise InputError(f"'{path}', line {line}: {shown(text)} where the number of {what} is due; correct it")

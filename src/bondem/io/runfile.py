@@ -295,7 +295,7 @@ def reading_run(path: Path) -> Iterator[h5py.File]:
     """Open the last commit of a run file, also while it is written or after a kill.
 
     Raises:
-        RunFileError: there is no such file, or it is not HDF5 or damaged.
+        RunFileError: The file does not exist, is not HDF5, or is damaged.
     """
     require_file(path, "run file", RunFileError)
     with reading(path, KIND, committed(path)) as file:

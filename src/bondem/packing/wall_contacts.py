@@ -137,7 +137,7 @@ def _has_narrow_gap(
 ) -> bool:
     """Return True if another wall is nearer to a plane than a sphere is wide, without meeting it.
 
-    At such a place the depth behind other walls has a minimum above 0 on the plane.
+    At such a place the depth below other walls has a minimum above 0 on the plane.
     """
     low, high = shape.bounds
     step = _GAP_SPACING * float(radius.mean())

@@ -75,7 +75,7 @@ class Picture:
 
     @classmethod
     def of(cls, file: Path, caption: str) -> "Picture":
-        """A PNG of a folder of figures, with that for phones where there is one."""
+        """Read a PNG from a folder of figures, with its version for phones if there is one."""
         slim = file.parent / PHONE / file.name
         with Image.open(file) as picture:
             share = min(picture.width / _PAGE, 1.0)
@@ -84,7 +84,7 @@ class Picture:
 
 
 def _embedded(file: Path) -> str:
-    """A picture as base64 of WebP."""
+    """Return a picture as WebP in base64."""
     stream = BytesIO()
     with Image.open(file) as picture:
         picture.convert("RGB").save(stream, "WEBP", quality=90)

@@ -86,7 +86,7 @@ def replicate(
         seed: number that random rotations follow from.
 
     Raises:
-        InputError: A body that `join` refuses, several bodies, or an array of another shape.
+        InputError: A body that `join` rejects, several bodies, or an array of another shape.
     """
     instance("replicate", "body", body, Lattice, "a lattice, from bd.connect")
     body.bodies.require_one("replicate")

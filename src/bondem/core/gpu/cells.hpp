@@ -148,7 +148,7 @@ inline void give_dilatation(Index p, const DeviceSpan &span, const FacetTraction
     for (Index l = 0; l < count; l++) sum += tractions.factor(l) * tractions.value(l, p);
     cells.given(p) = sum;
 }
-// Number h of the elements that own rows, as cells with tractions do.
+// Adds the work of tractions of cell number h of those that own rows of the boundary.
 inline void add_traction_work_of_row(Index h, const Moving &all, const StepBlocks &blocks,
                                      const FacetTractions &tractions, const Rows &rows) {
     add_traction_work_of(all, tractions, rows, blocks.ready(blocks.held(0) + h));

@@ -27,7 +27,7 @@ BONDEM_INLINE void make_outdated(const CrackLists &lists, const ElasticFacets &f
     put_shared(lists.outdated(facets.i(k)), Byte(1));
     put_shared(lists.outdated(facets.j(k)), Byte(1));
 }
-// Calls on(k, whether it is cell i) for the facets of cell p, in ascending order.
+// Calls on(k, true if p is cell i of facet k) for the facets of cell p, in ascending order.
 template <class Facets, class On> BONDEM_INLINE void for_each_facet_of(const Facets &of, Index p, On on) {
     for (Index k = of.in_start(p); k < of.in_start(p + 1); k++) on(k, false);
     for (Index e = of.out_start(p); e < of.out_start(p + 1); e++) on(Index(of.out_bond(e)), true);

@@ -49,7 +49,7 @@ template <class T> struct CrackIntegrity {
     BONDEM_INLINE T shut(int d) const { return d == 0 ? all<T>(1.0) : grip; }
     BONDEM_INLINE T least_left() const { return least(least(s[0], s[1]), s[2]); }
 };
-// Three directions, of which each is at right angles to the others.
+// Three mutually orthogonal directions.
 template <class T> struct CrackAxes {
     Vector3<T> e[3];
 };

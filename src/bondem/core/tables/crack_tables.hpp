@@ -78,13 +78,13 @@ struct CohesiveCracks {
     Array<Index, 1> size;  // number of cracks, and 1 where lists are out of date, (2,)
     double slide;  // largest slip of faces of material planes that face each other, over √A, at most 1 [-]
 };
-// Facets of each cell, and their slack.
+// Facets of each cell, and the increase of 1 / weight of the cell if a facet breaks.
 struct CellSlack {
     Array<const Index, 1> in_start;  // facets of each cell, as `FacetsOfCells` has them, (n + 1,)
     Array<const Index, 1> out_start;  // facets of each cell, as `FacetsOfCells` has them, (n + 1,)
     Array<const Short, 1> out_bond;  // (*,)
-    Array<const double, 1> slack_i;  // increase of 1 / weight of a cell if the facet parts [m³/Pa], (m,)
-    Array<const double, 1> slack_j;  // what 1 / weight of a cell gains where the facet parts [m³/Pa], (m,)
+    Array<const double, 1> slack_i;  // increase of 1 / weight of cell i if the facet parts [m³/Pa], (m,)
+    Array<const double, 1> slack_j;  // increase of 1 / weight of cell j if the facet parts [m³/Pa], (m,)
     Array<const double, 1> weight;  // λ / V of each cell with all its facets [Pa/m³], (n,)
 };
 // Lists of a step, and data of the cracks on them.

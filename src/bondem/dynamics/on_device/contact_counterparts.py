@@ -108,7 +108,7 @@ COUNTERPARTS: dict[str, Counterpart] = {
 
 
 def deepest_overlaps(run: Translation, passes: Passes) -> list[Launch]:
-    """Return the launches that measure the deepest overlap of each portion, of the passes of a step."""
+    """Return the launches that measure the deepest overlap of each portion, given the passes of a step."""
     named = dict(passes)
     pressed = named.get("press_pairs", named.get("press_pairs_and_faces"))
     if pressed is None:

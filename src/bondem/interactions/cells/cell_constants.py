@@ -39,7 +39,7 @@ class CellConstants:
 
     Shares and H are numbers of single precision and levers multiples of `pitch`: results from them are exact, and
     passes read half as much. They are stored as the passes read them. `lever_i`, `share_i`, `normal`, `H` and their
-    like are made when asked.
+    like are computed on access.
 
     Attributes:
         k: 2 G A / L, of halves in series between different materials [N/m], shape (m,).

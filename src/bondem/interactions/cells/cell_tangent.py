@@ -167,9 +167,9 @@ class CellsAtAnyPose(Interaction):
         return held, own
 
     def _gradients_at(self, pose: Floats) -> tuple[csr_array | None, bsr_array | None]:
-        """Return the gradients of the dilatation as `Stiffness` takes them, in the present pose.
+        """Return the matrices S and T of `Stiffness` for the gradients of the dilatation, in the present pose.
 
-        The change of the ways of bent layers with the rotation of their cells is left out.
+        The change of n × s of bent layers with the rotation of their cells is left out.
         """
         cells = self.constants
         gradients = cells.gradients

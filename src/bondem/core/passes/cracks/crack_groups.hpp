@@ -132,7 +132,7 @@ struct CrackGroup {
         : e(e), known(int(least(count - e, Index(lanes)))), crack(list.data + e), i(at_i.data + e),
             j(at_j.data + e) {}
 
-    // Lines of a table.
+    // The line of each crack in a table, eight numbers, one lane per crack.
     BONDEM_INLINE Row<Lanes> lines(const Array<double, 2> &table) const {
         const double *row[lanes];
         for (int n = 0; n < lanes; n++) row[n] = table.data + 8 * crack[n];
