@@ -86,13 +86,13 @@ class CohesiveCracks(NamedTuple):
 
 
 class CellSlack(NamedTuple):
-    """Facets of each cell, and their slack."""
+    """Facets of each cell, and the increase of 1 / weight of the cell if a facet breaks."""
 
     in_start: Ints  #: facets of each cell, as `FacetsOfCells` has them, (n + 1,)
     out_start: Ints  #: facets of each cell, as `FacetsOfCells` has them, (n + 1,)
     out_bond: Uint32s  #: (*,)
-    slack_i: Floats  #: increase of 1 / weight of a cell if the facet parts [m³/Pa], (m,)
-    slack_j: Floats  #: what 1 / weight of a cell gains where the facet parts [m³/Pa], (m,)
+    slack_i: Floats  #: increase of 1 / weight of cell i if the facet parts [m³/Pa], (m,)
+    slack_j: Floats  #: increase of 1 / weight of cell j if the facet parts [m³/Pa], (m,)
     weight: Floats  #: λ / V of each cell with all its facets [Pa/m³], (n,)
 
 

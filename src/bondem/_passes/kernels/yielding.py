@@ -24,7 +24,7 @@ def add_yielding_work_of_row(
     device_span: DeviceSpan, step_blocks: StepBlocks, facet_tractions: FacetTractions, stresses_of_cells:
     StressesOfCells, yielding_cells: YieldingCells, rows: Rows
 ) -> Kernel:
-    """Number h of the elements that own rows, as cells with loads on free facets do."""
+    """Adds the work of loads on free facets of cell number h of those that own rows of the boundary."""
     return Kernel("add_yielding_work_of_row", (
         device_span, step_blocks, facet_tractions, stresses_of_cells, yielding_cells, rows
     ))

@@ -122,7 +122,7 @@ inline void apply_walls_of_row(Index r, const Moving &all, const WallConstraints
     load_row(r, all, walls, order, rows);
     for (Index e = order.start(r); e < order.start(r + 1); e++) add_half_work(walls, rows, order.load(e));
 }
-// Tractions of element number h of those that own rows of the boundary.
+// Adds the loads of walls to the sums of element number h of those that own rows of the boundary.
 inline void add_wall_load(Index h, const Rows &rows, const StepBlocks &blocks) {
     const Index e = blocks.held(0) + h;
     const double *load = &rows.grip(rows.of(blocks.ready(e)), 0);

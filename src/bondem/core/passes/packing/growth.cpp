@@ -1,8 +1,8 @@
 // Hard spheres that fly, collide and grow: event-driven molecular dynamics.
 //
 // Lubachevsky and Stillinger, J. Stat. Phys. 60 (1990); one event per sphere, as Lubachevsky, J. Comput. Phys. 94 (1991).
-// All radii grow in proportion at a constant rate. Between collisions a sphere flies straight; each knows its own next
-// event and stands in a heap by its time. One thread: events depend on each other, and their order makes the bits.
+// All radii grow in proportion at a constant rate. Between collisions a sphere flies straight. The next event
+// of each is stored in a heap by time. One thread: events depend on each other, and their order determines the bits.
 #include "../../registered.hpp"
 #include "../../tables/columns.hpp"
 #include "../../tables/packing_tables.hpp"
