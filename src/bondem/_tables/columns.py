@@ -73,7 +73,7 @@ class WallSum(IntEnum):
 
 
 class GuardEnergy(IntEnum):
-    """Energies by which the guard bounds the kinetic energy: that at the start, and the largest one supplied since."""
+    """Energies that bound the kinetic energy for the guard: that at the start, and the largest one supplied since."""
 
     START = 0
     SUPPLIED = 1

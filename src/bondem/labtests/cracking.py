@@ -124,8 +124,8 @@ class Cracking:
     def stored_ratio(self) -> float:
         """Elastic energy at the peak over the energy of one crack, G_f times the section [-]; NaN without a section.
 
-Above 1 the specimen releases more than one crack dissipates: the load snaps back, and in a test at a given motion
-        the rest goes into further cracks and vibrations.
+        Above 1 the specimen releases more energy than one crack dissipates: the load snaps back, and in a test at a
+        given motion the rest goes into further cracks and vibrations.
         """
         taken = self.fracture_energy * self.section
         return self.stored / taken if taken > 0.0 else math.nan

@@ -40,7 +40,7 @@ namespace guard_number { enum : Index { wide, lost, ending, out_of_date }; }
 namespace turn_count { enum : Index { wide, lost, not_finite }; }
 // Sums of the forces on a wall, as `WallLoad` has them.
 namespace wall_sum { enum : Index { force, normal = 3, torque, count = 7 }; }
-// Energies by which the guard bounds the kinetic energy: that at the start, and the largest one supplied since.
+// Energies that bound the kinetic energy for the guard: that at the start, and the largest one supplied since.
 namespace guard_energy { enum : Index { start, supplied }; }
 // Counts of a log of events: of all, and of those before the present step.
 namespace log_count { enum : Index { events, before }; }

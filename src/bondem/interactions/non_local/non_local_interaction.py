@@ -182,7 +182,7 @@ class NonLocalInteraction(LaggedInteraction):
     def _rows_of_moments(self, blocks: StepBlocks) -> np.ndarray:
         """Return the row of the moment that each bond adds to for its element i, uint32, (m,).
 
-Rows after those of the n elements are contributions of bonds between domains, in the order of `blocks.part`.
+        Rows after those of the n elements are contributions of bonds between domains, in the order of `blocks.part`.
         """
         i = self.layout.i
         row = blocks.row_i[: len(i)].astype(np.int64)
