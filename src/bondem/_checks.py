@@ -109,7 +109,7 @@ def _bounds(above: float | None, least: float | None, below: float | None) -> st
 
 
 def count(owner: str, name: str, value: object, *, least: int = 0, advice: str = "") -> int:
-    """Return a whole number.
+    """Return an argument that must be a whole number.
 
     Raises:
         InputError: The value is not a whole number, or is below `least`.
@@ -124,7 +124,7 @@ def count(owner: str, name: str, value: object, *, least: int = 0, advice: str =
 def vector(
     owner: str, name: str, value: object, *, unit: str = "", advice: str = ""
 ) -> tuple[float, float, float]:
-    """Return three finite components.
+    """Return an argument that must be three finite components.
 
     Raises:
         InputError: The value is not three finite components.
@@ -139,7 +139,7 @@ def vector(
 
 
 def array(owner: str, name: str, value: object, *, wanted: str) -> Floats:
-    """Return an array of numbers of any shape, copied; `wanted` ends the message.
+    """Return a copy of an argument that must be numbers, as an array of any shape; `wanted` ends the message.
 
     Raises:
         InputError: The value is text, a ragged list or an object.
@@ -170,7 +170,7 @@ def possible(values: Floats) -> bool:
 def instance(
     owner: str, name: str, value: object, kinds: type[Kind] | tuple[type[Kind], ...], wanted: str
 ) -> Kind:
-    """Return a value of given types; `wanted` ends the message.
+    """Return an argument that must have one of the given types; `wanted` ends the message.
 
     Raises:
         InputError: The value has another type.
@@ -184,7 +184,7 @@ def instance(
 def several(
     owner: str, name: str, value: object, kinds: type[Kind] | tuple[type[Kind], ...], wanted: str
 ) -> tuple[Kind, ...]:
-    """Return one value of given types, or several of them, as a tuple; None gives an empty tuple.
+    """Return an argument, one value or several of the given types, as a tuple; empty for None.
 
     Raises:
         InputError: A value has another type.
@@ -198,7 +198,7 @@ def several(
 
 
 def choice(owner: str, name: str, value: object, words: Any) -> Any:
-    """Return one of several words.
+    """Return an argument that must be one of several words.
 
     Args:
         owner: class or function that was called.
@@ -216,7 +216,7 @@ def choice(owner: str, name: str, value: object, words: Any) -> Any:
 
 
 def place(name: str, value: object) -> Path:
-    """Return a path.
+    """Return an argument that must be a path.
 
     Raises:
         InputError: The value is neither text nor a path.

@@ -48,7 +48,7 @@ def _is_source_tree() -> bool:
 
 
 def _found(name: str, suffix: str, digest: str = "*") -> Path | None:
-    """A compiled library, the newest one of its name."""
+    """Return the path of the newest compiled library of a name, or None if there is none."""
     made = list((SOURCES / LIBRARIES).glob(f"{name}.{digest}{suffix}"))
     return max(made, key=lambda path: path.stat().st_mtime_ns, default=None)
 
@@ -57,7 +57,7 @@ def _compiled(target: Platform, name: str) -> Path:
     """Return a library compiled from the present sources.
 
     Raises:
-        ImportError: there is none, and none can be compiled.
+        ImportError: No library exists, and none can be compiled.
     """
     if not _is_source_tree():
         found = _found(name, target.suffix)
@@ -86,7 +86,7 @@ def _level(target: Platform) -> str:
     """The level of instructions to use: of this CPU, or the one that BONDEM_ISA names.
 
     Raises:
-        InputError: BONDEM_ISA names none, or one that this CPU does not offer.
+        InputError: BONDEM_ISA names no level, or one that this CPU does not offer.
     """
     levels = target.levels
     if len(levels) == 1:
@@ -156,7 +156,7 @@ def _library() -> _Library:
     """The library for this CPU.
 
     Raises:
-        ImportError: there is none, or it does not lay tables out as this module does.
+        ImportError: No library exists, or its layout of tables differs from that of this module.
     """
     target = Platform.named(None)
     level = _level(target)
@@ -221,7 +221,7 @@ def compiled_level() -> str:
 
 
 def core_lanes() -> int:
-    """Numbers of a register of the library in use: a table of fewer bonds is filled up to so many."""
+    """Number of lanes of the library in use, which is the least number of rows of a table of bonds."""
     return _library().lanes
 
 
@@ -361,7 +361,7 @@ def _of_system(name: str) -> Callable[..., int] | None:
 
 
 def return_free_memory(bonds: int) -> None:
-    """Return memory that work on so many bonds has freed to the system, where the C library can and where it pays."""
+    """Return freed memory to the system after work on many bonds, if the C library supports it."""
     if bonds >= _MANY_BONDS and (trim := _of_system("malloc_trim")) is not None:
         trim(0)
 

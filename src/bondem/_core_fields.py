@@ -1,4 +1,4 @@
-"""Tables in memory as the core takes them: each value is checked against its field, and written as words."""
+"""Tables in memory in the layout of the core: each value is checked against its field, and written as words."""
 
 import math
 import re
@@ -39,7 +39,7 @@ class Field:
 
     @classmethod
     def of(cls, description: Any) -> "Field":
-        """Read a description of the library."""
+        """Return the field that a description in the library states."""
         dtype, _, use = description.type.decode().partition(" ")
         axes = []
         for axis in description.shape.decode().split():
@@ -64,7 +64,7 @@ class Field:
 def filled_table(
     name: str, fields: tuple[Field, ...], table: tuple[Any, ...], lengths: dict[str, tuple[int, str]]
 ) -> Ints:
-    """A table in memory as the core takes it.
+    """A table in memory in the layout of the core.
 
     Args:
         name: name of the table.

@@ -22,7 +22,7 @@ _UNIT = re.compile(r"\[((?:[^\[\]]*[A-Za-zµΩ°%·/³²-][^\[\]]*))\]")
 
 
 def _extent(shape: Any) -> str:
-    """Return the extents of a shape along the axes."""
+    """Format the extents of a shape along x, y and z [m]."""
     a, b, c = shape.bounds[1] - shape.bounds[0]
     return f"{a:.4g} × {b:.4g} × {c:.4g} m"
 
@@ -180,7 +180,7 @@ def _summary(value: object) -> tuple[str, bool]:
 
 
 def _brief(value: object) -> str:
-    """Return the first line of a representation."""
+    """Return a text as it is, else the first line of the representation, or the class where that is long."""
     if isinstance(value, str):
         return value
     text = repr(value).split("\n", 1)[0]

@@ -24,7 +24,7 @@ Enqueue = Callable[[Any], None]
 
 @dataclass(frozen=True)
 class HostCall:
-    """Work of the CPU between two passes of a step, such as a function of a user. Steps with one are no graphs.
+    """Work of the CPU between two passes of a step, such as a user's function. It prevents the recording of a graph.
 
     Attributes:
         work: function that fetches its input from tables of a run, and sends its results.

@@ -19,7 +19,7 @@ _FAR = 1 << 62
 
 @contextmanager
 def alone(place: Path, *, patience: float) -> Iterator[None]:
-    """Run a block as the only process at a place; after `patience` without the lock, beside others.
+    """Run a block as the only process at a place; after `patience` without the lock, run it without exclusion.
 
     The system takes the lock from a process that dies. Without locks on files the block starts at once.
 

@@ -63,7 +63,7 @@ def no_attribute(module: str, name: str, known: Iterable[str], instead: Mapping[
 
 
 def no_member(thing: object, name: str) -> str:
-    """Return the message for an attribute that an object does not have: that of a member, a function, a near name."""
+    """Return the message for a missing attribute. It suggests one of a member, a function or a similar name."""
     message = f"{type(thing).__name__} has no attribute '{name}'"
     if name.startswith("_"):
         return message

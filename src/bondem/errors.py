@@ -25,7 +25,7 @@ class DisconnectedError(InputError):
 
 
 class FloatingBodyError(InputError):
-    """A body of a scene that nothing holds, in a static problem."""
+    """Error for a body of a scene without supports in a static problem."""
 
 
 class PackingError(BondemError):
@@ -113,7 +113,7 @@ class UnresolvedOpeningWarning(FractureEnergyWarning):
 
 
 class ReportWarning(UserWarning):
-    """Warning of a figure or report that could not be written, beside results that were."""
+    """Warning of a figure or report that could not be written, although the results could."""
 
 
 class AuxeticWarning(UserWarning):
@@ -136,7 +136,7 @@ class RunInterrupted(KeyboardInterrupt):
     """
 
     def __init__(self, message: str, result: Any = None) -> None:
-        """Keep the result beside the message."""
+        """Store the message and the result."""
         super().__init__(message)
         self.result = result
 

@@ -28,5 +28,5 @@ class SofteningBeams(NamedTuple):
     rows: Ints  #: number of rows, (1,)
     listed: Ints  #: rows that have not broken, those of a portion of bonds from its first bond on, (bonds,)
     number: Ints  #: number of rows of each portion, (bond_portions,)
-    parted: Ints  #: number of those that break in this step, behind the others, (bond_portions,)
+    parted: Ints  #: number of those that break in this step, after the others, (bond_portions,)
     lost: Ints  #: exact sum of the energy dissipated in this step [J], (1, 68)

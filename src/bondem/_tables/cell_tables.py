@@ -6,7 +6,7 @@ from bondem._types import Bytes, Floats, Int32s, Ints, Singles, Uint32s
 
 
 class ElasticFacets(NamedTuple):
-    """Bonded facets, m of them, and a few without force behind them where they are fewer than a group.
+    """Bonded facets, m of them; fewer than a group are followed by facets without force.
 
     Levers are whole multiples of a pitch, shares and H single precision: results from them are exact, and passes read
     half as much.
@@ -101,10 +101,10 @@ class FacetRelease(NamedTuple):
     """Effect of failing facets on their cells, n of them; a failed facet is a free facet of both cells."""
 
     whole: Floats  #: λ / V of each cell with all its facets [Pa/m³], (n,)
-    weight: Floats  #: with those it has left: the array of `CellDilatation`, (n,)
-    given: Floats  #: that of `CellDilatation` too, (n,)
-    slack_i: Floats  #: gain of 1 / weight of each side where a facet fails [m³/Pa], (bonds,)
-    slack_j: Floats  #: what 1 / weight of each side gains where a facet fails [m³/Pa], (bonds,)
+    weight: Floats  #: λ / V with the unbroken facets: the array of `CellDilatation`, (n,)
+    given: Floats  #: the array of `CellDilatation`, (n,)
+    slack_i: Floats  #: increase of 1 / weight of cell i if the facet fails [m³/Pa], (bonds,)
+    slack_j: Floats  #: increase of 1 / weight of cell j if the facet fails [m³/Pa], (bonds,)
     in_start: Ints  #: facets of each cell, as in `FacetsOfCells`, (n + 1,)
     out_start: Ints  #: (n + 1,)
     out_bond: Uint32s  #: (bonds,)

@@ -73,7 +73,7 @@ class WallSum(IntEnum):
 
 
 class GuardEnergy(IntEnum):
-    """Energies of the guard: at the start, and the most that was supplied since."""
+    """Energies that bound the kinetic energy for the guard: that at the start, and the largest one supplied since."""
 
     START = 0
     SUPPLIED = 1
@@ -150,7 +150,7 @@ class LoadColumn(IntEnum):
 
 
 class StrainDue(IntEnum):
-    """Bytes of strains that change: whether ∂U/∂factor is needed, and whether lengths or levers have changed."""
+    """Flags of strains that change: whether ∂U/∂factor is needed, and whether lengths or levers have changed."""
 
     POWER = 0
     LEVERS = 1
@@ -230,7 +230,7 @@ class GaugeQuantity(IntEnum):
 
 
 class WallQuantity(IntEnum):
-    """Quantities of a wall that gauges record, behind those of elements. Power is that of the wall on the elements:
+    """Quantities of a wall that gauges record, after those of elements. Power is that of the wall on the elements:
     by its velocity and its growth, by its spin, and their sum.
     """
 

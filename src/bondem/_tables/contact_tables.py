@@ -167,8 +167,8 @@ class WallMotions(NamedTuple):
     servo_damping: Floats  #: share of the missing force that resists the motion [-], (servos,)
     free_wall: Ints  #: (free_walls,)
     free_mass: Floats  #: [kg], (free_walls,)
-    free_force: Floats  #: on each beside that of elements [N], (free_walls, 3)
-    free_torque: Floats  #: on each beside that of elements [N·m], (free_walls, 3)
+    free_force: Floats  #: on each, without that of elements [N], (free_walls, 3)
+    free_torque: Floats  #: on each, without that of elements [N·m], (free_walls, 3)
 
 
 class PairSources(NamedTuple):

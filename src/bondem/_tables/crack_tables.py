@@ -10,7 +10,7 @@ class StressesOfCells(NamedTuple):
 
     volume: Floats  #: [m³], (n,)
     tensor: Floats  #: stress in the last step, xx … yz [Pa], Σ T_b² [Pa²], size [Pa], (n, 8)
-    #: Σ b⊗f of cracks, b in the reference and f in space: b_x f, b_y f, b_z f [J], and a number behind each, the
+    #: Σ b⊗f of cracks, b in the reference and f in space: b_x f, b_y f, b_z f [J], and a number after each, the
     #: first of which is 0 for cells that have had no crack, (n, 12)
     carried: Floats
     pressed: Floats  #: contribution of loads on free facets to V σ at full load [J], (*, n, 6)
@@ -86,13 +86,13 @@ class CohesiveCracks(NamedTuple):
 
 
 class CellSlack(NamedTuple):
-    """Facets of each cell, and their slack."""
+    """Facets of each cell, and the increase of 1 / weight of the cell if a facet breaks."""
 
     in_start: Ints  #: facets of each cell, as `FacetsOfCells` has them, (n + 1,)
     out_start: Ints  #: facets of each cell, as `FacetsOfCells` has them, (n + 1,)
     out_bond: Uint32s  #: (*,)
-    slack_i: Floats  #: increase of 1 / weight of a cell if the facet parts [m³/Pa], (m,)
-    slack_j: Floats  #: what 1 / weight of a cell gains where the facet parts [m³/Pa], (m,)
+    slack_i: Floats  #: increase of 1 / weight of cell i if the facet parts [m³/Pa], (m,)
+    slack_j: Floats  #: increase of 1 / weight of cell j if the facet parts [m³/Pa], (m,)
     weight: Floats  #: λ / V of each cell with all its facets [Pa/m³], (n,)
 
 
@@ -101,8 +101,8 @@ class CrackLists(NamedTuple):
 
     #: numbers of cracks treated one by one, of those that rest, of cells of the first, and of `parted`, (4,)
     size: Ints
-    treated: Ints  #: cracks; lanes behind the last one repeat it, (places,)
-    resting: Ints  #: cracks; lanes behind the last one repeat it, (places,)
+    treated: Ints  #: cracks; lanes after the last one repeat it, (places,)
+    resting: Ints  #: cracks; lanes after the last one repeat it, (places,)
     treated_i: Uint32s  #: their cells, (places,)
     treated_j: Uint32s  #: their cells, (places,)
     resting_i: Uint32s  #: their cells, (places,)

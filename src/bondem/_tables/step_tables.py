@@ -16,7 +16,7 @@ class Moving(NamedTuple):
 
 
 class Beams(NamedTuple):
-    """Beams, m of them, and a few without force behind them where they are fewer than a group."""
+    """Beams, m of them; fewer than a group are followed by beams without force."""
 
     i: Uint32s  #: (m,)
     j: Uint32s  #: (m,)
@@ -52,7 +52,7 @@ class Poses(NamedTuple):
 
 
 class BeamSums(NamedTuple):
-    """Sums that beams add the forces on their two ends to."""
+    """Sums to which beams add the forces on their two ends."""
 
     row_i: Uint32s  #: (m,)
     row_j: Uint32s  #: (m,)
@@ -72,7 +72,7 @@ class BeamTurns(NamedTuple):
 
 
 class Dashpots(NamedTuple):
-    """Dashpots beside the springs of beams, and their forces."""
+    """Dashpots parallel to the springs of beams, and their forces."""
 
     c: Floats  #: cn, cs [N·s/m], cb, ct [N·m·s], (4, m)
     share: Floats  #: where the contact point divides a beam, from i [-], (m,)
@@ -194,9 +194,9 @@ class Strain(NamedTuple):
     length: Floats  #: L [m], (strained,)
     shear: Floats  #: ks [N/m], (strained,)
     lever: Floats  #: a [m], (strained,)
-    factor: Floats  #: rows: present factors, those to come, energy by factor [J] a step ago and now, (4, strains)
-    power: Ints  #: their energy by factor, zero between steps, (strains, 68)
-    due: Bytes  #: 1 where that energy is needed, and where lengths have changed, (2,)
+    factor: Floats  #: rows: present factors, those to come, ∂U/∂factor [J] a step ago and now, (4, strains)
+    power: Ints  #: exact sums of ∂U/∂factor [J], zero between steps, (strains, 68)
+    due: Bytes  #: 1 where ∂U/∂factor is needed, and where lengths have changed, (2,)
     place: int  #: in the list of works
 
 
@@ -252,7 +252,7 @@ class StepSpan(NamedTuple):
 
 
 class LaggedStresses(NamedTuple):
-    """Stresses of n elements that lag a step behind."""
+    """Stresses of n elements in the previous step."""
 
     inverse: Floats  #: 1 / V [1/m³], (n,)
     stress: Floats  #: in the element's own frame, xx, yy, zz, xy, xz, yz [Pa], (n, 6)

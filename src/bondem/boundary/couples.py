@@ -52,7 +52,7 @@ class Couple:
         np.add.at(load, self.element, amplitude * np.hstack([force, torque + np.cross(arm, force)]))
 
     def turning(self, pose: Floats) -> tuple[Floats, Floats]:
-        """Return the change of the forces as they follow a region, considered rigid, at full load.
+        """Return the change of the forces with the rotation of their region, considered rigid, at full load.
 
         Returns:
             Forces and torques on the elements by the rotation of the region, (k, 6, 3), and the rotation by their
@@ -73,7 +73,7 @@ class Couple:
 
 
 def couple_table(couples: Sequence[Couple], row_of: Ints) -> CoupleTable:
-    """Return couples as the core takes them."""
+    """Return couples in the layout of the core."""
     element = np.concatenate([np.zeros(0, dtype=np.int64), *(one.element for one in couples)])
     return CoupleTable(
         start=np.cumsum([0, *(len(one.element) for one in couples)]).astype(np.int64),

@@ -326,7 +326,7 @@ def facet_numbers(region: Region, body: Lattice) -> Ints:
 
 
 def patches_on(owner: str, region: Region, lattice: Lattice) -> tuple[Ints, Ints, Floats, Floats]:
-    """Return the elements of a face or of a part of one, and their patches, of cells the facets.
+    """Return the elements on a face or on a part of one, and their patches, which are facets for cells.
 
     Returns:
         The elements, and for each patch the place of its element among them, its centroid [m], and its area times

@@ -48,7 +48,7 @@ class FixedFacets:
 
     @classmethod
     def none(cls) -> "FixedFacets":
-        """Return no facets."""
+        """Return the table of no facets."""
         no, none = np.zeros((0, 3)), np.zeros(0, dtype=np.int64)
         return cls(none, no > 0.0, (), no.astype(np.int64), (), no[:, 0], none)
 
@@ -143,7 +143,7 @@ class Supports:
 
     @classmethod
     def none(cls) -> "Supports":
-        """Return those of elements that no wall holds."""
+        """Return the table of no half facets."""
         no, square, fixed = np.zeros((0, 3)), np.zeros((0, 3, 3)), FixedFacets.none()
         return cls(fixed.facet, no[:, 0], no, no, no, square, no, no, fixed, no[:, 0], no, no, square)
 
@@ -219,7 +219,7 @@ class Supports:
         return own, -np.hstack([self.share, np.cross(b, self.share)])
 
     def table(self, layout: Layout, row_of: Ints, base: Floats | None = None) -> WallConstraints:
-        """Return the fixed facets as the core takes them; arrays that change are those of the table.
+        """Return the fixed facets in the layout of the core; arrays that change are those of the table.
 
         Args:
             layout: order of the elements.

@@ -149,7 +149,7 @@ def pivot(wall: Wall) -> Triple:
 
 
 def check_walls(walls: object) -> tuple[Wall, ...]:
-    """Return walls as a tuple.
+    """Return an argument that must be one wall or several, as a tuple.
 
     Raises:
         InputError: A value is not a wall.

@@ -334,7 +334,7 @@ def calibrate(
 
 
 def _require_slender(lattice: Lattice) -> None:
-    """Refuse specimens whose E and ν a tension test along x does not measure; periodic cells need none.
+    """Reject specimens whose E and ν a tension test along x does not measure; periodic cells need none.
 
     Raises:
         InputError: the specimen is too short, or has no faces x_min and x_max.

@@ -126,7 +126,11 @@ class StrengthCalibration:
         return Sample(np.array(self.nearest.measured[test]))
 
     def tolerated(self, parameter: str) -> tuple[float, float]:
-        """Return the range of a parameter for strengths anywhere within the tolerances of the targets."""
+        """Return the range of a parameter for strengths anywhere within the tolerances of the targets.
+
+        Raises:
+            InputError: an unknown parameter.
+        """
         if parameter not in self.names:
             raise InputError(
                 f"parameter = {shown(parameter)}: unknown parameter; choose from {', '.join(self.names)}"

@@ -89,6 +89,7 @@ def read_campaign(path: str | Path) -> Campaign:
 
     Raises:
         StudyError: no such file, invalid TOML, or a key of any specimen that is unknown, missing or out of range.
+        InputError: `path` is neither text nor a path.
     """
     path = place("path", path)
     return read_toml(path, lambda data: parse_campaign(data, folder=path.parent))

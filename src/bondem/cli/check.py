@@ -19,7 +19,7 @@ def command(study_file: Path) -> None:
     """Check a study and print what it will compute, without running it.
 
     The first specimen of up to 20 000 elements is packed, and its tests to failure begin without a step, so that
-    `bondem run` refuses nothing later. Element sizes, time steps and memory are estimated. The exit status is 2 for
+    `bondem run` rejects nothing later. Element sizes, time steps and memory are estimated. The exit status is 2 for
     an invalid study.
     """
     console = Console(highlight=False, markup=False)

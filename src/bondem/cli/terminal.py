@@ -154,7 +154,7 @@ def _show_files(console: Console, out: Path) -> None:
 
 
 def show_programme(results: Mapping[str, Any], out: Path) -> None:
-    """Print the results of a test programme, measured values beside targets."""
+    """Print the results of a test programme, measured values with their targets."""
     console = Console(highlight=False)
     if not console.is_terminal:
         console.width = 140

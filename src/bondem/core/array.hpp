@@ -1,4 +1,4 @@
-// An array of Python's: where it begins, and how long its axes are. The core allocates nothing.
+// An array that Python owns: its address and the lengths of its axes. The core allocates nothing.
 //
 // Contiguous, last axis fastest. `_core.py` checks type, axes and lengths once, when a table is filled; with
 // BONDEM_CHECKED (the debug build) every access is checked as well.

@@ -26,7 +26,7 @@ template <class T> struct TypeName;
     template <> struct TypeName<type> { static constexpr const char *name = word; };
 BONDEM_NUMBER(double, "float64")
 BONDEM_NUMBER(Index, "int64")
-// Members of a row, which is no table itself: as many numbers as their shape says.
+// Types of members of a row that are several numbers; the shape of the member states how many.
 BONDEM_NUMBER(Vector, "float64")
 BONDEM_NUMBER(Quaternion<double>, "float64")
 BONDEM_ARRAY(double, "float64")

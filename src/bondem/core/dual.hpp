@@ -1,4 +1,4 @@
-// A number with its derivative in one direction: of such numbers, laws return their derivatives exact to rounding.
+// A number with its derivative in one direction: laws of such numbers return derivatives exact to rounding.
 #pragma once
 #include "symmetric3.hpp"
 

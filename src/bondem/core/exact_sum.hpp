@@ -95,7 +95,7 @@ struct ExactSum {
         }
         return carry;
     }
-    // True if a number is rounded up whose first bit that is cut off is given; digits before `begin` are zero.
+    // True if a number is rounded up where bits are cut off from `bit` down; digits before `begin` are zero.
     static inline bool rounds_up(const uint32_t *digit, Index begin, Index bit, bool odd) {
         const Index k = bit >> 5;
         if (k < begin || (digit[k] >> (bit & 31) & 1) == 0) return false;

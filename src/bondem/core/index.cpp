@@ -36,7 +36,7 @@ BONDEM_EXPORT const bondem::PassDescription *bondem_index_passes(bondem::Index *
     *count = sizeof(bondem::index_passes) / sizeof(bondem::index_passes[0]);
     return bondem::index_passes;
 }
-// Numbers of a register, as many as there are bonds in a group; tables of fewer bonds are filled.
+// Number of lanes, which is the number of bonds in a group; tables of fewer bonds are padded to a group.
 BONDEM_EXPORT bondem::Index bondem_lanes() { return bondem::lanes; }
 // The level that this library was compiled for.
 BONDEM_EXPORT bondem::Index bondem_compiled_level() { return bondem::compiled_level; }

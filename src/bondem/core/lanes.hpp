@@ -17,7 +17,7 @@ template <class T> struct Row {
 };
 
 #if !defined(BONDEM_LANES)
-// Four numbers.
+// Four numbers that are added and scaled together.
 struct Four {
     double of[4];
 

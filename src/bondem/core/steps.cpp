@@ -112,7 +112,7 @@ class StepDriver {
         }
     }
 
-    // Elements that failures have postponed resume.
+    // Resumes the elements that failures have postponed.
     void resume(const List &acceleration, const List &opening, const Clock &clock) const {
         ElementPasses(clock, {0, 0, 0, nullptr, nullptr}, 0).resume(acceleration, opening);
     }

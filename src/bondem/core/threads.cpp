@@ -19,11 +19,11 @@ inline void pause() {
 #endif
 }
 
-// Threads take turns at tasks: thread t of k has tasks t n / k … (t + 1) n / k - 1.
+// Threads that share n tasks in contiguous parts: thread t of k has tasks t n / k … (t + 1) n / k - 1.
 struct Team {
     pthread_mutex_t busy, lock;  // held while tasks are shared; guards what follows
     pthread_cond_t start, ended;
-    int started;  // threads beside the caller
+    int started;  // threads in addition to the caller
     int process;  // that started them: a fork has none of them
     Index tasks;
     void (*work)(Index, void *);
@@ -80,7 +80,7 @@ void *serve(void *recruit) {
     return nullptr;
 }
 
-// Starts threads up to a number beside the caller; fewer if the system refuses more.
+// Starts threads up to a number in addition to the caller; fewer if the system refuses more.
 int started(int wanted) {
     if (team.process != getpid()) {
         // A forked child has none of the parent's threads, which still count as idle: conditions on which they slept

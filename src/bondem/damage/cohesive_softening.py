@@ -85,7 +85,7 @@ class StressIndex:
 
     @property
     def passes(self) -> StressPasses:
-        """Passes of the core that evaluate it."""
+        """Passes of the core that evaluate the criterion."""
         if isinstance(self.function, str):
             return StressPasses.of_core(self.function, self.values)
         return StressPasses.of_function(self.function, self.values)

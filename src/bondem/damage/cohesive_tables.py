@@ -29,14 +29,14 @@ from bondem.damage.softening_table import SofteningTable
 from bondem.interactions.beams.bond_table import with_zeros
 from bondem.interactions.cells.cell_constants import CellConstants
 
-# Places of a portion of a list, as in the core, and places behind a list that lanes and prefetching read.
+# Places of a portion of a list, as in the core, and places after a list that lanes and prefetching read.
 _PORTION, _BEHIND = 256, 64
 #: Column of the history of a crack that says in which step it began.
 BEGAN = 5
 
 
 def new_cohesive_cracks(state: FailingState, listed: np.ndarray, slide: float) -> CohesiveCracks:
-    """Return the cracks of a state; memory is taken as facets crack."""
+    """Return the cracks of a state; memory is used as facets crack."""
     m, count = len(state.integrity), len(state.cracks)
     cracks = CohesiveCracks(
         lines(m), lines(m), lines(m), lines(m), lines(m), lines(m), lines(m), np.zeros((m, 4)),
@@ -52,7 +52,7 @@ def new_cohesive_cracks(state: FailingState, listed: np.ndarray, slide: float) -
 
 
 def _columns_of_cracks(cracks: CohesiveCracks) -> list[tuple[int | slice, Floats, int | slice]]:
-    """Return where a run has columns of cracks of a state: state columns, table of the run, table columns."""
+    """Return the columns of cracks in a state, each with the table and the columns of a run that contain them."""
     def columns(first: int, number: int) -> slice:
         return slice(first, first + number)
 
@@ -85,7 +85,7 @@ def keep_cracks(cracks: CohesiveCracks, stored: FacetForces, state: FailingState
 
 
 def new_crack_lists(n: int, m: int) -> CrackLists:
-    """Room for lists of m facets of n cells; memory is taken as facets crack."""
+    """Room for lists of m facets of n cells; memory is used as facets crack."""
     places = m + _BEHIND
     portions, halves = places // _PORTION + 1, 2 * places + 2
     numbers, shorts = np.zeros(places, np.int64), np.zeros(places, np.uint32)

@@ -119,7 +119,7 @@ class CrackingBody:
         return [Part({"prepare": self._onset()}), elastic, self._cracks(self.straining()[2])]
 
     def straining(self) -> tuple[Passes, Passes, Passes]:
-        """Return passes of strains that change: of levers, and of powers at cracks as a run begins and in a step."""
+        """Return passes of changing strains: of levers, and of ∂U/∂factor at cracks as a run begins and in a step."""
         body, stretch = self.body, []
         for strains in body.strains:
             whole = strains, body.facets, self.of_cells, body.walls

@@ -9,7 +9,7 @@ from bondem.damage.crack_columns import AXES, BEFORE, CRACK_COLUMNS, FACET, KIND
 
 
 def axes_along(normal: ArrayLike) -> Floats:
-    """Return axes whose first direction is given, (c, 3), and whose others are any, (c, 3, 3) by rows."""
+    """Return orthonormal axes with given first directions (c, 3) and arbitrary others, by rows, (c, 3, 3)."""
     e = np.asarray(normal, dtype=float)
     other = np.where(np.abs(e[:, :1]) < 0.6, [1.0, 0.0, 0.0], [0.0, 1.0, 0.0])
     a = other - (other * e).sum(axis=1, keepdims=True) * e

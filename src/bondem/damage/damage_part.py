@@ -69,7 +69,7 @@ class DamageTables:
 
     @property
     def strengths(self) -> Strengths:
-        """Coefficients of the criteria as the core takes them."""
+        """Coefficients of the criteria in the layout of the core."""
         return strengths_of(self.table)
 
     def part(self, shared: StepTables, judge: Passes, remove: Passes, dashpots: Dashpots | None) -> Part:

@@ -1,4 +1,4 @@
-"""Failure criteria as the core takes them, and the indices of facets under tractions.
+"""Failure criteria in the layout of the core, and the indices of facets under tractions.
 
 `core/tables/damage_tables.hpp` declares types and shapes.
 """
@@ -13,7 +13,7 @@ from bondem.damage.failure_table import FailureTable
 
 
 def strengths_of(table: FailureTable) -> Strengths:
-    """Return the coefficients of a table as the core takes them."""
+    """Return the coefficients of a table in the layout of the core."""
     return Strengths(np.ascontiguousarray(table.coefficient), np.ascontiguousarray(table.station, dtype=float))
 
 

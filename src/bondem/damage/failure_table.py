@@ -199,6 +199,6 @@ def _check_soft(failure: Criterion, contact: ContactLaws) -> None:
 
 
 def _scale(values: Floats) -> float:
-    """Return a number of the magnitude of the values, 1 without values."""
+    """Return the geometric mean of the positive values, 1 without any."""
     there = values[values > 0.0]
     return float(np.exp(np.log(there).mean())) if len(there) else 1.0

@@ -56,7 +56,7 @@ def softening_along(
 
 
 def agreed_stresses(loaded: LoadedFacets) -> Floats:
-    """Return σ* of all facets, with what bending opens of them added to the traction that pulls [Pa], (m, 3, 3)."""
+    """Return σ* of all facets, with the opening traction of bending added to the normal traction [Pa], (m, 3, 3)."""
     m = len(loaded.i)
     candidates = new_stress_candidates(m)._replace(bond=np.arange(m))
     run_pass(calls.find_agreed_stresses(loaded, candidates))

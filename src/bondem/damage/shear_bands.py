@@ -1,4 +1,4 @@
-"""Width of shear bands: cells whose slip takes the cohesion of a cell."""
+"""Width of shear bands: the cells whose mean slip reduces the cohesion of a cell."""
 
 import numpy as np
 
@@ -16,7 +16,7 @@ _HALF_SHELL = 0.25
 
 
 def band_widths(edge: PerElement, yields: Mask, given: PerElement) -> PerElement:
-    """Return the widths of bands [m], (n,): those given, or four edges where that is zero.
+    """Return the widths of bands [m], (n,): the given width, or four edges of the cell where it is zero.
 
     Args:
         edge: edges V^(1/3) of the cells [m], (n,).

@@ -137,7 +137,7 @@ class SofteningTable:
     def strengths(
         self, fastest: PerBond | None = None, filled: Callable[[PerBond], PerBond] = np.ascontiguousarray
     ) -> FacetStrengths:
-        """Return the table as the core takes it.
+        """Return the table in the layout of the core.
 
         Args:
             fastest: largest loss of integrity of brittle facets in a step [-], (m,); 0 without steps.

@@ -1,4 +1,4 @@
-"""Criteria on a stress tensor as the core takes them: criteria of its own, and functions of a user.
+"""Criteria on a stress tensor in the layout of the core: criteria of its own, and functions of a user.
 
 `core/tables/damage_tables.hpp` declares types and shapes.
 """

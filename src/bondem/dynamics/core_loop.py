@@ -143,6 +143,6 @@ class CoreLoop:
 
 
 def noticeable(model: Model, dt: float) -> float:
-    """Return the energy below which no guard acts [J]: that of motion at rest, and that of adhesion."""
+    """Return the energy below which no guard acts [J]: of negligible motion, and released by adhesion."""
     rest = 0.5 * float(model.mass.sum()) * (_STILL * model.lattice.particles.mean_radius / dt) ** 2
     return rest + model.contact_laws.released(model.contact_radius)

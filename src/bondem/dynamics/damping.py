@@ -44,7 +44,7 @@ class MassDamping:
 
 @dataclass(frozen=True)
 class BondDamping:
-    """Bond damping: dashpots beside the springs of a bond, against the relative motion of its ends.
+    """Bond damping: dashpots parallel to the springs of a bond, against the relative motion of its ends.
 
         c = 2 η √(k m̄) + β k for k = kn, ks,    c = 2 η √(k Ī) + β k for k = kb, kt
 

@@ -167,7 +167,7 @@ class DeviceLoop:
         return now, True
 
     def _enqueue(self, steps: int) -> int:
-        """Enqueue some of the steps to a pause, as a graph where possible; return how many."""
+        """Enqueue some of the steps to a pause, as a graph where possible; return their number."""
         if steps == 1 or not self._graphs:  # what is recorded must have been loaded
             _run(self._pause if steps == 1 else self._go_on)
             if self._graphed and not self._graphs:

@@ -22,7 +22,7 @@ from bondem.model.state import State
 
 __all__ = ["ExplainedPass", "ExplainedStep", "explain_step"]
 
-# Words of what each part writes into a row of the history, behind all stages.
+# Description of the row of the history that all parts write after the last stage.
 _RECORD = {"record": "a row of the history, every `every` steps"}
 
 
@@ -61,10 +61,10 @@ def explain_step(
     gauges: Mapping[str, AnyGauge] | None = None,
     state: State | None = None,
 ) -> ExplainedStep:
-    """Return the passes that the core calls in one step of `solve_explicit`, with what each is for.
+    """Return the passes that the core calls in one step of `solve_explicit`, with the purpose of each.
 
-    The step is composed from a state as a run composes it, and no pass is called. A subject that the model lacks,
-    such as contact, is a pass that its step does not have.
+    The step is composed from a state as a run composes it, and no pass is called. The step of a model
+    without contact, for example, has no pass of contact.
 
     Args:
         model: model of the run.

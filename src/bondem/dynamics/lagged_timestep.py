@@ -31,7 +31,7 @@ _BEYOND = 1e30
 def lagged_limits(
     model: Model, law: LaggedInteraction, scheme: Scheme, terms: DampingTerms, springs: float, *, matters: float
 ) -> tuple[float, float]:
-    """Return the critical step of a law that lags, and its value without dashpots beside the bonds [s].
+    """Return the critical step of a law that lags, and its value without the dashpots of bonds [s].
 
     The critical step is the smaller of two: that of springs and contacts with the dashpots of contacts, and the
     largest share of that of springs and contacts at which lagged steps are stable, with dashpots of bonds in these

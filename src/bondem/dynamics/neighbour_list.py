@@ -27,7 +27,7 @@ class FoundContacts:
     Attributes:
         pairs: pairs of elements.
         whole: distance at which pairs touch as spheres [m], (c,).
-        least: distance at which each pair touches: less, where faces lay between it inside that distance [m], (c,).
+        least: distance at which each pair touches: `whole`, or less after contact by faces inside it [m], (c,).
         faces: faces by which pairs touch, as one number, 0 for none, (c,).
         own: normal stiffness of the pairs of bonds, or 0 [N/m], (c,).
         of_bond: the pair of each bond, or -1, (m,).
@@ -66,7 +66,7 @@ class ContactSearch:
             model: model of the elements.
             contacts: contacts of the model.
             state: state with the pose of the elements.
-            joints: `Joints.integrity` and `Joints.apart` of the damage room; passes write both arrays.
+            joints: `Joints.integrity` and `Joints.apart` of the damage pipeline; passes write both arrays.
             outer: distance within which two cells may touch by faces, as a sum of both [m], (n,); None without.
         """
         self._size = contacts.radius if outer is None else np.maximum(contacts.radius, outer)
@@ -126,7 +126,7 @@ class ContactSearch:
     def _listed(self, position: Floats, skin: float) -> np.ndarray:
         """Return a mask of the bonds whose pairs are listed, (m,): breakable ones, and broken ones with near ends.
 
-        If contacts act beside bonds, these are all bonds with near ends.
+        If contacts act in parallel with bonds, these are all bonds with near ends.
         """
         layout, size = self._state.layout, self._size
         broken = (self._joined[: len(layout.i)] <= 0.0) | self._contacts.laws.parallel

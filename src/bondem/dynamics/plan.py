@@ -149,7 +149,7 @@ class ExplicitResult(Solution, PlottedState):
 
     @property
     def fracture_energy(self) -> tuple[FractureEnergy, ...]:
-        """Energy dissipated per broken area beside the fracture energy, for each criterion."""
+        """Energy dissipated per broken area and its ratio to the fracture energy, for each criterion."""
         return fracture_energies(self.state)
 
     @property

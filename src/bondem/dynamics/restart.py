@@ -116,7 +116,7 @@ def _refuse_jumps(model: Model, state: State, before: Sequence[object]) -> None:
 
 
 def _angle(orientation: Floats, axis: Triple, near: float) -> float:
-    """Return the angle of a wall about an axis [rad], of those that differ by whole turns the one next to `near`."""
+    """Return the angle of a wall about an axis [rad], with the number of whole turns that is closest to `near`."""
     found = 2.0 * math.atan2(float(orientation[1:] @ np.array(axis)), float(orientation[0]))
     return found + 2.0 * math.pi * round((near - found) / (2.0 * math.pi))
 
@@ -161,7 +161,7 @@ def _warn_of_lost_time(model: Model, before: Origin, time: float) -> None:
 
 
 def _warn_of_other_loads(model: Model, before: Origin) -> None:
-    """Warn about loads and strains whose factor is another than in the equilibrium from which a run begins."""
+    """Warn about loads and strains whose factor differs from that of the equilibrium from which a run begins."""
     known = [one for one in before.boundary if isinstance(one, Scheduled)]
     for one in model.boundary:
         if not isinstance(one, Scheduled):

@@ -30,8 +30,8 @@ class Scheme(ABC):
 
         Returns:
             Factors a, b [s] and c [s²]: the velocity grows by a times the acceleration at the end of the step
-            before and b times the one of this step; the displacement has c times the acceleration beside dt times
-            the velocity.
+            before and b times the one of this step; the displacement grows by dt times the velocity and c times the
+            acceleration.
         """
 
 

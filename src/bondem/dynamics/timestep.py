@@ -55,7 +55,7 @@ def critical_step(
 def _limits(
     model: Model, scheme: Scheme, terms: DampingTerms, integrity: PerBond | None = None
 ) -> tuple[float, float]:
-    """Return `critical_step`, and its value without dashpots beside the bonds [s]."""
+    """Return `critical_step`, and its value without the dashpots of bonds [s]."""
     raised = math.sqrt(1.0 + terms.gamma)
     bonds, decay = highest_frequency(model, integrity=integrity), 0.0
     for slip in long_slips(model):

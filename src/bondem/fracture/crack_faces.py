@@ -35,7 +35,7 @@ class Faces:
 
 
 def faces_of(lattice: Lattice, state: State, chosen: Ints) -> Faces:
-    """Return the faces of some facets, by their user's numbers."""
+    """Return the faces of some facets, given by their numbers in the user's order."""
     i, j = lattice.pairs[chosen].T
     area = areas_of(lattice, state.model.interaction.bonds)[chosen]
     straight = lattice.elements.bond_normal[chosen]

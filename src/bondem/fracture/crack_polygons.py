@@ -39,7 +39,7 @@ class CrackPolygons:
 def crack_polygons(
     lattice: Lattice, state: State, chosen: Ints, faces: Faces, solid: Callable[[], Polyhedra]
 ) -> CrackPolygons:
-    """Return polygons of some facets, by their user's numbers; for beams, regular ones of the area of the section.
+    """Return polygons of facets, given by numbers in user's order; of beams regular ones of the area of the section.
 
     `solid` returns the polygons of all cells; it is called only where there are cells.
     """

@@ -24,7 +24,7 @@ _OFF = 0.1
 
 
 def closed_surface(name: str, vertices: Floats, triangles: Ints) -> tuple[Floats, Ints, Ints]:
-    """Return corners and triangles of a closed surface, all outwards, without doubled ones or ones without area.
+    """Return corners and triangles of a closed surface, facing outwards, without duplicates or ones without area.
 
     The third result has the remaining rows of `triangles`.
 
@@ -34,7 +34,7 @@ def closed_surface(name: str, vertices: Floats, triangles: Ints) -> tuple[Floats
         triangles: three corners each, (t, 3).
 
     Raises:
-        InputError: it is not closed, encloses nothing, or has solids that overlap, touch, or lie in each other.
+        InputError: The surface is not closed, encloses nothing, or has solids that overlap, touch or contain others.
     """
     if vertices.ndim != 2 or triangles.ndim != 2 or vertices.shape[1:] != (3,) or triangles.shape[1:] != (3,):
         raise InputError(f"{name}: vertices {vertices.shape}, triangles {triangles.shape}; give (v, 3) and (t, 3)")
@@ -65,7 +65,7 @@ def closed_surface(name: str, vertices: Floats, triangles: Ints) -> tuple[Floats
 
 
 def _merged(vertices: Floats, triangles: Ints, tolerance: float) -> tuple[Floats, Ints, Ints]:
-    """Merge corners of one place, remove triangles without area and doubled ones; third are the remaining rows."""
+    """Merge coincident corners and remove triangles without area and duplicates; also return the kept rows."""
     place = vertices + 0.0 if tolerance == 0.0 else np.rint(vertices / tolerance)
     _, first, number = np.unique(place, axis=0, return_index=True, return_inverse=True)
     if len(first) < len(vertices):

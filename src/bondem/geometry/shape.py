@@ -24,12 +24,20 @@ class Shape(Walled):
     """
 
     def moved(self, by: Triple) -> "Shape":
-        """Return the shape moved by the vector `by` [m], (3,)."""
+        """Return the shape moved by the vector `by` [m], (3,).
+
+        Raises:
+            InputError: `by` is not three finite components.
+        """
         x, y, z = vector(type(self).__name__, "by", by, unit="m")
         return place_shape(self, np.eye(3), np.array([x, y, z]))
 
     def rotated(self, axis: Axis, angle: float) -> "Shape":
-        """Return the shape rotated right-handed by `angle` [rad] about "x", "y" or "z" through the origin."""
+        """Return the shape rotated right-handed by `angle` [rad] about "x", "y" or "z" through the origin.
+
+        Raises:
+            InputError: The axis is none of these, or the angle is no finite number.
+        """
         choice(f"{type(self).__name__}.rotated", "axis", axis, Axis)
         angle = number(f"{type(self).__name__}.rotated", "angle", angle, unit="rad")
         return place_shape(self, turn_about(axis, angle), np.zeros(3))

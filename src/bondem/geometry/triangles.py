@@ -40,7 +40,7 @@ class Triangles:
         self._tree = TriangleTree(*boxes, owner, self._corner, self._side, self._normal)
 
     def _outward_normals(self, triangles: Ints, vertices: int) -> Floats:
-        """Return outward normals on the inside of each triangle, its three sides and its three corners, (t, 7, 3)."""
+        """Return the outward normals of the interior, the sides and the corners of each triangle, (t, 7, 3)."""
         before = -np.roll(self._side, 1, axis=1)
         cosine = (before * self._side).sum(axis=2) / np.sqrt(self._length2 * np.roll(self._length2, 1, axis=1))
         angle = np.arccos(np.clip(cosine, -1.0, 1.0))

@@ -66,7 +66,7 @@ class StateField:
 
 class SurfaceState(NamedTuple):
     """Walls that hold facets at a time, and tractions on facets: initial places `base`, (g, 7), displacements [m],
-    (g, 3), and what the tractions add to V θ of each cell [m³], internal order, (n,).
+    (g, 3), and the contribution of tractions to V θ of each cell [m³], internal order, (n,).
     """
 
     base: Floats
@@ -75,7 +75,7 @@ class SurfaceState(NamedTuple):
 
 
 class DamageOfRun(Protocol):
-    """The damage pipeline of a run, as a law takes it."""
+    """The damage pipeline of a run, as the input of a law."""
 
     @property
     def candidates(self) -> Candidates: ...
@@ -89,14 +89,14 @@ class DamageOfRun(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class Run:
-    """A run, as a law takes it to give its passes.
+    """A run, as the input from which a law gives its passes.
 
     Attributes:
         moving: motion of the elements.
         blocks: division of a step into domains and blocks.
         ledger: sums of a record or a guard.
         arrays: arrays of the state that the law owns.
-        dashpots: dashpots beside the bonds, or None.
+        dashpots: dashpots parallel to the bonds, or None.
         damage: damage pipeline, or None if bonds do not fail.
         failing: function that returns the part of that pipeline, given passes that find failing bonds, passes that
             remove them, and the integrity that these write.
@@ -176,7 +176,7 @@ class Interaction(ABC):
         """
 
     def question(self) -> None:
-        """Warn about a specimen that the law fits badly."""
+        """Warn about a specimen for which the law is inaccurate."""
         return
 
     @classmethod
@@ -215,14 +215,14 @@ class Interaction(ABC):
     def strained(self, strain: PerBond, base: Floats, motion: Floats, pressed: PerElement) -> Self:
         """Return the law at strains ε* [-], (m,) or (0,), and walls with initial places `base` and motions, (g, 3).
 
-        `pressed` is what tractions add to V θ of each cell [m³]; all in internal order.
+        `pressed` is the contribution of tractions to V θ of each cell [m³]; all in internal order.
         """
         twin = copy(self)
         twin.__dict__["table"] = self.table.stretched(strain)
         return twin
 
     def pressed(self, facet: Ints, force: Floats) -> PerElement:
-        """Return what forces on free facets [N], (k, 3), add to V θ of each element [m³], user's order, (n,)."""
+        """Return the contribution of forces on free facets [N], (k, 3), to V θ [m³], user's order, (n,)."""
         return np.zeros(len(self.layout.order))
 
     def dilatational_stress(self, swelling: PerElement) -> PerElement:
@@ -295,7 +295,7 @@ class Interaction(ABC):
     def strain_load(self, strain: PerBond, pressed: PerElement) -> PerElement6:
         """Return forces on elements at rest by strained bonds and moving walls [N, N·m], internal order, (n, 6).
 
-        Strains ε* [-] are in internal order; `pressed`, what tractions add to V θ [m³], in the user's, as below.
+        Strains ε* [-] are in internal order; `pressed`, the contribution of tractions to V θ [m³], is in the user's.
         """
         layout, bonds = self.layout, self.table
         push = bonds.kn * bonds.length * strain * bonds.direction

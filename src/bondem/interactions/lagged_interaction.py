@@ -1,4 +1,4 @@
-"""Laws whose forces follow from the stresses of elements that lag a step, or an iteration, behind."""
+"""Laws whose forces follow from the stresses of the elements in the previous step or iteration."""
 
 from abc import abstractmethod
 from typing import ClassVar, Protocol, Self
@@ -13,7 +13,7 @@ from bondem.interactions.stiffness_product import Product
 
 
 class LaggedStrain(Protocol):
-    """Small deformation of all bonds from the reference, with the forces that lag behind, user's order."""
+    """Small deformation of all bonds from the reference, with forces of the previous iteration, user's order."""
 
     @property
     def gap(self) -> PerBond3: ...

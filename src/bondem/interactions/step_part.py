@@ -38,7 +38,7 @@ RESUME = {
 #: All stages of parts, in the order of a step.
 STAGES = {
     "begin": "once, as a run begins",
-    "opening": "elements open a step after a pause, behind a record or a guard",
+    "opening": "elements open a step after a pause for a record or a guard",
     "travel": "walls move; lists of contacts may be out of date",
     "present": "boundary conditions at the present time",
     **FORCES,

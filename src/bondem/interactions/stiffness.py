@@ -40,7 +40,7 @@ class Stiffness:
 
     @property
     def neighbours(self) -> int:
-        """Number of blocks beside the diagonal; each pair of elements counts twice."""
+        """Number of off-diagonal blocks; each pair of elements counts twice."""
         return len(self.bonds.indices) - self.shape[0] // 6
 
     @cached_property

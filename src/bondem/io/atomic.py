@@ -31,7 +31,7 @@ def replacing(path: Path) -> Iterator[Path]:
     A kill at any moment leaves the old file or none, never a partial one. The permissions of an old file are kept.
 
     Raises:
-        InputError: there is something else of this name than a file.
+        InputError: The path names something other than a file.
         RunFileError: the disk is full, or another failure to write.
     """
     target = target_of(path)
@@ -116,7 +116,7 @@ def make_folder(path: Path) -> None:
     """Create a folder of results with all folders above it.
 
     Raises:
-        RunFileError: it cannot be created.
+        RunFileError: The folder cannot be created.
     """
     try:
         path.mkdir(parents=True, exist_ok=True)

@@ -84,7 +84,7 @@ def export(
 
 
 def _check_names(frame: "_Frame", given: Mapping[str, ArrayLike], suffix: str) -> None:
-    """Refuse fields whose columns would be taken for others."""
+    """Reject fields whose columns would have the names of other columns."""
     own = {"x", "y", "z", frame.lattice.elements.size_column[0]}
     if frame.state is not None:
         own |= {"displacement", "velocity"}

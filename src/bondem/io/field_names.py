@@ -7,7 +7,7 @@ from bondem.errors import InputError
 
 
 def check_names(owner: str, names: Iterable[object], *, own: Collection[str], forbidden: str = "") -> None:
-    """Refuse names of fields that a file cannot represent, or that would replace fields of bondem.
+    """Reject names of fields that a file cannot represent, or that would replace fields of bondem.
 
     Args:
         owner: the function whose argument has them, for the message.

@@ -108,7 +108,7 @@ def damage(path: Path, kind: Kind, *passing: type[Exception]) -> Iterator[None]:
 
 
 def _require_stored(name: str, item: Any) -> None:
-    """Refuse arrays that announce more bytes than the file can hold, before memory is allocated for them."""
+    """Reject arrays that announce more bytes than the file can hold, before memory is allocated for them."""
     if isinstance(item, h5py.Dataset):
         stored = item.id.get_storage_size()
         if item.nbytes > _LITTLE + _MOST_COMPRESSED * stored:
@@ -119,8 +119,8 @@ def array_at(file: Any, name: str) -> np.ndarray:
     """Read an array.
 
     Raises:
-        KeyError: there is none of this name.
-        ValueError: it is not an array.
+        KeyError: The file has no array of this name.
+        ValueError: The name is not that of an array.
     """
     item = file[name]
     if not isinstance(item, h5py.Dataset):

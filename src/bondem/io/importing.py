@@ -162,7 +162,7 @@ class _Asked:
 
 
 def _refuse_across(path: Path, lattice: Lattice) -> None:
-    """Refuse bonds over the border of a periodic cell that is taken for a body with walls.
+    """Reject bonds over the border of a periodic cell that is taken for a body with walls.
 
     They reach over half of the body or more, and are longer than all others.
     """

@@ -95,7 +95,11 @@ def load_lattice(path: str | Path) -> Lattice | None:
 
 
 def read_provenance(path: str | Path) -> dict[str, Any]:
-    """Read the provenance of the particles of a file: the argument of `save_particles`, and `bondem_version`."""
+    """Read the provenance of the particles of a file: the argument of `save_particles`, and `bondem_version`.
+
+    Raises:
+        InputError: The file does not exist, is no particle file, is damaged, or is of a newer bondem.
+    """
     return _read(place("read_provenance: path", path))[2]
 
 

@@ -109,7 +109,7 @@ def announced_count(path: Path, line: int, text: str, what: str) -> int:
     """Read a count of a header.
 
     Raises:
-        InputError: it is no count, or beyond all files.
+        InputError: The text is no count, or a count larger than any file can contain.
     """
     if not text.isascii() or not text.isdigit() or len(text) > _DIGITS:
         raise InputError(f"'{path}', line {line}: {shown(text)} where the number of {what} is due; correct it")
@@ -117,7 +117,7 @@ def announced_count(path: Path, line: int, text: str, what: str) -> int:
 
 
 def require_count(path: Path, line: int, what: str, announced: int | None, found: int) -> None:
-    """Refuse a file that holds more or less than its header announces; None if nothing is announced.
+    """Reject a file that contains more or fewer entries than its header announces; None announces nothing.
 
     Raises:
         InputError: the numbers differ; the message states both.

@@ -86,6 +86,7 @@ def read_contents(path: str | Path) -> RunContents:
 
     Raises:
         RunFileError: no such file, not a run file, or damaged.
+        InputError: `path` is neither text nor a path.
     """
     path = place("read_contents: path", path)
     require_file(path, "run file", RunFileError)

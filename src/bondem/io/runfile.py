@@ -226,7 +226,7 @@ class RunFile:
 
 
 def _put(group: Any, name: str, values: np.ndarray) -> None:
-    """Write an array over an existing one, which is resized to it."""
+    """Write an array to a group, in place of an array of the same name, which is resized if possible."""
     data = group.get(name)
     if data is None or data.shape[1:] != values.shape[1:] or data.maxshape[:1] != (None,):
         if data is not None:
@@ -266,7 +266,9 @@ def read_run(path: str | Path, *, failure: Criterion | None = None) -> Checkpoin
             None.
 
     Raises:
-        RunFileError: no such file, not a run file, damaged, of a newer bondem, or of another criterion.
+        RunFileError: The file does not exist, is no run file, is damaged, has a newer or too old format, or belongs
+            to another criterion.
+        InputError: `path` is no path, or `failure` is no criterion.
     """
     if failure is not None:
         instance("read_run", "failure", failure, Criterion, "the criterion of the run, or None")
@@ -293,7 +295,7 @@ def reading_run(path: Path) -> Iterator[h5py.File]:
     """Open the last commit of a run file, also while it is written or after a kill.
 
     Raises:
-        RunFileError: there is no such file, or it is not HDF5 or damaged.
+        RunFileError: The file does not exist, is not HDF5, or is damaged.
     """
     require_file(path, "run file", RunFileError)
     with reading(path, KIND, committed(path)) as file:

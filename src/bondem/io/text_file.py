@@ -27,6 +27,6 @@ def read_text(path: Path) -> str:
 
     Raises:
         OSError: the file cannot be read.
-        UnicodeDecodeError: it is in another encoding.
+        UnicodeDecodeError: The file is in another encoding.
     """
     return path.read_bytes().decode(encoding_of(path)).replace("\r\n", "\n").replace("\r", "\n")

@@ -319,7 +319,7 @@ class BondedSpecimen:
             rig: loading of the specimen.
             options: options of the test. Without `traverses` these are 50, or 100 or 200 where the forces of both
                 ends do not balance: their difference has a root mean square above 0.02 of the peak. A second attempt
-                writes a file "NAME-100.h5" beside "NAME.h5".
+                writes a file "NAME-100.h5" next to "NAME.h5".
 
         Warns:
             NotQuasistaticWarning: the forces of both ends do not balance.

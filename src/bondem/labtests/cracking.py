@@ -1,4 +1,4 @@
-"""Cracks of a specimen after a test to failure, and the energy that they took."""
+"""Cracks of a specimen after a test to failure, and the energy that they dissipated."""
 
 import math
 import warnings
@@ -25,14 +25,14 @@ _SEVERAL = 1.5
 
 
 def dissipated_in(history: History) -> tuple[float, float, float]:
-    """Return the energies of a run that `Cracking` takes: dissipated by facets, slipped by cells, crushed [J]."""
+    """Return energies of a run for `Cracking`: dissipated by facets and by the slip of cells, and crushed [J]."""
     fracture, crushed, slipped = (float(history.energy[name][-1]) for name in ("fracture", "crushing", "plastic"))
     return fracture + crushed, slipped, crushed
 
 
 @dataclass(frozen=True, eq=False)
 class Cracking:
-    """Cracks and pieces of a specimen after a test to failure, and the energy that they took.
+    """Cracks and pieces of a specimen after a test to failure, and the energy that they dissipated.
 
     Attributes:
         body: lattice of the specimen.
@@ -124,15 +124,15 @@ class Cracking:
     def stored_ratio(self) -> float:
         """Elastic energy at the peak over the energy of one crack, G_f times the section [-]; NaN without a section.
 
-        Above 1 the specimen releases more than one crack takes: the load snaps back, and in a test at a given motion
-        the rest goes into further cracks and vibrations.
+        Above 1 the specimen releases more energy than one crack dissipates: the load snaps back, and in a test at a
+        given motion the rest goes into further cracks and vibrations.
         """
         taken = self.fracture_energy * self.section
         return self.stored / taken if taken > 0.0 else math.nan
 
     @property
     def single(self) -> bool:
-        """True if one crack took the energy, so that the work per section is a fracture energy."""
+        """True if one crack dissipated the energy, so that the work per section is a fracture energy."""
         return self.stored_ratio <= 1.0 and self.per_section <= _SEVERAL * self.fracture_energy
 
     @property

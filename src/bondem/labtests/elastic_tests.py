@@ -41,7 +41,7 @@ class ElasticBar:
 
     @property
     def moving(self) -> dict[str, Any]:
-        """The moduli, and both densities."""
+        """E and ν as measured, and the densities of the elements and of the specimen, as arguments of tests."""
         return self.moduli | {"density": self.density, "rho": self.rho}
 
     @cached_property

@@ -44,8 +44,8 @@ class TestFigure:
         azimuth, elevation: direction of view of the broken specimen [rad].
         slips: True to colour cells by their slip, if there is any.
         halved: True to leave out the nearer half.
-        across, up: factor and unit of both axes.
-        plain: name of the quantity across for a specimen without a notch; "" for that of all.
+        across, up: factor and unit of the horizontal and of the vertical axis.
+        plain: quantity of the horizontal axis for a specimen without a notch; "" for the same as with one.
         quantity: name of the measured value.
         line: True to draw the strength of the material, where it is known.
     """

@@ -1,4 +1,4 @@
-"""Tests to failure of studies, a record each, and the outcome of one beside the strength of the material.
+"""Tests to failure of studies, a record each, and the outcome of one with the strength of the material.
 
 A further test needs a record here, the function that runs it, and its name in `bondem.labtests`.
 """

@@ -26,7 +26,7 @@ class OfOneTest(PlottedState):
 
     @property
     def cracking(self) -> Cracking:
-        """Cracks and pieces, and the energy that they took."""
+        """Cracks and pieces, and the energy that they dissipated."""
         return self.test.cracking
 
     @property

@@ -1,4 +1,4 @@
-"""Result of a test of a specimen: a measured value beside the theoretical value."""
+"""Result of a test of a specimen: a measured value and its theoretical value."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -36,7 +36,7 @@ class Outcome(Plotted):
         curves: arrays for figures, and further scalars of the test.
         axes: names and units of "strain" and "stress" in the curves of tests to failure.
         told: further numbers for the report, keyed by name with unit.
-        cracking: cracks and pieces of the broken specimen and the energy that they took, for tests to failure.
+        cracking: cracks and pieces of the broken specimen and the energy that they dissipated, for tests to failure.
         energy: energy balance along the curve, `labtests.energy_balance.energy_ledger`, for tests to failure [J],
             (k,) each.
     """

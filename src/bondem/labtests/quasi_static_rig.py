@@ -57,7 +57,7 @@ class StrengthTest(PlottedState):
             loading. Single breaks of brittle bonds raise `asymmetry` at any speed, but hardly this.
         kinetic: largest kinetic energy up to the peak over the elastic energy at the peak [-].
         residual: error of the energy balance over its largest term [-].
-        cracking: cracks and pieces, and the energy that they took; `cracking.single` is True where the work is that
+        cracking: cracks and pieces, and the dissipated energy; `cracking.single` is True where the work is that
             of one crack.
         run: result of the explicit run.
     """

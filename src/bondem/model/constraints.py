@@ -252,7 +252,7 @@ class Constraints:
 
     @property
     def works(self) -> tuple[int, int, int]:
-        """Starts of the works of body forces (one per element) and of strains in the list, and its end."""
+        """Places in the list of works at which those of body forces and of strains start, and its length."""
         body = len(self.element)
         strain = body + (len(self.row_of) if len(self.body_on) else 0)
         # run files have one number behind them where walls or tractions do work, which versions before added up there

@@ -114,7 +114,7 @@ class Blocks:
         )
 
     def table(self, more: int = 0) -> StepBlocks:
-        """Return the division in the form of the core, with sums at zero and `more` rows behind them."""
+        """Return the division in the form of the core, with sums at zero and `more` rows after them."""
         return StepBlocks(
             domain=self.domain, bond=self.bond, move=self.move, first_owner=self.first_owner, ready=self.ready,
             ready_row=self.ready_row, row_i=self.row_i, row_j=self.row_j, shared=self.shared,

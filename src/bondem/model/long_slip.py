@@ -15,7 +15,7 @@ class LongSlip:
 
     The normal rotates with the mean of both cells and the slip with cell i. With t the direction of the slip and
     b = n×t, a rotation changes the opening n·δ by ½ s b·(θ_i + θ_j), and the stretch b·δ of the friction spring by
-    -s n·θ_i. Beside the opening x of a facet without slip these store k [(x + y)² - x²] / 2 each, and the volume
+    -s n·θ_i. With the opening x of a facet without slip these store k [(x + y)² - x²] / 2 each, and the volume
     strains of the cells λ A² y² / 2 V.
 
     Attributes:
@@ -45,7 +45,7 @@ class LongSlip:
         return found
 
     def forces(self, motion: Floats) -> Floats:
-        """Return forces and torques against small displacements and rotations, beside those without slip, (n, 6)."""
+        """Return the forces and torques by which slip adds to those of small motions without slip, (n, 6)."""
         i, j, n, b = self.i, self.j, self.normal, self.across
         u, turn = motion[:, :3], motion[:, 3:]
         opening = u[j] - u[i] + np.cross(turn[j], self.arm_j) - np.cross(turn[i], self.arm_i)

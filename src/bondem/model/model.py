@@ -292,7 +292,7 @@ class Model:
 
     @property
     def _elements(self) -> Elements:
-        """Elements whose masses the model has: of beams between cells, the spheres of their particles."""
+        """Elements that define the masses: for beams between cells, the spheres of their particles."""
         own = self.lattice.elements
         return Elements(own.particles, own.pairs, own.bodies) if self.interaction.evaluated == "force" else own
 

@@ -50,7 +50,7 @@ class State(StateMotion):
     - `motion`: rows (velocity, 1/m, angular velocity, 1/I), shape (n, 8).
     - `acceleration`: translational and rotational accelerations at the present pose, shape (n, 6).
     - `integrity`: integrity of each bond, 1 intact … 0 broken, shape (m,).
-    - `history`: what the law stores of each bond: force and moment of the incremental formulation, (6, m), or gap,
+    - `history`: data that the law stores per bond: force and moment of the incremental formulation, (6, m), or gap,
       extra force and its work of the non-local law, (7, m); else (6, 0).
     - `stress`: stress of each element in its own frame, xx, yy, zz, xy, xz, yz [Pa], (n, 6), for the non-local law;
       else (0, 6). A law may own arrays of other names, which follow all others in run files.

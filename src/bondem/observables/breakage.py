@@ -71,9 +71,9 @@ def failure_index(model: Model, state: State | SmallMotion) -> PerBond:
 
     A static solution comes from the same model without its criterion, `dataclasses.replace(model, failure=None)`.
 
-    The index of softening beams is 1. Criteria on the stress of the material (`bd.Rankine`, or with a fracture
-    energy) have the largest principal stress over the strength. This index is 0 for a facet without tension and 1 for
-    one that softens.
+    Beams and facets that soften have 1. Criteria by which cells crack or yield are evaluated at the stress σ* of
+    `bd.Rankine`. By these a facet in compression has 0, or by `bd.Rankine` the smaller index of σ* and of its
+    traction alone.
 
     Args:
         model: model with a failure criterion.

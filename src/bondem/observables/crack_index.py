@@ -25,10 +25,9 @@ def crack_index(
 ) -> PerBond:
     """Compute the index of the criterion at σ* (`bd.Rankine`: its largest principal stress over the strength).
 
-    It is 0 for broken facets and 1 for facets that soften. It is 0 for facets without tension, but for `bd.Rankine`
-    then the smaller of this index and that of the traction alone. For `bd.Rankine` it is at most the opening traction
-    along the present principal directions over the strength along them. Facets of material planes have the index of
-    their traction.
+    Broken facets have 0, and facets that soften have 1. A facet in compression has 0, or by `bd.Rankine` the smaller
+    index of σ* and of its traction alone. By `bd.Rankine` the index is at most the opening traction along the present
+    principal directions over the strength along them. Facets of material planes have the index of their traction.
 
     Args:
         model: model whose facets may crack.
@@ -90,7 +89,7 @@ def _yield_index(model: Model, state: State, slip: SlipTable) -> PerElement:
 
 
 def _bending(model: Model, state: State) -> PerBond:
-    """Return T_b of facets [Pa], user's order, (m,): T_b² = 4 k v·H v / A², v the vector part of q_i* q_j."""
+    """Return T_b, the rms of the tractions by bending of facets [Pa], user's order, (m,)."""
     facets, _ = body_of(model.lattice)
     constants, turns = model.cell_constants, state.orientation[model.lattice.pairs]
     p, q = turns[:, 0], turns[:, 1]

@@ -65,6 +65,10 @@ class ElementStress:
         Args:
             region: elements to average over.
             about: point X [m], (3,); the centre of volume of the elements unless given.
+
+        Raises:
+            InputError: `region` is no region, or `about` is not three finite components.
+            EmptyRegionError: The region has no connected element.
         """
         chosen = as_region("mean_couple", region).select(self.lattice)
         share = self.volume[chosen] / self.volume[chosen].sum()

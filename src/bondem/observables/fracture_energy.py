@@ -1,4 +1,4 @@
-"""Energy that broken bonds or facets have dissipated per area, beside the fracture energy of their criterion."""
+"""Energy that broken bonds or facets have dissipated per area, compared with the criterion's fracture energy."""
 
 import math
 from dataclasses import dataclass

@@ -36,7 +36,7 @@ def thrown_free(
         random: random generator.
 
     Raises:
-        InputError: there is no room beside the surfaces.
+        InputError: The layers along the surfaces leave no room.
     """
     lower, upper = shape.bounds
     found = np.empty((0, 3))

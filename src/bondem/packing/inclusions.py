@@ -109,7 +109,7 @@ def _part(radius: Floats, shape: Shape) -> float:
 
 
 def least_count(shape: Shape, radius: float) -> int:
-    """Return the number of cells of a shape that are small enough to represent balls of a radius [m]."""
+    """Return the least number of cells with which a shape resolves balls of a radius [m]."""
     return math.ceil(shape.volume * (_LEAST / radius) ** 3)
 
 

@@ -33,7 +33,7 @@ _THROWS, _TRIES = 8, 2000
 
 
 def parting(radius: Floats) -> float | None:
-    """Return the radius that parts large spheres from small ones, in the widest gap of sizes.
+    """Return the radius that separates large spheres from small ones, in the widest gap of sizes.
 
     Args:
         radius: radii of all spheres, (n,).

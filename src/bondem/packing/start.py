@@ -92,7 +92,7 @@ def depths_inside(shape: Shape) -> PerElement:
 
 
 def enough(shape: Shape, radius: PerElement, across: float) -> tuple[int, float]:
-    """Return how many spheres fit where those of given radii are too wide, and the mean radius of these [m].
+    """Return the number of spheres that fit where those of given radii are too wide, and their mean radius [m].
 
     Most walls are then `across` of the largest radii thick or more, measured from their middle.
     """

@@ -1,10 +1,10 @@
 """Centres of cells that end on surfaces: planes, the walls of shapes, closed triangulated surfaces.
 
-A centre at half the size of a cell inside a face has its mirror image outside. The plane half-way between the two is
+A centre at half the size of a cell below a face has its mirror image outside. The plane half-way between the two is
 the face, or touches it where it is curved. If no point of the face is nearer to any other centre, cells end there and
 nowhere else: exactly on plane faces, on a polyhedron of the same volume around curved ones. Near a convex edge a
-centre is half a size from both faces and has an image behind each. Concave edges are only approximated: the error is
-0.13 sizes, root mean square over an L.
+centre is half a cell size from both faces and has an image beyond each. Concave edges are only approximated: the
+error is 0.13 cell sizes, root mean square over an L.
 """
 
 from collections.abc import Callable, Sequence
@@ -44,7 +44,7 @@ _Depth = Callable[[PerElement3], PerElement]
 
 @dataclass(frozen=True)
 class _Sided:
-    """A surface, with the depth behind all of its faces, positive inside, and the depth behind each face."""
+    """A surface, with the depth below all of its faces and below each face, positive inside."""
 
     depth: _Depth
     faces: tuple[_Depth, ...]
@@ -161,7 +161,7 @@ def _spread(shape: Shape, sided: _Sided, points: PerElement3, count: int, h: flo
 
 
 def _onto(sided: _Sided, x: PerElement3, h: float) -> PerElement3:
-    """Move points to half a size behind the faces near to them, at least behind the nearest face."""
+    """Move points to the depth h / 2 below the nearest face and all other near faces, with cells of the size h."""
     for _ in range(3):
         depth = np.array([face(x) for face in sided.faces])
         nearest = np.abs(depth - _HALF * h).argmin(axis=0)

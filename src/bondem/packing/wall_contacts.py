@@ -63,7 +63,7 @@ def walls(shape: Shape, radius: PerElement) -> PackingWalls:
 
 
 class _Parts(NamedTuple):
-    """Walls of a shape: planes across an axis, which are exact, and the depth behind all others, or None."""
+    """Walls of a shape: planes across an axis, which are exact, and the depth below all others, or None."""
 
     planes: list[Planes]
     depth: Callable[[PerElement3], PerElement] | None
@@ -111,7 +111,7 @@ def _along_axes(shape: Placed) -> bool:
 
 
 def _beside_planes(shape: Surface, flat: list[str], points: PerElement3) -> PerElement:
-    """Return the depth behind all faces of a surface except those in sides of its box, continued beyond the box."""
+    """Return the depth below all faces of a surface except those in sides of its box, continued beyond the box."""
     lower, upper = (side.copy() for side in shape.bounds)
     tiny = 1e-6 * float((upper - lower).max())
     for axis, name in enumerate("xyz"):
@@ -137,7 +137,7 @@ def _has_narrow_gap(
 ) -> bool:
     """Return True if another wall is nearer to a plane than a sphere is wide, without meeting it.
 
-    At such a place the depth behind other walls has a minimum above 0 on the plane.
+    At such a place the depth below other walls has a minimum above 0 on the plane.
     """
     low, high = shape.bounds
     step = _GAP_SPACING * float(radius.mean())

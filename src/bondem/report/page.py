@@ -75,7 +75,7 @@ class Picture:
 
     @classmethod
     def of(cls, file: Path, caption: str) -> "Picture":
-        """A PNG of a folder of figures, with that for phones where there is one."""
+        """Read a PNG from a folder of figures, with its version for phones if there is one."""
         slim = file.parent / PHONE / file.name
         with Image.open(file) as picture:
             share = min(picture.width / _PAGE, 1.0)
@@ -84,7 +84,7 @@ class Picture:
 
 
 def _embedded(file: Path) -> str:
-    """A picture as base64 of WebP."""
+    """Return a picture as WebP in base64."""
     stream = BytesIO()
     with Image.open(file) as picture:
         picture.convert("RGB").save(stream, "WEBP", quality=90)
@@ -262,7 +262,7 @@ def rows_of(findings: Findings) -> list[dict[str, Any]]:
 
 
 def _peak(name: str, outcomes: Sequence[Outcome], band: tuple[float, float] | None) -> dict[str, Any] | None:
-    """Mean peak of the curves beside the measured range; None without one."""
+    """Mean peak of the curves, with the measured range; None without one."""
     if band is None:
         return None
     found, style = float(np.mean([one.curves["stress"].max() for one in outcomes])), FAILURE_TESTS[name].figure

@@ -159,7 +159,7 @@ def _motion(model: Model, solution: Any) -> tuple[State | None, Floats | None, F
     """State, displacements, and quaternions or rotation vectors of a solution.
 
     Raises:
-        InputError: it is no solution of this model.
+        InputError: The solution is not one of this model.
     """
     if solution is None:
         return None, None, None

@@ -27,7 +27,7 @@ class Chapter:
 
     Attributes:
         name: name of the specimen.
-        folder: folder of its results, beside the report.
+        folder: folder of its results, next to the report.
         shape: readable dimensions.
         results: contents of its `results.json`.
         labels: labels of its tests, by name.
@@ -58,7 +58,7 @@ def write_programme(
         title: title of the programme.
         material: material of all specimens.
         failures: failure criteria by part of the material.
-        rows: rows of the table, measured values beside targets.
+        rows: rows of the table, measured values with their targets.
         chapters: sections of the specimens, in folders within `out`.
         out: existing folder.
         figures: True to draw, and to show the figures of the specimens.

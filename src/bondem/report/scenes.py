@@ -24,7 +24,7 @@ def render_run(
     section: str | None = None, warp: float = 1.0, size: Sequence[int] = (1200, 800), camera: str = "iso",
     walls: bool = True, axes: bool = True,
 ) -> Path:  # fmt: skip
-    """Draw snapshots of a run file into a PNG, or all of them into an MP4 or GIF.
+    """Draw one snapshot of a run file into a PNG, or all snapshots into an MP4 or GIF.
 
     Args:
         run_file: run file with snapshots.
@@ -40,7 +40,7 @@ def render_run(
         axes: True to draw coordinate axes.
 
     Raises:
-        InputError: no such field snapshot or camera, or an unknown suffix.
+        InputError: The field, snapshot, camera or suffix is unknown.
         RunFileError: the file is not a run file.
     """
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)  # no messages about a missing screen
@@ -109,7 +109,7 @@ def _require_display(run_file: Path) -> None:
     """Check that a window can be opened.
 
     Raises:
-        InputError: it cannot.
+        InputError: No window can be opened.
     """
     if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
         raise _no_display(run_file)

@@ -95,7 +95,7 @@ def _seen(solid: Polyhedra, label: Ints) -> Ints:
 
 
 def _rows(start: Ints, chosen: Ints) -> tuple[Ints, Ints]:
-    """Rows of the corners of some polygons, and how many each has."""
+    """Return the rows of the corners of chosen polygons, and the number of corners of each."""
     count = np.diff(start)[chosen]
     first = np.repeat(start[chosen] - np.append(0, np.cumsum(count))[:-1], count)
     return first + np.arange(int(count.sum())), count

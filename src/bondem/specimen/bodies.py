@@ -35,7 +35,7 @@ class Bodies:
         return freeze(np.bincount(self.label, minlength=len(self.names)))
 
     def require_one(self, owner: str) -> None:
-        """Refuse a scene of several bodies.
+        """Reject a scene of several bodies.
 
         Raises:
             InputError: There are several bodies.

@@ -1,6 +1,6 @@
 """Shape of the elements of a lattice: spheres, or cells that fill the bodies.
 
-Their differences are methods here, so that no other room asks which shape a lattice has.
+Their differences are methods here, so that no other module asks which shape a lattice has.
 """
 
 import warnings
@@ -33,7 +33,7 @@ _PATCH = 0.25
 
 
 class CellTables(TypedDict, total=False):
-    """Tables of cells as the constructor of a lattice takes them; empty for spheres."""
+    """Tables of cells for the constructor of a lattice; empty for spheres."""
 
     facets: Facets
     cells: Cells

@@ -35,7 +35,7 @@ def join(
         A lattice whose elements, bonds and cells are those of the arguments, in their order.
 
     Raises:
-        InputError: Fewer than two arguments, two names alike, a periodic body, cells beside bonded or loose spheres,
+        InputError: Fewer than two arguments, two names alike, a periodic body, cells together with any spheres,
             bonds between cells, or spheres of two bodies that overlap by more than 0.001 of the smaller radius. Of
             cells the largest spheres inside them are compared, so that bodies may stand face to face.
     """
@@ -86,7 +86,7 @@ def replicate(
         seed: number that random rotations follow from.
 
     Raises:
-        InputError: A body that `join` refuses, several bodies, or an array of another shape.
+        InputError: A body that `join` rejects, several bodies, or an array of another shape.
     """
     instance("replicate", "body", body, Lattice, "a lattice, from bd.connect")
     body.bodies.require_one("replicate")

@@ -88,7 +88,7 @@ def radial_distribution(particles: Particles, *, reach: float = 4.0, bins: int =
 
 
 def _covariance(shape: Shape, depth: float, distance: Floats) -> Floats:
-    """Return the chance that a point at each distance from a point of the core lies in the core too."""
+    """Return the probability that a point at each distance from a point of the core lies in the core, too."""
     if not shape.faces:
         return np.ones(len(distance))
     points, _ = points_inside(shape, samples(shape, _SAMPLES), depth)

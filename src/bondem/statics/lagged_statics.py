@@ -118,7 +118,7 @@ class LaggedStatics:
 
 
 class Mixing:
-    """The next input of a round, from earlier inputs and outputs (Anderson), or simply the last output."""
+    """Input of the next iteration: by Anderson mixing of earlier inputs and outputs, or the last output."""
 
     def __init__(self, mixed: bool) -> None:
         self._most = _MEMORY if mixed else 0

@@ -117,7 +117,7 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
 def relaxed(
     beams: Beams, uniform: UniformBeams | None, sums: BeamSums, relaxation: DynamicRelaxation, first: int, most: int
 ) -> tuple[int, float, bool]:
-    """Take steps; return how many, the unbalanced share of the forces, and whether they balance."""
+    """Take steps; return their number, the unbalanced share of the forces, and True if they balance."""
     span = RelaxationSpan(first, most, np.zeros(1, dtype=np.int64), np.full(1, np.inf))
     if uniform is None:
         ending = run_pass(calls.relax_beams(beams, sums, relaxation, span))

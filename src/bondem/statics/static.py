@@ -213,8 +213,11 @@ class Statics:
 
         Args:
             load: forces and moments, user's order.
-            guess: start of an iteration.
-            rtol: residual over load at which the iteration ends.
+            guess: displacements and rotations with which an iteration starts [m, rad], user's order.
+            rtol: residual over load at which the iteration ends [-].
+
+        Raises:
+            InputError: The loads drive a rigid motion that the supports permit.
         """
         order, rank = self.model.layout.order, self.model.layout.rank
         load = load[order].ravel()

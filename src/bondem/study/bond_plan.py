@@ -71,11 +71,11 @@ class BondPlan:
         return Bonding(law=fit.law, density=fit.density, fit=fit)
 
     def size(self, volume: float) -> float:
-        """Return the size of an element with a volume of the body of its own [m³] [m]."""
+        """Return the size of an element [m], given its share in the volume of the body [m³]."""
         return (6.0 * _FILLED * volume / math.pi) ** (1.0 / 3.0)
 
     def described(self, calibrating: int) -> str:
-        """Return the law, and on how many packings it is calibrated, in words."""
+        """Describe the law and the number of packings on which it is calibrated."""
         law = self.law.__name__ if self.law is not None else "recommended for ν"
         return f"{law}, calibrated on {calibrating} packing{'s' * (calibrating > 1)}"
 

@@ -113,7 +113,7 @@ class Text(Key):
 
 @dataclass(frozen=True)
 class Texts(Key):
-    """List of different texts, each one of several choices; without choices, of any lines.
+    """List of different texts, each one of several choices, or of arbitrary lines without choices.
 
     Attributes:
         choices: possible values.

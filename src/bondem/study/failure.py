@@ -59,10 +59,10 @@ def _curve(table: TomlTable) -> Bilinear | None:
 def require_strength(
     tests: tuple[str, ...], failure: Criterion | None, require: Callable[[Criterion, list[str]], None]
 ) -> None:
-    """Check that tests to failure have a criterion, a criterion has a test, and both have what bonds `require`.
+    """Check that tests to failure and a criterion are given together, and that the bonds accept both by `require`.
 
     Raises:
-        StudyError: one without the other, or what the bonds of the study reject.
+        StudyError: Tests to failure or the criterion are missing, or the bonds of the study reject them.
     """
     asked = [name for name in tests if name in FAILURE_TESTS]
     if failure is None:

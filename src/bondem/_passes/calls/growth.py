@@ -8,5 +8,5 @@ from bondem._tables.packing_tables import Flight, Growing, Near, PackingWalls, S
 
 
 def fly_and_grow(spheres: Spheres, packing_walls: PackingWalls, near: Near, growing: Growing, flight: Flight) -> Call:
-    """Lets spheres fly and grow, as far as the neighbour lists are valid; all are advanced to the end."""
+    """Advances spheres that fly and grow while the neighbour lists are valid, all to the same time."""
     return Call("fly_and_grow", (spheres, packing_walls, near, growing, flight))

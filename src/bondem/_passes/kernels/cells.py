@@ -53,12 +53,12 @@ def add_stress_difference(
 def add_traction_work_of_row(
     moving: Moving, step_blocks: StepBlocks, facet_tractions: FacetTractions, rows: Rows
 ) -> Kernel:
-    """Number h of the elements that own rows, as cells with tractions do."""
+    """Adds the work of tractions of cell number h of those that own rows of the boundary."""
     return Kernel("add_traction_work_of_row", (moving, step_blocks, facet_tractions, rows))
 
 
 def add_wall_load(rows: Rows, step_blocks: StepBlocks) -> Kernel:
-    """Tractions of element number h of those that own rows of the boundary."""
+    """Adds the loads of walls to the sums of element number h of those that own rows of the boundary."""
     return Kernel("add_wall_load", (rows, step_blocks))
 
 

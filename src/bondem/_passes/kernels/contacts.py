@@ -114,7 +114,7 @@ def press_pair_or_faces(
     device_span: DeviceSpan, moving: Moving, contact_constants: ContactConstants, contact_pairs: ContactPairs,
     near_pairs: NearPairs, face_pairs: FacePairs
 ) -> Kernel:
-    """Presses a pair of a body of cells with cracks, which touches by faces too."""
+    """Computes the contact of pair k of a body of cells with cracks: by faces, or as spheres."""
     return Kernel("press_pair_or_faces", (
         device_span, moving, contact_constants, contact_pairs, near_pairs, face_pairs
     ))

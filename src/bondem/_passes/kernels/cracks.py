@@ -90,7 +90,7 @@ def log_all_cracks(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks,
     crack_lists: CrackLists, event_log: EventLog, fallen_cracks: FallenCracks
 ) -> Kernel:
-    """Takes what cracks have dissipated, and logs those that have no integrity left, by the numbers of their
+    """Adds the dissipation of cracks to the released energy, and logs cracks without integrity in the order of
     facets.
     """
     return Kernel("log_all_cracks", (
@@ -156,7 +156,7 @@ def slide_crack_of(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks,
     crack_lists: CrackLists
 ) -> Kernel:
-    """Lets the faces of cracks slip with their two cells.
+    """Applies the slip of both cells to the faces of cracks.
 
     Over one index.
     """

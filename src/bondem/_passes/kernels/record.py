@@ -17,7 +17,7 @@ def judge_all_energy(device_span: DeviceSpan, rows: Rows, ledger: Ledger) -> Ker
 
 
 def read_part_of_gauge(moving: Moving, rows: Rows, gauges: Gauges, gauge_parts: GaugeParts) -> Kernel:
-    """Part k % each of the sum of gauge k / each."""
+    """Sums part k % each of the elements of gauge k / each."""
     return Kernel("read_part_of_gauge", (moving, rows, gauges, gauge_parts))
 
 

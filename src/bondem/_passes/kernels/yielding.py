@@ -24,7 +24,7 @@ def add_yielding_work_of_row(
     device_span: DeviceSpan, step_blocks: StepBlocks, facet_tractions: FacetTractions, stresses_of_cells:
     StressesOfCells, yielding_cells: YieldingCells, rows: Rows
 ) -> Kernel:
-    """Number h of the elements that own rows, as cells with loads on free facets do."""
+    """Adds the work of loads on free facets of cell number h of those that own rows of the boundary."""
     return Kernel("add_yielding_work_of_row", (
         device_span, step_blocks, facet_tractions, stresses_of_cells, yielding_cells, rows
     ))
@@ -130,7 +130,7 @@ def yield_cell(
     device_span: DeviceSpan, moving: Moving, stresses_of_cells: StressesOfCells, yielding_cells: YieldingCells,
     crack_onset: CrackOnset
 ) -> Kernel:
-    """Lets the cells of a portion yield whose stress reaches their yield surface.
+    """Applies plastic flow to the cells of a portion whose stress reaches their yield surface.
 
     Over one index.
     """

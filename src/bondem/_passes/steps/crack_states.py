@@ -27,7 +27,7 @@ def leave_cracks(
 def slide_cracks(
     moving: Moving, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> StepEntry:
-    """Lets the faces of cracks slip with their two cells.
+    """Applies the slip of both cells to the faces of cracks.
 
     Over cracks or their cells, of which threads may share portions. Reads `pose`, `slip` at both ends.
     """

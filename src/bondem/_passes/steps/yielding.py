@@ -69,7 +69,7 @@ def yield_cells(
     moving: Moving, facet_strengths: FacetStrengths, stresses_of_cells: StressesOfCells, yielding_cells:
     YieldingCells, crack_onset: CrackOnset
 ) -> StepEntry:
-    """Lets the cells of a portion yield whose stress reaches their yield surface.
+    """Applies plastic flow to the cells of a portion whose stress reaches their yield surface.
 
     Over elements, in portions. Reads `pose`, `tensor` of an element; reads `slipped` at both ends; adds `carry`,
     `plastic` to elements; changes `judged` of an element.

@@ -84,7 +84,7 @@ inline void rank_failing(Index e, const BondMarks &marks, const Candidates &cand
 
 // ---- removal
 
-// Calls on(k, whether it is its end i) for the bonds of element p that fail, in their order.
+// Calls on(k, true if p is end i of bond k) for the failing bonds of element p, in ascending order.
 template <class On>
 BONDEM_INLINE void for_each_failing_of(Index p, const BondsOfElements &bonds, const BondMarks &marks, On on) {
     const auto fails = [&](Index k) { return marks.mark(k) == marked::fails; };

@@ -92,7 +92,7 @@ inline void place_wall(Index g, const DeviceSpan &span, const WallConstraints &w
     if (clock_of(span).first)
         for (Index axis = 0; axis < 3; axis++) walls.increment(g, axis) = 0.0;
 }
-// Sum of the forces of the walls of row r; and these forces.
+// Sums the forces of the walls of row r.
 BONDEM_INLINE void sum_row(Index r, const WallConstraints &walls, const RowOrder &order, const Rows &rows) {
     double sum[6] = {};
     for (Index e = order.start(r); e < order.start(r + 1); e++)
@@ -122,7 +122,7 @@ inline void apply_walls_of_row(Index r, const Moving &all, const WallConstraints
     load_row(r, all, walls, order, rows);
     for (Index e = order.start(r); e < order.start(r + 1); e++) add_half_work(walls, rows, order.load(e));
 }
-// Tractions of element number h of those that own rows of the boundary.
+// Adds the loads of walls to the sums of element number h of those that own rows of the boundary.
 inline void add_wall_load(Index h, const Rows &rows, const StepBlocks &blocks) {
     const Index e = blocks.first_owner(0) + h;
     const double *load = &rows.support(rows.of(blocks.ready(e)), 0);
@@ -148,7 +148,7 @@ inline void give_dilatation(Index p, const DeviceSpan &span, const FacetTraction
     for (Index l = 0; l < count; l++) sum += tractions.factor(l) * tractions.value(l, p);
     cells.given(p) = sum;
 }
-// Number h of the elements that own rows, as cells with tractions do.
+// Adds the work of tractions of cell number h of those that own rows of the boundary.
 inline void add_traction_work_of_row(Index h, const Moving &all, const StepBlocks &blocks,
                                      const FacetTractions &tractions, const Rows &rows) {
     add_traction_work_of(all, tractions, rows, blocks.ready(blocks.first_owner(0) + h));

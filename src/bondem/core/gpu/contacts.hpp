@@ -54,7 +54,7 @@ inline void press_pair(Index k, const DeviceSpan &span, const Moving &all, const
     const ContactRow &of = law_of(c, pairs, k);
     with_law(c, of, [&](auto law) { press_one(law, of, k, all, c, pairs, near, clock_of(span).dt); });
 }
-// Presses a pair of a body of cells with cracks, which touches by faces too.
+// Computes the contact of pair k of a body of cells with cracks: by faces, or as spheres.
 inline void press_pair_or_faces(Index k, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
                                 const ContactPairs &pairs, const NearPairs &near, const FacePairs &faces) {
     faces.close(k) = 0;

@@ -27,7 +27,7 @@ BONDEM_INLINE void make_outdated(const CrackLists &lists, const ElasticFacets &f
     put_shared(lists.outdated(facets.i(k)), Byte(1));
     put_shared(lists.outdated(facets.j(k)), Byte(1));
 }
-// Calls on(k, whether it is cell i) for the facets of cell p, in ascending order.
+// Calls on(k, true if p is cell i of facet k) for the facets of cell p, in ascending order.
 template <class Facets, class On> BONDEM_INLINE void for_each_facet_of(const Facets &of, Index p, On on) {
     for (Index k = of.in_start(p); k < of.in_start(p + 1); k++) on(k, false);
     for (Index e = of.out_start(p); e < of.out_start(p + 1); e++) on(Index(of.out_bond(e)), true);
@@ -204,7 +204,7 @@ inline void slide_crack_of(Index k, const DeviceSpan &span, const Moving &all, c
 }
 constexpr auto add_crack_load = listed_element<add_crack_loads>;
 
-// Takes what cracks have dissipated, and logs those that have no integrity left, by the numbers of their facets.
+// Adds the dissipation of cracks to the released energy, and logs cracks without integrity in the order of facets.
 inline void log_all_cracks(Index, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
                            const CohesiveCracks &cracks, const CrackLists &lists, const EventLog &log,
                            const FallenCracks &of) {

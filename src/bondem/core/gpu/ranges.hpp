@@ -8,11 +8,11 @@ namespace bondem {
 static_assert(sizeof(Clock) == 9 * sizeof(Index));
 BONDEM_INLINE Clock &clock_of(const DeviceSpan &span) { return *reinterpret_cast<Clock *>(span.clock.data); }
 
-// A range of element p.
+// The part of a step that consists of element p alone.
 BONDEM_INLINE Range range_of(const DeviceSpan &span, Index p) {
     return {clock_of(span), p, p + 1, p + 1, nullptr, nullptr, p, nullptr};
 }
-// A range of element number e of the list of a step, which on a device is one block.
+// The part of a step that consists of element number e of the list of its only block.
 BONDEM_INLINE Range range_of(const DeviceSpan &span, const StepBlocks &blocks, Index e) {
     return {clock_of(span), e, e + 1, e + 1, blocks.ready.data, blocks.ready_row.data, 0, nullptr};
 }
@@ -24,7 +24,7 @@ template <class Table, class... Tables>
 BONDEM_INLINE const StepBlocks &blocks_among(const Table &, const Tables &...tables) {
     return blocks_among(tables...);
 }
-// A range of portion b of elements or bonds.
+// The part of a step that consists of portion b of elements or bonds.
 BONDEM_INLINE Range portion_of(const DeviceSpan &span, Index b, Index size, Index count) {
     const Index last = least((b + 1) * size, count);
     return {clock_of(span), b * size, last, last, nullptr, nullptr, b, nullptr};
@@ -47,7 +47,7 @@ template <class... Tables, void (*pass)(const Range &, const Tables &...)> struc
         pass(portion_of(span, b, bonds_of_portion, span.m), tables...);
     }
 };
-// The index is 0; an element; the place of an element in the list of a step; a portion of elements; of bonds.
+// Kinds of index: 0 alone, an element, a place in the list of elements of a step, a portion of elements, of bonds.
 template <auto pass> constexpr auto once = &OneRange<pass>::once;
 template <auto pass> constexpr auto one_element = &OneRange<pass>::element;
 template <auto pass> constexpr auto listed_element = &OneRange<pass>::listed;

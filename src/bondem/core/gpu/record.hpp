@@ -10,7 +10,7 @@ constexpr auto sum_portion_of_elements = portion_of_elements<sum_element_energie
 constexpr auto judge_all_energy = once<judge_energy>;
 constexpr auto write_whole_ledger = once<write_ledger>;
 
-// Part k % each of the sum of gauge k / each.
+// Sums part k % each of the elements of gauge k / each.
 inline void read_part_of_gauge(Index k, const Moving &all, const Rows &rows, const Gauges &gauges, const GaugeParts &to) {
     const Index g = k / to.each, part = k % to.each, first = gauges.start(g), count = gauges.start(g + 1) - first;
     if (gauges.quantity(g) >= gauge_quantity::of_walls) return;

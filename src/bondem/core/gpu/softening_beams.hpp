@@ -48,7 +48,7 @@ inline void load_softening_uniform_beam(Index k, const Moving &all, const Beams 
     mark_one(k, loads, bounds, marks);
     put_pressed(k, all, beams, loads, to, bounds);
 }
-// Softens beam k if it is marked and reaches its criterion; its loads, first those of a whole beam, fall.
+// Starts the softening of beam k if it is marked and reaches its criterion, and scales its loads by its integrity.
 template <class Criterion>
 BONDEM_INLINE void begin_one(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams, const LoadsOfBonds &to,
                              const SofteningBounds &bounds, const BondMarks &marks, const Candidates &candidates) {

@@ -17,7 +17,7 @@ inline void yield_cell(Index p, const DeviceSpan &span, const Moving &all, const
         flow(all, stresses, cells, p, flow_under(tensor_of(stresses, p), by, cells.cone != 0));
     });
 }
-// Number h of the elements that own rows, as cells with loads on free facets do.
+// Adds the work of loads on free facets of cell number h of those that own rows of the boundary.
 inline void add_yielding_work_of_row(Index h, const DeviceSpan &span, const StepBlocks &blocks,
                                      const FacetTractions &tractions, const StressesOfCells &stresses,
                                      const YieldingCells &cells, const Rows &rows) {

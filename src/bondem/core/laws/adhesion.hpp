@@ -3,7 +3,7 @@
 //     F = F_c            g < 0        U = F_c (g - D / 2)
 //     F = F_c (1 - g/D)  0 <= g < D   U = -F_c (D - g)² / 2 D      F_c = σ A,  A = π min(R_i, R_j)², at a wall π R²
 //
-// g is the gap, F pulls the two together, beside the spring and the dashpot that press them apart. The force is
+// g is the gap, F pulls the two together, against the spring and the dashpot, which push them apart. The force is
 // continuous and a function of the gap alone: adhesion stores all work, and has no memory. Friction is that of the
 // spring, whose force exceeds the outer pressure by F_c. Source: linear adhesion within a range, as in the adhesive
 // rolling resistance linear model of PFC (pull-off force F_0, range D_0); σ A as in the cohesive law of Yade.

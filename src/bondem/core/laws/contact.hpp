@@ -23,7 +23,7 @@
 // Signs: the normal is from the first body to the second, velocities are of the second against the first, and the force
 // acts on the second body. Repulsion only.
 //
-// Limits: overlaps small beside the radii, and a step in which the pair turns little. Sources: Cundall and Strack,
+// Limits: overlaps much smaller than the radii, and a step in which the pair turns little. Sources: Cundall and Strack,
 // Géotechnique 29 (1979) 47–65; Luding, Granular Matter 10 (2008) 235–246, for the turning of the spring.
 #pragma once
 #include "../select.hpp"

@@ -49,7 +49,7 @@ template <class T> struct CrackIntegrity {
     BONDEM_INLINE T shut(int d) const { return d == 0 ? all<T>(1.0) : grip; }
     BONDEM_INLINE T least_left() const { return least(least(s[0], s[1]), s[2]); }
 };
-// Three directions, of which each is at right angles to the others.
+// Three mutually orthogonal directions.
 template <class T> struct CrackAxes {
     Vector3<T> e[3];
 };
@@ -230,7 +230,7 @@ BONDEM_INLINE CrackFriction<T> crack_friction(T k, T grip, Vector3<T> gap, Vecto
     return {(stiff * share) * stretch, minus(across, share, stretch)};
 }
 
-// -∂U/∂s_1 … -∂U/∂s_3 and -∂U/∂γ without bending and friction [J].
+// Energy released per loss of each integrity and of the grip, -∂U/∂s_d and -∂U/∂γ, without bending and friction [J].
 template <class T> struct CrackRates {
     T of[4];
 };

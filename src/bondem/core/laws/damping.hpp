@@ -3,7 +3,7 @@
 // Local damping reduces each component of force and torque against the motion, F - γ |F| sign(v) (Chen et al. 2022, eqs
 // (11) and (12), whose printed F U/U is F): it vanishes in equilibrium.
 //
-// A bond has a dashpot beside each of its springs, against the relative motion of its ends at the contact point, whose
+// A bond has a dashpot parallel to each of its springs, against the relative motion of its ends at the contact point, whose
 // levers share the present distance: no net moment, and no force in rigid motion. Chen et al. (2022), eqs (9) and (10),
 // each component with its own stiffness. Tension positive; the force acts on j, and its opposite on i.
 #pragma once

@@ -25,7 +25,7 @@ struct SofteningBeams {
     Array<Index, 1> rows;  // number of rows, (1,)
     Array<Index, 1> listed;  // rows that have not broken, those of a portion of bonds from its first bond on, (bonds,)
     Array<Index, 1> number;  // number of rows of each portion, (bond_portions,)
-    Array<Index, 1> parted;  // number of those that break in this step, behind the others, (bond_portions,)
+    Array<Index, 1> parted;  // number of those that break in this step, after the others, (bond_portions,)
     Array<Index, 2> lost;  // exact sum of the energy dissipated in this step [J], (1, exact_word::count)
 };
 

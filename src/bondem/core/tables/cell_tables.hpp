@@ -8,7 +8,7 @@ namespace bondem {
 
 using Byte = uint8_t;
 
-// Bonded facets, m of them, and a few without force behind them where they are fewer than a group.
+// Bonded facets, m of them; fewer than a group are followed by facets without force.
 //
 // Levers are whole multiples of a pitch, shares and H single precision: results from them are exact, and passes read
 // half as much.
@@ -91,10 +91,10 @@ struct FacetsOfCells {
 // Effect of failing facets on their cells, n of them; a failed facet is a free facet of both cells.
 struct FacetRelease {
     Array<const double, 1> whole;  // λ / V of each cell with all its facets [Pa/m³], (n,)
-    Array<double, 1> weight;  // with those it has left: the array of `CellDilatation`, (n,)
-    Array<const double, 1> given;  // that of `CellDilatation` too, (n,)
-    Array<const double, 1> slack_i;  // gain of 1 / weight of each side where a facet fails [m³/Pa], (bonds,)
-    Array<const double, 1> slack_j;  // what 1 / weight of each side gains where a facet fails [m³/Pa], (bonds,)
+    Array<double, 1> weight;  // λ / V with the unbroken facets: the array of `CellDilatation`, (n,)
+    Array<const double, 1> given;  // the array of `CellDilatation`, (n,)
+    Array<const double, 1> slack_i;  // increase of 1 / weight of cell i if the facet fails [m³/Pa], (bonds,)
+    Array<const double, 1> slack_j;  // increase of 1 / weight of cell j if the facet fails [m³/Pa], (bonds,)
     Array<const Index, 1> in_start;  // facets of each cell, as in `FacetsOfCells`, (n + 1,)
     Array<const Index, 1> out_start;  // (n + 1,)
     Array<const Short, 1> out_bond;  // (bonds,)

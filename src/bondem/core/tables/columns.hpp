@@ -40,7 +40,7 @@ namespace guard_number { enum : Index { wide, lost, ending, out_of_date }; }
 namespace turn_count { enum : Index { wide, lost, not_finite }; }
 // Sums of the forces on a wall, as `WallLoad` has them.
 namespace wall_sum { enum : Index { force, normal = 3, torque, count = 7 }; }
-// Energies of the guard: at the start, and the most that was supplied since.
+// Energies that bound the kinetic energy for the guard: that at the start, and the largest one supplied since.
 namespace guard_energy { enum : Index { start, supplied }; }
 // Counts of a log of events: of all, and of those before the present step.
 namespace log_count { enum : Index { events, before }; }
@@ -87,7 +87,7 @@ enum : Index {
 namespace tensor_column { enum : Index { bending = 6, size }; }
 // Columns of the sums of an element: force, energy damped, torque, energy rubbed.
 namespace load_column { enum : Index { force, damped = 3, torque, rubbed = 7 }; }
-// Bytes of strains that change: whether ∂U/∂factor is needed, and whether lengths or levers have changed.
+// Flags of strains that change: whether ∂U/∂factor is needed, and whether lengths or levers have changed.
 namespace strain_due { enum : Index { power, levers }; }
 // Counts of lists of cracks: treated one by one, resting, cells of the first, and parted in this step.
 namespace list_count { enum : Index { treated, resting, cells, parted }; }
@@ -111,7 +111,7 @@ enum WallKind : Index { plane_wall, cylinder_around, cylinder_among, sphere_arou
 
 // Quantities of elements that gauges record.
 namespace gauge_quantity { enum : Index { displacement, velocity, rotation, angular_velocity, force, of_walls }; }
-// Quantities of a wall that gauges record, behind those of elements. Power is that of the wall on the elements: by its
+// Quantities of a wall that gauges record, after those of elements. Power is that of the wall on the elements: by its
 // velocity and its growth, by its spin, and their sum.
 namespace wall_quantity { enum : Index { displacement = 5, force, growth, velocity, torque, rotation, angular_velocity, power }; }
 // Reductions by which a gauge makes one number of many.

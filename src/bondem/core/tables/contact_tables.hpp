@@ -150,8 +150,8 @@ struct WallMotions {
     Array<const double, 1> servo_damping;  // share of the missing force that resists the motion [-], (servos,)
     Array<const Index, 1> free_wall;  // (free_walls,)
     Array<const double, 1> free_mass;  // [kg], (free_walls,)
-    Array<const double, 2> free_force;  // on each beside that of elements [N], (free_walls, 3)
-    Array<const double, 2> free_torque;  // on each beside that of elements [N·m], (free_walls, 3)
+    Array<const double, 2> free_force;  // on each, without that of elements [N], (free_walls, 3)
+    Array<const double, 2> free_torque;  // on each, without that of elements [N·m], (free_walls, 3)
 };
 
 // ---- the search

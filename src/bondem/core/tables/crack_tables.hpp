@@ -9,7 +9,7 @@ namespace bondem {
 struct StressesOfCells {
     Array<const double, 1> volume;  // [m³], (n,)
     Array<double, 2> tensor;  // stress in the last step, xx … yz [Pa], Σ T_b² [Pa²], size [Pa], (n, 8)
-    // Σ b⊗f of cracks, b in the reference and f in space: b_x f, b_y f, b_z f [J], and a number behind each, the
+    // Σ b⊗f of cracks, b in the reference and f in space: b_x f, b_y f, b_z f [J], and a number after each, the
     // first of which is 0 for cells that have had no crack
     Array<double, 2> carried;  // (n, 12)
     Array<const double, 3> pressed;  // contribution of loads on free facets to V σ at full load [J], (*, n, 6)
@@ -78,21 +78,21 @@ struct CohesiveCracks {
     Array<Index, 1> size;  // number of cracks, and 1 where lists are out of date, (2,)
     double slide;  // largest slip of faces of material planes that face each other, over √A, at most 1 [-]
 };
-// Facets of each cell, and their slack.
+// Facets of each cell, and the increase of 1 / weight of the cell if a facet breaks.
 struct CellSlack {
     Array<const Index, 1> in_start;  // facets of each cell, as `FacetsOfCells` has them, (n + 1,)
     Array<const Index, 1> out_start;  // facets of each cell, as `FacetsOfCells` has them, (n + 1,)
     Array<const Short, 1> out_bond;  // (*,)
-    Array<const double, 1> slack_i;  // increase of 1 / weight of a cell if the facet parts [m³/Pa], (m,)
-    Array<const double, 1> slack_j;  // what 1 / weight of a cell gains where the facet parts [m³/Pa], (m,)
+    Array<const double, 1> slack_i;  // increase of 1 / weight of cell i if the facet parts [m³/Pa], (m,)
+    Array<const double, 1> slack_j;  // increase of 1 / weight of cell j if the facet parts [m³/Pa], (m,)
     Array<const double, 1> weight;  // λ / V of each cell with all its facets [Pa/m³], (n,)
 };
 // Lists of a step, and data of the cracks on them.
 struct CrackLists {
     // numbers of cracks treated one by one, of those that rest, of cells of the first, and of `parted`
     Array<Index, 1> size;  // (4,)
-    Array<Index, 1> treated;  // cracks; lanes behind the last one repeat it, (places,)
-    Array<Index, 1> resting;  // cracks; lanes behind the last one repeat it, (places,)
+    Array<Index, 1> treated;  // cracks; lanes after the last one repeat it, (places,)
+    Array<Index, 1> resting;  // cracks; lanes after the last one repeat it, (places,)
     Array<Short, 1> treated_i;  // their cells, (places,)
     Array<Short, 1> treated_j;  // their cells, (places,)
     Array<Short, 1> resting_i;  // their cells, (places,)

@@ -1,4 +1,4 @@
-// Tables of the passes over beams of the incremental formulation, beside `Beams`.
+// Tables of the passes over beams of the incremental formulation, in addition to `Beams`.
 #pragma once
 #include "../array.hpp"
 

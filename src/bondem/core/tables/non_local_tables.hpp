@@ -1,4 +1,4 @@
-// Tables of the passes over bonds of the non-local law, beside `Beams`, which has their ends and their integrity.
+// Tables of the passes over bonds of the non-local law, in addition to `Beams`, which has their ends and integrity.
 #pragma once
 #include "../array.hpp"
 

@@ -19,7 +19,7 @@ struct Moving {
 
 constexpr Index rubbed_loss = 2;  // column of the losses of an element
 
-// Beams, m of them, and a few without force behind them where they are fewer than a group.
+// Beams, m of them; fewer than a group are followed by beams without force.
 struct Beams {
     Array<const Short, 1> i;  // (m,)
     Array<const Short, 1> j;  // (m,)
@@ -49,7 +49,7 @@ struct UniformBeams {
 struct Poses {
     Array<const double, 2> pose;  // (n, 8)
 };
-// Sums that beams add the forces on their two ends to.
+// Sums to which beams add the forces on their two ends.
 struct BeamSums {
     Array<const Short, 1> row_i;  // (m,)
     Array<const Short, 1> row_j;  // (m,)
@@ -63,7 +63,7 @@ struct BeamEnergies {
 struct BeamTurns {
     Array<Index, 1> found;  // (3,)
 };
-// Dashpots beside the springs of beams, and their forces.
+// Dashpots parallel to the springs of beams, and their forces.
 struct Dashpots {
     Array<const double, 2> c;  // cn, cs [N·s/m], cb, ct [N·m·s], (4, m)
     Array<const double, 1> share;  // where the contact point divides a beam, from i [-], (m,)
@@ -166,10 +166,10 @@ struct Strain {
     Array<const double, 1> length;  // L [m], (strained,)
     Array<const double, 1> shear;  // ks [N/m], (strained,)
     Array<const double, 1> lever;  // a [m], (strained,)
-    // rows: present factors, those to come, energy by factor [J] a step ago and now
+    // rows: present factors, those to come, ∂U/∂factor [J] a step ago and now
     Array<double, 2> factor;  // (4, strains)
-    Array<Index, 2> power;  // their energy by factor, zero between steps, (strains, exact_word::count)
-    Array<Byte, 1> due;  // 1 where that energy is needed, and where lengths have changed, (2,)
+    Array<Index, 2> power;  // exact sums of ∂U/∂factor [J], zero between steps, (strains, exact_word::count)
+    Array<Byte, 1> due;  // 1 where ∂U/∂factor is needed, and where lengths have changed, (2,)
     Index place;  // in the list of works
 };
 
@@ -216,7 +216,7 @@ struct StepSpan {
     Index m;  // bonds, without those that fill a group
     Array<Index, 1> done;  // steps done, records written, bonds turned wide at most and lost, (4,)
 };
-// Stresses of n elements that lag a step behind.
+// Stresses of n elements in the previous step.
 struct LaggedStresses {
     Array<const double, 1> inverse;  // 1 / V [1/m³], (n,)
     Array<double, 2> stress;  // in the element's own frame, xx, yy, zz, xy, xz, yz [Pa], (n, 6)

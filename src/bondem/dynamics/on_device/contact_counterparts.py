@@ -108,7 +108,7 @@ COUNTERPARTS: dict[str, Counterpart] = {
 
 
 def deepest_overlaps(run: Translation, passes: Passes) -> list[Launch]:
-    """Return the launches that measure the deepest overlap of each portion, of the passes of a step."""
+    """Return the launches that measure the deepest overlap of each portion, given the passes of a step."""
     named = dict(passes)
     pressed = named.get("press_pairs", named.get("press_pairs_and_faces"))
     if pressed is None:
@@ -129,7 +129,7 @@ def _none(n: int) -> WallContacts:
 
 
 def lists_of_contacts(passes: Passes) -> list[Any]:
-    """Return the tables of the passes of a step that are made anew with a list of contacts."""
+    """Return the tables of the passes of a step that each new list of contacts replaces."""
     kinds = AdheringPairs, ContactPairs, FacePairs, NearPairs, RolledPairs, RolledWalls, Travel, WallContacts
     return list({id(table): table for _, tables in passes for table in tables if isinstance(table, kinds)}.values())
 

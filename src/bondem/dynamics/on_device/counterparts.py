@@ -14,7 +14,7 @@ from bondem.dynamics import on_device
 from bondem.dynamics.on_device.translation import Counterpart, Translation
 from bondem.interactions.step_part import Passes
 
-#: Passes that act on elements beside the loads of their bonds.
+#: Passes that add loads to elements, in addition to those of bonds.
 FURTHER = {
     "add_dashpot_loads", "add_body_forces", "add_wall_loads", "add_contact_loads", "add_crack_loads",
     "add_layer_torques", "add_inertia_forces",

@@ -33,7 +33,7 @@ def _link(
     run: Translation, facets: ElasticFacets, stored: FacetForces, strengths: FacetStrengths, cracks: CohesiveCracks,
     lists: CrackLists,
 ) -> list[Launch]:  # fmt: skip
-    """Give the cracks of the state the numbers of their facets, also as places of the lists."""
+    """Link the cracks of the state to their facets, whose numbers are their places in the lists."""
     count, m = int(cracks.size[CrackNumber.CRACKS]), run.span.m
     facet = cracks.order[:count]
     cracks.listed[facet] = 1 + cracks.history[facet, 0].astype(np.uint8)

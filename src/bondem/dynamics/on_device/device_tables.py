@@ -1,4 +1,4 @@
-"""Tables of a device beside those of a step, as `core/tables/device_tables.hpp` declares them."""
+"""Tables of a device in addition to those of a step, as `core/tables/device_tables.hpp` declares them."""
 
 import numpy as np
 

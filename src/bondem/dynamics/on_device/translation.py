@@ -33,7 +33,7 @@ class Translation:
         ledger: sums of a record or a guard.
         rows: number of rows of the boundary.
         postponed: elements that failures postpone, uint8, (n,), or (0,) where nothing fails.
-        further: whether loads act on elements beside those of their bonds; their sums are in memory then.
+        further: True if loads act on elements in addition to those of bonds; their sums are in memory then.
 
     Attributes:
         blocks: division of the step into blocks.
@@ -42,7 +42,7 @@ class Translation:
         bonds: bonds of each element.
         loads: loads of each bond on its ends.
         dashed: loads of the dashpots of each bond.
-        further: whether loads act beside those of bonds.
+        further: True if loads act on elements in addition to those of bonds.
         owners: number of elements that own rows.
         logs: events of the run, whose rows are copied as far as they are filled.
         scratch: arrays of zeros of counterparts that only the device reads.
@@ -72,7 +72,7 @@ class Translation:
         return [self.loads.load, self.dashed.load, self.blocks.sums, *self.scratch, *(log.event for log in self.logs)]
 
     def keep_log(self, log: EventLog) -> None:
-        """Take note of a table of events."""
+        """Register a table of events, unless it is registered already."""
         if not any(log is known for known in self.logs):
             self.logs.append(log)
 
@@ -146,7 +146,7 @@ def over(one: KernelOf, count: Count, made: Made | None = None) -> Launches:
     Args:
         one: pass over an index.
         count: number of indices.
-        made: tables that only a device has, beside those of every run.
+        made: tables that only a device has, in addition to those of every run.
     """
     return Launches(((one, count, {} if made is None else made),))
 
@@ -157,11 +157,11 @@ def in_order(*launches: Launches) -> Launches:
 
 
 def gathered_or_summed(gathered: KernelOf, summed: KernelOf, count: Count) -> Launches:
-    """Return the counterpart of a pass that reads sums of loads.
+    """Return the launches that correspond to a pass that reads sums of loads.
 
     Args:
         gathered: pass over an index that adds up the loads of the bonds of its element.
-        summed: pass over an index for runs with loads beside those of bonds, whose sums are in memory.
+        summed: pass over an index for runs with further loads on elements, whose sums are in memory.
         count: number of indices.
     """
     return in_order(
@@ -216,7 +216,7 @@ def elements_where(kind: type[_T], column: Callable[[_T], np.ndarray]) -> Count:
 
 
 def ordered(kind: type[_T], row: Callable[[_T], np.ndarray]) -> Made:
-    """Return the order of what acts on rows of the boundary."""
+    """Return the order of the loads and walls that act on rows of the boundary."""
     return {RowOrder: lambda run, given: run.order_of(row(given[kind]))}
 
 

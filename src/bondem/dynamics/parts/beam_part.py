@@ -19,7 +19,7 @@ from bondem.model.state import State
 def beams(
     _: Interaction, model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, __: float
 ) -> BondParts:
-    """Return the parts of beams, with dashpots beside them or without: their forces, and their breakage."""
+    """Return the parts of beams, with or without dashpots: their forces, and their breakage."""
     moving, blocks, ledger = shared.moving, shared.blocks, shared.ledger
     strain = _changing_strain(model, state)
     bonds = model.bonds.stretched(state.eigenstrain)

@@ -31,7 +31,7 @@ from bondem.model.state import State
 class BodyOfCells(NamedTuple):
     """Tables of the facets, cells and walls of a run."""
 
-    dashed: tuple[tuple[Dashpots, Beams], ...]  #: dashpots beside facets, on beams about as stiff; one pair or none
+    dashed: tuple[tuple[Dashpots, Beams], ...]  #: dashpots of facets, on beams about as stiff; one pair or none
     facets: ElasticFacets
     cells: CellDilatation
     gradients: DilatationGradients
@@ -43,7 +43,7 @@ class BodyOfCells(NamedTuple):
     def of(
         cls, model: Model, constants: CellConstants, state: State, shared: SharedTables, dashpots: Dashpots | None
     ) -> "BodyOfCells":
-        """Return the tables of a run from a state, whose arrays they share, with dashpots beside facets or none."""
+        """Return the tables of a run from a state, whose arrays they share, with or without dashpots of facets."""
         layout, period = model.layout, model.period
         to_i = _places(shared.blocks, layout.i, len(layout.order))
         facets, cells = cell_tables(constants, layout, period, state.integrity, to_i)
@@ -73,7 +73,7 @@ def cells(
     stretch: Sequence[StepEntry] = (),
     powers: Sequence[StepEntry] = (),
 ) -> Part:
-    """Return the part of a body of cells, with dashpots beside its facets or without.
+    """Return the part of a body of cells, with or without dashpots of its facets.
 
     Args:
         shared: tables of the run.
@@ -84,7 +84,7 @@ def cells(
             are those of another part, which knows the stresses of cells with cracks.
         damage: tables of facets that break at once, or None.
         stretch: passes that follow where stress-free strains have changed levers.
-        powers: passes that find the powers of these strains at cracks, where a run begins.
+        powers: passes that compute ∂U/∂factor of these strains at cracks, at the start of a run.
     """
     moving, blocks, rows, ledger = shared.moving, shared.blocks, shared.rows, shared.ledger
     walls, walled = body.walls, len(body.walls.cell) > 0
@@ -143,7 +143,7 @@ def _of_gradients(shared: SharedTables, body: BodyOfCells) -> tuple[Passes, Pass
 def _changing(
     shared: SharedTables, body: BodyOfCells, stretch: Sequence[StepEntry], powers: Sequence[StepEntry]
 ) -> tuple[Passes, Passes, Passes]:
-    """Return passes of conditions that change: of the present, around the pass of stresses, and behind it."""
+    """Return passes of changing conditions: of present factors, beside the pass of stresses, and after it."""
     moving, timeline, rows, walls = shared.moving, shared.timeline, shared.rows, body.walls
     present: Passes = []
     beside: Passes = []
@@ -163,7 +163,7 @@ def _changing(
 
 
 def _places(blocks: StepBlocks, i: np.ndarray, n: int) -> np.ndarray:
-    """Return the place where each facet adds to V θ of its cell i, or one behind all n cells, uint32, (m,)."""
+    """Return the row of V θ to which each facet adds for its cell i; rows from n on are extra, uint32, (m,)."""
     row = blocks.row_i[: len(i)].astype(np.int64)
     return np.where(row < blocks.parts, i, n + row - blocks.parts).astype(np.uint32)
 

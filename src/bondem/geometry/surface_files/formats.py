@@ -18,7 +18,7 @@ def read_surface_file(file: Path) -> Contents:
     """Read a file with a surface.
 
     Raises:
-        InputError: there is no such file, it has another format, or it is damaged.
+        InputError: The file does not exist, has another format, or is damaged.
     """
     ending = file.suffix.lower()
     if ending not in _READERS:

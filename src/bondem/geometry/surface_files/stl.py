@@ -18,7 +18,7 @@ def read_stl(name: str, data: bytes) -> Contents:
     """Read the bytes of an STL file; the solids of a text file are its named parts.
 
     Raises:
-        InputError: it is no STL file, or was cut or damaged.
+        InputError: The file is no STL file, or was cut or damaged.
     """
     announced = int.from_bytes(data[80:84], "little")
     found = max(len(data) - _HEAD, 0) // _RECORD

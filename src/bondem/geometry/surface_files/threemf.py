@@ -50,7 +50,7 @@ def read_3mf(name: str, data: bytes) -> Contents:
     """Read the bytes of a 3MF file; its objects are its named parts.
 
     Raises:
-        InputError: it is no 3MF file, is damaged, or unpacks to more than a part can have.
+        InputError: The file is no 3MF file, is damaged, or unpacks to more than a part can have.
     """
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
@@ -137,7 +137,7 @@ class _Archive:
 
 
 def _parsed(name: str, stream: IO[bytes]) -> _Model:
-    """Read the XML of a model."""
+    """Return the unit, objects and items in the XML of a model."""
     model, present = _Model(), _Object("", "")
 
     def begin(tag: str, given: dict[str, str]) -> None:

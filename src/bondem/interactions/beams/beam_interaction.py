@@ -113,7 +113,7 @@ class StoredBeamInteraction(BeamInteraction, SteppingInteraction):
     fields: ClassVar[tuple[StateField, ...]] = (StateField("history", (6, "m")),)
 
     def tables(self, arrays: Arrays) -> tuple[Beams, StoredLoads]:
-        """Return the beams and what they store; the latter shares its array with the state.
+        """Return the beams and their stored loads, which share the array of the state.
 
         Where there are fewer beams than a group, the array is a longer copy, made by `with_zeros`.
         """

@@ -1,4 +1,4 @@
-"""Beams as the core takes them, and its passes over beams in any poses.
+"""Beams in the layout of the core, and its passes over beams in any poses.
 
 `core/tables/step_tables.hpp` declares types and shapes.
 """
@@ -17,7 +17,7 @@ from bondem.specimen.ordering import Layout
 def beam_tables(
     bonds: BondTable, layout: Layout, period: Floats, integrity: PerBond, *, may_share: bool = True
 ) -> tuple[Beams, UniformBeams | None]:
-    """Return beams as the core takes them, and their common constants, or None.
+    """Return beams in the layout of the core, and their common constants, or None.
 
     Args:
         bonds: constants of the beams.

@@ -39,7 +39,7 @@ class CellConstants:
 
     Shares and H are numbers of single precision and levers multiples of `pitch`: results from them are exact, and
     passes read half as much. They are stored as the passes read them. `lever_i`, `share_i`, `normal`, `H` and their
-    like are made when asked.
+    like are computed on access.
 
     Attributes:
         k: 2 G A / L, of halves in series between different materials [N/m], shape (m,).
@@ -149,7 +149,7 @@ class CellConstants:
         return np.asarray(stress + self.weight * self.gradients.differences(stress), dtype=float)
 
     def pressed_by(self, force: Floats) -> PerElement:
-        """Return Σ (d / 2 G) F·way, the contribution of forces F on free facets [N], (k, 3), to V θ [m³], (n,)."""
+        """Return Σ (d / 2 G) F·m, the contribution of forces F on free facets [N], (k, 3), to V θ [m³], (n,)."""
         opened = self.softness * (self.way * force).sum(axis=1)
         return np.bincount(self.free_cell, weights=opened, minlength=len(self.pressed)).astype(float)
 
@@ -265,7 +265,7 @@ def _single(values: Floats) -> Floats:
 
 
 def _materials(body: Lattice, bond: CellAssignment) -> tuple[Floats, Floats, str]:
-    """Return G and λ of each cell [Pa], (n,), and the part of a relative rotation that counts."""
+    """Return G and λ of each cell [Pa], (n,), and the part of a relative rotation that facets resist."""
     n = len(body.particles)
     if not isinstance(bond, Mapping):
         return np.full(n, bond.G), np.full(n, bond.lame), bond.facet_rotation
@@ -287,7 +287,7 @@ def _materials(body: Lattice, bond: CellAssignment) -> tuple[Floats, Floats, str
 
 
 def ways(facets: Facets) -> tuple[PerBond3, PerBond3]:
-    """Return the ways m of both halves of each facet, by which they add A m·δ_p to V θ of their cells [-], (m, 3)."""
+    """Return the vectors m with which both halves of each facet add A m·δ_p to V θ of their cells [-], (m, 3)."""
     per_depth = facets.span / facets.area
     return (
         facets.share_i * (per_depth / facets.depth_i)[:, None], facets.share_j * (per_depth / facets.depth_j)[:, None]

@@ -1,4 +1,4 @@
-"""Facets and cells as the core takes them, and its passes over a body in any poses.
+"""Facets and cells in the layout of the core, and its passes over a body in any poses.
 
 `core/tables/cell_tables.hpp` declares types and shapes.
 """
@@ -32,7 +32,7 @@ STRESS = 3
 def cell_tables(
     cells: CellConstants, layout: Layout, period: Floats, integrity: PerBond, to_i: np.ndarray
 ) -> tuple[ElasticFacets, CellDilatation]:
-    """Return facets and cells as the core takes them. Facets share the arrays of the constants.
+    """Return facets and cells in the layout of the core. Facets share the arrays of the constants.
 
     Args:
         cells: constants in the order of the layout.
@@ -57,7 +57,7 @@ def cell_tables(
 def gradient_tables(
     gradients: GradientConstants, n: int, walls: WallConstraints
 ) -> DilatationGradients:
-    """Return gradients of the dilatation as the core takes them.
+    """Return gradients of the dilatation in the layout of the core.
 
     Args:
         gradients: constants in internal order.

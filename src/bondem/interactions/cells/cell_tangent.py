@@ -33,7 +33,7 @@ from bondem.specimen.local_origin import local_rest
 
 @dataclass(frozen=True, eq=False)
 class BodyTables:
-    """Facets, cells and walls of a body as the core takes them.
+    """Facets, cells and walls of a body in the layout of the core.
 
     Tractions on facets are those of the constants and do not change.
 
@@ -168,9 +168,9 @@ class CellsAtAnyPose(Interaction):
         return supported, own
 
     def _gradients_at(self, pose: Floats) -> tuple[csr_array | None, bsr_array | None]:
-        """Return the gradients of the dilatation as `Stiffness` takes them, in the present pose.
+        """Return the matrices S and T of `Stiffness` for the gradients of the dilatation, in the present pose.
 
-        The change of the ways of bent layers with the rotation of their cells is left out.
+        The change of n × s of bent layers with the rotation of their cells is left out.
         """
         cells = self.constants
         gradients = cells.gradients

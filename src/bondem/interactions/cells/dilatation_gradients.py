@@ -43,10 +43,10 @@ class GradientConstants:
         a, b: cells of the facets within layers, shape (l,).
         facet: numbers of these facets, shape (l,).
         way_a, way_b: n × s of both cells for each direction across their layer [m²], shape (l, 2, 3): V χ is
-            Σ ρ·way, with ρ = θ_b - θ_a.
+            Σ ρ·(n × s), with ρ = θ_b - θ_a.
         wall: numbers of the walls that hold cells of layers, as in `CellConstants.supports`, shape (h,).
         wall_cell: cells that these walls hold, shape (h,).
-        wall_way: n × s of these walls [m²], shape (h, 2, 3): V χ has -θ·way more.
+        wall_way: n × s of these walls [m²], shape (h, 2, 3): they add -θ·(n × s) to V χ.
         weight: J λ_p / V² of each cell and direction, shape (n, 2); (0, 2) without layers [Pa/m].
     """
 
@@ -78,7 +78,7 @@ class GradientConstants:
             body: a lattice with facets and cells.
             G, lame: shear modulus and Lamé's λ of each cell [Pa], (n,).
             layered: λ_p of each cell [Pa], (n,).
-            walls: free walls of the cells.
+            walls: directions across which the cells are free.
             shares: shares of the facets in both cells [m²], (m, 3) each.
             supports: walls that hold facets.
         """
@@ -120,7 +120,7 @@ class GradientConstants:
         return np.asarray(np.bincount(i, force, n) - np.bincount(j, force, n), dtype=float)
 
     def bends(self, turn: Floats, rotation: Floats) -> Floats:
-        """Return V χ of each cell and direction [m²], (n, 2).
+        """Return V χ, the volume of each cell times its curvature across its layers [m²], (n, 2).
 
         Args:
             turn: relative rotations of all facets [rad], (m, 3).
@@ -157,10 +157,10 @@ class GradientConstants:
         return csr_array(own_part - between - between.T)
 
     def turns(self, ways: tuple[Floats, Floats, Floats], n: int) -> bsr_array | None:
-        """Return √weight V χ under unit motions, 1×6 blocks, (2 n, 6 n); None without layers.
+        """Return the matrix T of `Stiffness`, √weight V χ under unit motions, (2 n, 6 n); None without layers.
 
         Args:
-            ways: ways of both cells, (l, 2, 3) each, and of walls, (h, 2, 3), in the present pose [m²].
+            ways: n × s of both cells, (l, 2, 3) each, and of walls, (h, 2, 3), in the present pose [m²].
             n: number of cells.
         """
         if not len(self.facet):

@@ -1,11 +1,11 @@
-"""Resistance of facets to relative rotations of their cells: bending, and twist beside free walls.
+"""Resistance of facets to relative rotations of their cells: bending, and twist at free surfaces.
 
 The opening of a facet varies over it where its cells turn. Openings along the normal n give the bending resistance
 H = (2 G / L)(tr S P - S), with the second moment S of the facet and P = 1 - n⊗n. Openings in its plane (twist) would
 give up to (2 G / L) tr S n⊗n. The curl of the shear on a facet is ∂ω_n/∂n in a continuum, and twice that on a rigid
-facet, so that only a part of this energy is right. Beside a free wall of normal a it is (2 G / L) a·S·a, the bending
+facet, so that only a part of this energy is right. At a free surface of normal a it is (2 G / L) a·S·a, the bending
 energy of a plate whatever the directions of its facets. In a column it is that of Saint-Venant's torsion. Inside a
-body, and where two walls meet, facets do not resist twist.
+body, and where two free surfaces meet, facets do not resist twist.
 """
 
 import numpy as np
@@ -20,7 +20,7 @@ _TORSION = 0.1406 / 6.0
 
 
 def resistance(S: Floats, normal: Floats, stiffness: Floats, rotation: str) -> Floats:
-    """Return H without the twist at walls [N·m], (m, 3, 3), of facets with second moments S [m⁴], (m, 3, 3).
+    """Return H without twist at free surfaces [N·m], (m, 3, 3), of facets with second moments S [m⁴], (m, 3, 3).
 
     Args:
         S: second moments of the facets.
@@ -39,14 +39,14 @@ def resistance(S: Floats, normal: Floats, stiffness: Floats, rotation: str) -> F
 def twist_at_walls(
     S: Floats, area: Floats, normal: Floats, stiffness: Floats, walls: FreeWalls, cells: tuple[Ints, Ints]
 ) -> Floats:
-    """Return the twisting part of H of facets between two cells at the same wall [N·m], (m, 3, 3).
+    """Return the twisting part of H of facets between two cells at the same free surface [N·m], (m, 3, 3).
 
     Args:
         S: second moments of the facets [m⁴], (m, 3, 3).
         area: areas of the facets [m²], (m,).
         normal: normals of the facets, (m, 3).
         stiffness: 2 G / L [Pa/m], (m,).
-        walls: free walls of the cells.
+        walls: directions across which the cells are free.
         cells: cells on both sides of each facet, (m,) each.
     """
     one, other = (walls.wall[cell] for cell in cells)

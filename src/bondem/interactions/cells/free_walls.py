@@ -1,4 +1,4 @@
-"""Free walls beside each cell: layers and columns one cell thick, and cells at one plain wall."""
+"""Free surfaces of a body at each cell: of layers and columns one cell thick, and single surfaces."""
 
 from dataclasses import dataclass
 
@@ -9,10 +9,10 @@ from bondem.interactions.cells.cell_body import body_of, sums_of_normals
 from bondem.specimen.lattice import Lattice
 
 # A cell is one of a layer where its facets without a neighbour are this share of all of them along some axis: 1 of a
-# plate one cell thick (0.83 and more where its cells are uneven), 1/2 at a plain wall. So many of all cells, and as
+# plate one cell thick (0.83 and more where its cells are uneven), 1/2 at a flat surface. So many of all cells, and as
 # many in number, make a layer.
 _THIN, _PART, _FEW = 0.75, 0.1, 8
-# Share above which free facets along an axis are a wall of the cell.
+# Share above which free facets along an axis are a free surface of the cell.
 _WALL = 0.2
 
 
@@ -23,7 +23,7 @@ class FreeWalls:
     Attributes:
         layer: directions in which the body is one cell thick at each cell, the thinnest first [-], shape (n, 2, 3);
             zero where it is thicker. Both are set in a column.
-        wall: normal of the free wall of each cell that touches one and no other, or of its layer [-], shape (n, 3);
+        wall: normal of the free surface of each cell that has a single one, or of its layer [-], shape (n, 3);
             zero elsewhere.
     """
 
@@ -32,7 +32,7 @@ class FreeWalls:
 
     @classmethod
     def of(cls, body: Lattice, fixed: Ints | None = None) -> "FreeWalls":
-        """Return the free walls of the cells of a body.
+        """Return the directions across which the cells of a body are free.
 
         Args:
             body: a lattice with facets and cells.
@@ -65,7 +65,7 @@ def thin_ways(body: Lattice) -> Ints:
 
 
 def _free_axes(body: Lattice, fixed: Ints | None) -> tuple[Floats, Floats]:
-    """Return the shares of free facets in Σ A d n⊗n, (n, 3), ascending, and the axes of free walls, (n, 3, 3).
+    """Return the shares of free facets in Σ A d n⊗n, (n, 3), ascending, and the axes of free surfaces, (n, 3, 3).
 
     The axes are columns in the order of the shares: principal axes of Σ A d n⊗n of the free facets alone.
     """

@@ -91,7 +91,7 @@ class ContactLaws:
 
     @property
     def parallel(self) -> bool:
-        """True if contacts also act beside intact bonds."""
+        """True if contacts also act in parallel with intact bonds."""
         return any(law.parallel for law in self.laws)
 
     @property
@@ -247,7 +247,7 @@ def _ends(lattice: Lattice, where: object, walls: Sequence[Wall]) -> tuple[tuple
 
 
 def _require_laws(kind: Ints, between: Ints, at_walls: Ints) -> None:
-    """Refuse contacts without a law."""
+    """Raise InputError for contacts without a law."""
     bare = np.argwhere(between < 0)
     advice = "add an entry for bd.Everything() before the others, or (region, region): law for two regions"
     if bare.size:

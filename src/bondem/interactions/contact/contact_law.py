@@ -44,7 +44,7 @@ class ContactLaw(ABC):
 
     @property
     def parallel(self) -> bool:
-        """True if the contact also acts beside intact bonds."""
+        """True if the contact also acts in parallel with intact bonds."""
         return False
 
     @property
@@ -54,7 +54,7 @@ class ContactLaw(ABC):
 
     @property
     def adhesion(self) -> Adhesion | None:
-        """Attraction beside the contact; None for repulsion only."""
+        """Attraction in addition to the repulsion of the contact; None for repulsion only."""
         return None
 
     @property
@@ -193,8 +193,8 @@ class LinearContact(ContactLaw):
     """Linear contact with Coulomb friction between elements without an intact bond, and at walls.
 
     With `parallel=True` bonded elements touch like any others. This is the unbonded component of PFC's linear
-    parallel bond model (Potyondy and Cundall 2004). It acts beside the bond from the start and continues when the
-    bond is broken.
+    parallel bond model (Potyondy and Cundall 2004). It acts in parallel with the bond from the start and continues
+    when the bond is broken.
 
     Attributes:
         E: effective modulus [Pa] in kn = E A / L; a pair whose bond is broken has the kn of that bond.
@@ -204,13 +204,13 @@ class LinearContact(ContactLaw):
         stress_free: True if overlaps of the reference configuration carry no force, so that a packing is at rest.
             Gaps are then measured from min(0, reference gap). The gap of a pair whose bond is broken is measured from
             the rest length of the bond. False to measure all gaps from the spheres, with kn of this law.
-        parallel: True if the contact also acts beside intact bonds, with kn of this law before and after they break;
-            gaps of bonded pairs are then those of any pair. For beams only.
+        parallel: True if the contact also acts in parallel with intact bonds, with kn of this law before and after
+            they break; gaps of bonded pairs are then those of any pair. For beams only.
         rolling: coefficient μ_r of resistance to rolling [-]: a spring of stiffness ks R̄² against the rotation of one
             sphere on the other, 1/R̄ = 1/Ri + 1/Rj (at a wall R̄ = R), with the limit μ_r R̄ F_n and without a dashpot
             (type C of Ai et al., Powder Technology 206 (2011) 269–282). 0 for none.
         twisting: coefficient of resistance to rotation about the normal of the contact, of the same form [-].
-        adhesion: attraction up to a gap, beside the contact; None for repulsion only. For beams and loose spheres.
+        adhesion: attraction up to a gap, in addition to repulsion; None for none. For beams and loose spheres.
     """
 
     E: float

@@ -70,7 +70,7 @@ class NonLocalConstants:
         )  # fmt: skip
 
     def small_pairs(self, pairs: Pairs, stress: PerElement6, gap: PerBond3) -> SmallPairs:
-        """Return bonds at small strain as the core takes them, with stresses [Pa] and gaps [m] of the step before."""
+        """Return bonds at small strain in the layout of the core; stresses [Pa] and gaps [m] are of the last step."""
         normal = np.ascontiguousarray(self.normal)
         return SmallPairs(pairs, self.area, self.kt, self.nu, self.limited, normal, stress, gap)
 

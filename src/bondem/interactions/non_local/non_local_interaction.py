@@ -1,4 +1,4 @@
-"""The non-local law as an interaction: all that solvers, states and run files ask of it.
+"""The non-local law as an interaction: with the methods that solvers, states and run files require.
 
 `core/tables/non_local_tables.hpp` declares types and shapes of its tables.
 """
@@ -174,7 +174,7 @@ class NonLocalInteraction(LaggedInteraction):
         Args:
             stress: stresses in the frames of the elements [Pa], (n, 6).
             to_i: row of the moment that each bond adds to for its element i, uint32, (m,).
-            more: number of rows of moments behind those of the elements.
+            more: number of rows of moments after those of the elements.
         """
         n = len(stress)
         return LaggedStresses(1.0 / self.constants.volume, stress, lines(n), lines(n + more), with_twins(to_i))
@@ -182,7 +182,7 @@ class NonLocalInteraction(LaggedInteraction):
     def _rows_of_moments(self, blocks: StepBlocks) -> np.ndarray:
         """Return the row of the moment that each bond adds to for its element i, uint32, (m,).
 
-        Rows behind those of the n elements are contributions of bonds between domains, in the order of `blocks.part`.
+        Rows after those of the n elements are contributions of bonds between domains, in the order of `blocks.part`.
         """
         i = self.layout.i
         row = blocks.row_i[: len(i)].astype(np.int64)

@@ -31,8 +31,9 @@ def direct_tension(
 
     The platens hold the ends of cells, and a layer of bonded spheres as deep as a mean radius at each end.
 
-    The work per area of the section is the fracture energy of the specimen if one crack takes it: `cracking.single`.
-    A bar longer than 2 E G_f / f_t² stores more than one crack takes. Its load snaps back, and several sections tear.
+    The work per area of the section is the fracture energy of the specimen if there is one crack: `cracking.single`.
+    A bar longer than 2 E G_f / f_t² stores more energy than one crack dissipates. Its load snaps back, and several
+    sections tear.
 
     Args:
         body: specimen of cells, of bonded spheres, or of the non-local law.

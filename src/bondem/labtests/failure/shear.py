@@ -221,7 +221,7 @@ class _Core:
         """Cells on the plate and under the piston.
 
         Raises:
-            InputError: there are none.
+            InputError: No cell lies on the plate, or none under the piston.
         """
         regions = []
         for name, keep_core, radius in (("x_min", False, self.outside), ("x_max", True, self.inside)):

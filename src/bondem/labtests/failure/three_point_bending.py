@@ -57,7 +57,7 @@ class BendingTest(PlottedState):
             "right" [m]; `path.gauge` contains the requested gauges too. For bonded spheres the explicit run.
         load: load P at each row of the curve [N], shape (k,).
         deflection: deflection at each row of the curve [m], shape (k,).
-        cracking: cracks and pieces, and the energy that they took; `cracking.single` is True where the work is that
+        cracking: cracks and pieces, and the dissipated energy; `cracking.single` is True where the work is that
             of one crack.
         cmod: opening of the notch mouth along x at each row of the curve [m], shape (k,): mean over the width, at the
             edges of the notch in the bottom, which move and rotate with their cells. None for a beam without a notch.

@@ -60,7 +60,7 @@ def uniaxial_compression(
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Returns:
-        Result with a positive `.peak`. Under pressure, stress and peak are those of the platens, σ1 of soil
+        Result with a positive `.peak`. Under pressure, stress and peak are those of the platens, σ1 of rock
         mechanics.
 
     Raises:

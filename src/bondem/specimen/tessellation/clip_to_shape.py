@@ -29,13 +29,13 @@ def new_splitting(position: PerElement3, tolerance: float) -> Splitting:
 
 
 def with_more_scratch(splitting: Splitting) -> Splitting:
-    """Return a copy with longer lists."""
+    """Return a copy of the tables of a splitting, with longer lists of scratch data."""
     found, below = (room_for(values, 2 * len(values)) for values in (splitting.found, splitting.below))
     return splitting._replace(found=found, below=below)
 
 
 def with_more_pieces(splitting: Splitting) -> Splitting:
-    """Return a copy with room for more pieces."""
+    """Return a copy of the tables of a splitting, with room for more pieces."""
     cell, end = (room_for(values, 2 * len(values)) for values in (splitting.cell, splitting.end))
     return splitting._replace(cell=cell, end=end)
 

@@ -18,7 +18,7 @@ from bondem.specimen.tessellation.polygon_buffer import (
 
 
 def with_more_parts(dividing: Dividing) -> Dividing:
-    """Return a copy with room for more parts."""
+    """Return a copy of the table of a division, with room for twice as many parts."""
     cell, owner, end = (room_for(values, 2 * len(values)) for values in (dividing.cell, dividing.owner, dividing.end))
     return dividing._replace(cell=cell, owner=owner, end=end)
 

@@ -140,7 +140,7 @@ def free_facets(shape: Shape, position: PerElement3, width: float, polygons: Pol
 
 
 def _faces(shape: Shape, centroid: Floats, normal: Floats, inside: float) -> Ints:
-    """Return the faces that points on walls lie on: near to them, with a depth that grows away from the wall.
+    """Return the face of each point on a wall: a near face whose depth grows along the inward normal.
 
     Walls of a notch or of a re-entrant corner may belong to no face of the shape: they have -1.
     """

@@ -106,7 +106,7 @@ def new_cell_request(chosen: Ints, half: Floats) -> CellRequest:
 
 
 def roomier_request(request: CellRequest) -> CellRequest:
-    """Return the request with longer lists."""
+    """Return a copy of a request for cells, with longer lists of neighbours."""
     return CellRequest(*request[:2], *_lists(2 * len(request.found)), *request[5:])
 
 

@@ -28,7 +28,7 @@ def buffer_corners(pile: PolygonBuffer) -> Floats:
 
 
 def roomier_buffer(pile: PolygonBuffer) -> PolygonBuffer:
-    """Return a copy with twice the room."""
+    """Return a copy of a list of polygons, with room for twice as many."""
     used = np.array([*pile.used[:2], 0])
     what, plane, vertex = (room_for(values, 2 * len(values)) for values in pile[:3])
     return PolygonBuffer(what, plane, vertex, used)

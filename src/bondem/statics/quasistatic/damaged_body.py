@@ -232,7 +232,7 @@ class DamagedBody:
         )  # fmt: skip
 
     def _weigh(self, facets: Ints, sign: float) -> None:
-        """Add the missing part of facets to the slack of their cells, or subtract it."""
+        """Add the lost integrity of facets to the compliance of their cells, times a sign, and set their weights."""
         c, weight, open_part = self.weakened, self.constants.weight, sign * (1.0 - self.integrity[facets])
         (slack_i, slack_j), n = self._of_sides, c.normal[facets]
         for cells, slack, share, shut in (

@@ -84,7 +84,7 @@ class StressOnset:
         return whole[near], factor[near]
 
     def along(self, found: Loaded, facets: Ints, traction: Floats) -> SofteningSearch:
-        """Return what opens facets by tractions (c, 3) along the directions of their criterion."""
+        """Return the components of tractions (c, 3) that open facets along the directions of their criterion."""
         body = self._body
         return softening_along(body.facets(found), self._strengths, facets, traction, body.integrity[facets])
 

@@ -21,7 +21,7 @@ template <class T> struct BondLoads {
 template <class T> struct Coefficients {
     T a, b, c, d;
 };
-// A criterion on the loads of single bonds, and what it differs in.
+// A criterion on the loads of single bonds, and the properties in which criteria differ.
 struct BondCriterion {
     static constexpr bool sees_angles = false;  // needs the angles of the ends of a beam, which take time to find
     static constexpr bool of_facets = false;  // applies to facets of cells too (`needs_beams` is false in Python)

@@ -13,7 +13,7 @@ namespace {
 // Bonds ahead of the loop whose first elements are prefetched; second ends follow one another in memory.
 constexpr Index ahead = 32;
 
-// Beams with constants of their own, or those that all share, over their length.
+// Stiffness of beams with constants of their own, or with constants that all share divided by their length.
 struct Own {
     const Beams &beams;
     template <class T> BONDEM_INLINE BeamStiffness<T> stiffness(Index k) const {

@@ -7,7 +7,7 @@
 
 namespace bondem {
 
-// Sets what depends on the rest length of strained beam e, at the present factors.
+// Sets length, shear stiffness and lever of strained beam e at the present factors.
 inline double stretch_of(const Strain &strain, Index e) {
     double stretch = strain.still(e);
     for (Index g = 0; g < strain.schedule.size(); g++) stretch += strain.factor(1, g) * strain.part(g, e);
@@ -28,7 +28,7 @@ inline double tension_of(const Moving &all, const Strain &strain, const Beams &b
 }
 
 
-// Brings the factors to the time of a clock, and finds what is due.
+// Brings the factors to the time of a clock, and finds whether lengths change and ∂U/∂factor is needed.
 inline void follow_factors(const Clock &clock, const Timeline &timeline, const Strain &strain) {
     const auto &factor = strain.factor;
     bool changed = clock.first, needed = clock.first;
@@ -47,7 +47,7 @@ inline void stretch_and_add(const Moving &all, const Strain &strain, const Beams
     const double tension = tension_of(all, strain, beams, e);
     for (Index g = 0; g < strain.schedule.size(); g++) add(g, -tension * strain.length(e) * strain.part(g, e));
 }
-// Takes the powers of the strains, and adds their work.
+// Takes the sums of ∂U/∂factor, and adds the work of the strains.
 inline void add_work_of(const Clock &clock, const Strain &strain, const Rows &rows) {
     const auto &factor = strain.factor;
     for (Index g = 0; g < strain.schedule.size(); g++) {

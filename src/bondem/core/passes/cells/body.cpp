@@ -59,8 +59,8 @@ Index load_body(Index, const CellPoses &all, const ElasticFacets &facets, const 
 }
 BONDEM_CALL(load_body, "")
 
-// Multiplies small motions by the stiffness of a body. Stresses and bending are those that `load_body` left; what
-// tractions add to V θ is 0.
+// Multiplies small motions by the stiffness of a body. Stresses and bending are those that `load_body` left;
+// tractions add nothing to V θ.
 Index multiply_body(Index, const CellPoses &all, const StiffnessProduct &by, const ElasticFacets &facets,
                     const CellDilatation &cells, const DilatationGradients &gradients, const WallConstraints &walls) {
     const BeamSums to = {facets.i, facets.j, by.sums};

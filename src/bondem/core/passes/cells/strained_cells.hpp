@@ -1,4 +1,4 @@
-// Facets and walls of cells whose stress-free strains change: their levers, and the power of the strains.
+// Facets and walls of cells whose stress-free strains change: their levers, and ∂U/∂factor of the strains.
 #pragma once
 #include "../../exact_sum.hpp"
 #include "../boundary/timeline.hpp"
@@ -7,8 +7,8 @@
 
 namespace bondem {
 
-// Brings the factors to the time of the clock. Powers are needed if a factor changes in this step or the next one.
-// Returns true if a factor has changed.
+// Brings the factors to the time of the clock. ∂U/∂factor is needed if a factor changes in this step or the
+// next one. Returns true if a factor has changed.
 inline bool follow_factors(const Clock &clock, const Timeline &timeline, const CellStrains &strains) {
     using namespace strain_factor;
     const auto &factor = strains.factor;
@@ -55,7 +55,7 @@ inline void sum_powers(Index first, Index last, const double *pose, const CellSt
     }
 }
 
-// Adds the powers of walls to those of facets and cracks, and takes their sums.
+// Adds ∂U/∂factor of walls to that of facets and cracks, and takes the sums.
 inline void take_powers(const Moving &all, const CellStrains &strains, const WallConstraints &walls) {
     for (Index w = 0; w < strains.wall_still.size(); w++) {
         const Quaternion<double> q = orientation(gather(all.pose.data, Short(walls.cell(w))));

@@ -131,7 +131,7 @@ inline double outer_reach(const ContactPairs &pairs, const FacePairs &of, Index 
     const Short a = pairs.first(k), b = pairs.second(k);
     return (of.faced(a) | of.faced(b)) != 0 ? of.outer(a) + of.outer(b) : 0.0;
 }
-// Contact of the faces that pair k has chosen.
+// Contact of the two faces by which pair k touches; zero if it touches by none.
 inline FaceLoads chosen_loads(const Moving &all, const ContactPairs &pairs, const FacePairs &of, Index k) {
     if (of.chosen(k) == 0.0) return {};
     const ChosenFaces e(of.chosen(k));

@@ -1,8 +1,9 @@
 // Contact of two elements whose bond or facet has failed: the pair was listed, but not evaluated before.
 //
-// The pressure between the two acts at once, with the tangential spring at rest, at the end of the step in which the
-// bond fails. The energy stored by the contact is subtracted from that of the event. Cells whose crack has parted touch
-// from their present distance on, without a force; cells with faces on a plane touch by these faces.
+// The pressure between the two acts at once, with the tangential spring at rest. Where a bond breaks at once, it acts
+// from the end of that step on, and the energy that it stores is subtracted from that of the event; where a softening
+// beam breaks, it replaces the pressure on the beam. Cells whose crack has parted touch from their present distance on,
+// without a force; cells with faces on a plane touch by these faces.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/beam_softening_tables.hpp"
@@ -18,7 +19,7 @@ struct NewContact {
 };
 // Begins the contact of pair k in its present position.
 NewContact begin_pair(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, Index k);
-// Adds an initial contact to a row of sums of one of its two elements.
+// Adds the forces of an initial contact to the row of sums of one of its two elements.
 inline void add_new_contact(double *row, bool is_later, double radius, const NewContact &contact) {
     const double sign = is_later ? 1.0 : -1.0;
     for (Index x = 0; x < 3; x++) {

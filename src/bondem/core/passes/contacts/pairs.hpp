@@ -65,7 +65,7 @@ BONDEM_INLINE PairLoads<T> pair_loads(const Law &law, const Numbers &of, const S
 inline Vector branch_of(const double *pose, const ContactPairs &pairs, Index k) {
     return over_nearest_image(centre(pose, pairs.second(k)) - centre(pose, pairs.first(k)), pairs.period.data);
 }
-// Loads of pair k as it is now, with what it remembers.
+// Loads of pair k in its present position, with its memory of the previous step.
 inline PairLoads<double> present_loads(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, Index k,
                                        const ContactMemory<double> &memory) {
     const Short a = pairs.first(k), b = pairs.second(k);

@@ -66,7 +66,7 @@ inline double rolling_stiffness_at_wall(const ContactConstants &c, const Contact
     return ks;
 }
 
-// Rolls pair k, which touches or has just parted; `force` is that on its later element.
+// Computes the rolling resistance of pair k, which touches or has just parted; `force` acts on its later element.
 inline void roll_pair(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const RolledPairs &of, Index k,
                       const Vector &force, double dt) {
     const Short p = pairs.first(k), q = pairs.second(k);

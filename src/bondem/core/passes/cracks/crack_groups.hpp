@@ -123,7 +123,7 @@ BONDEM_INLINE Lanes single_of(const Row<Lanes> &row, int number) {
 struct CrackGroup {
     using Number = Lanes;
     Index e;
-    int known;  // how many there are; lanes behind repeat the last one, with the same results
+    int known;  // number of cracks; lanes after them repeat the last one, with the same results
     const Index *crack;
     const Short *i, *j;
 
@@ -132,7 +132,7 @@ struct CrackGroup {
         : e(e), known(int(least(count - e, Index(lanes)))), crack(list.data + e), i(at_i.data + e),
             j(at_j.data + e) {}
 
-    // Lines of a table.
+    // The line of each crack in a table, eight numbers, one lane per crack.
     BONDEM_INLINE Row<Lanes> lines(const Array<double, 2> &table) const {
         const double *row[lanes];
         for (int n = 0; n < lanes; n++) row[n] = table.data + 8 * crack[n];
@@ -179,7 +179,7 @@ struct CrackGroup {
     BONDEM_INLINE void put(const Array<double, 2> &table, int column, Lanes all) const {
         for (int n = 0; n < lanes; n++) table.data[8 * crack[n] + column] = all[n];
     }
-    // Prefetches the lines of tables for cracks some places later. Behind the end of a list are places too.
+    // Prefetches the lines of tables for cracks some places later. Places exist after the end of a list, too.
     template <class... Tables> BONDEM_INLINE void prefetch(const Tables &...tables) const {
         constexpr Index ahead = 24;
 #pragma clang loop unroll(full)

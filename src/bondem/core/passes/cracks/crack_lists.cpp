@@ -11,7 +11,7 @@
 namespace bondem {
 namespace {
 
-// Lanes behind the end of a list repeat its last crack.
+// Lanes after the end of a list repeat its last crack.
 void fill(const Array<Index, 1> &list, const Array<Short, 1> &at_i, const Array<Short, 1> &at_j, Index count) {
     if (count == 0) return;
     for (Index e = count; e < count + lanes; e++) {

@@ -5,7 +5,7 @@
 
 namespace bondem {
 
-// Repeats the last of the lists of cracks that are treated one by one, for lanes behind it.
+// Repeats the last crack of the list of cracks that are treated one by one, for lanes after it.
 void fill_treated(const CrackLists &lists);
 
 }  // namespace bondem

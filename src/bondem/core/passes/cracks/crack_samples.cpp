@@ -149,7 +149,7 @@ template <class T> void bound(const StressBoundSamples &samples, Index e) {
     found(positive(T(bent - largest_pressure(principal(s))))), found(opened_at_most(bent, s));
 }
 
-// Calls one(e) for each sample, or several(e) for groups of them; samples behind the last whole group one by one.
+// Calls one(e) for each sample, or several(e) for groups of them; samples after the last whole group one by one.
 template <class One, class Several> void over(Index count, Index wide, One one, Several several) {
     Index e = 0;
     if (wide)

@@ -29,7 +29,7 @@ void hand_over(const SingleCrack &one, const ElasticFacets &facets, const CellDi
     lists.outdated(i) = lists.outdated(j) = 1;
 }
 
-// Puts a half on the list of its cell, where its order belongs.
+// Inserts a half into the list of its cell, which descends by the number of the half.
 void insert_half(const CrackLists &lists, Short p, Index half) {
     if (lists.head(p) == 0) lists.cell(lists.size(list_count::cells)++) = p;
     Index before = 0, next = lists.head(p);
@@ -147,7 +147,7 @@ void sum_cracks(const Range &range, const StressesOfCells &stresses, const Cohes
 }
 BONDEM_PASS(sum_cracks, of_cracks, "own half; adds carried slip sum")
 
-// Lets the faces of cracks slip with their two cells.
+// Applies the slip of both cells to the faces of cracks.
 void slide_cracks(const Range &range, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
                   const CrackLists &lists) {
     if (!(range.clock.dt > 0.0)) return;

@@ -59,7 +59,7 @@ struct OneCell {
 
 #if defined(BONDEM_LANES)
 
-// Cells of a list.
+// Cells of a list, as many as there are lanes.
 struct CellGroup {
     using Number = Lanes;
     const Short *cell;
@@ -99,7 +99,7 @@ struct CellGroup {
 
 #endif
 
-// The stresses of cells.
+// Finds the stresses of cells by Newton's method, from V θ without their cracks and the halves of these.
 template <class Cells, class T = typename Cells::Number>
 BONDEM_INLINE void relax(const Cells &at, const Moving &all, const CellDilatation &cells, const CrackLists &lists) {
     const T weight = at.each([&](Short p) { return cells.weight(p); });

@@ -22,12 +22,12 @@ inline void begin_treating(const SingleCrack &one, const ElasticFacets &facets, 
     for (int d = 0; d < 4; d++) past.left[d] = frame_of(cracks, k).left[d], past.rate[d] = 0.0;
     rest_friction(state_of(cracks, k), one);
 }
-// Faces of a crack at rest have parted.
+// Marks the faces of a resting crack as parted.
 inline void part_resting(const ElasticFacets &facets, const CohesiveCracks &cracks, Index k) {
     treat(facets, cracks, k, crack::parted);
     shape_of(cracks, k).top = infinity;
 }
-// The crack of facet k is no longer treated one by one.
+// Ends the treatment of the crack of facet k as a single crack.
 inline void end_treating(const ElasticFacets &facets, const CohesiveCracks &cracks, const CrackLists &lists, Index k,
                          int status) {
     treat(facets, cracks, k, status);

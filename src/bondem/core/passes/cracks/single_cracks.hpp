@@ -129,7 +129,7 @@ inline void write_constants(const ElasticFacets &facets, const FacetForces &stor
     history.friction = strengths.friction(k);
 }
 
-// Facet k, which is marked, begins to crack.
+// Starts the crack of facet k, which is marked.
 inline void begin_crack(const ElasticFacets &facets, const FacetForces &stored, const FacetStrengths &strengths,
                         const CrackOnset &onset, const CohesiveCracks &cracks, Index k, Index step) {
     const bool loose = onset.marked(k) != 1;

@@ -101,7 +101,7 @@ inline void sum_cracks_of(const StressesOfCells &stresses, const CohesiveCracks 
     for (int d = 0; d < 3; d++) lists.slip(p, d) = b[d];
 }
 
-// The crack of facet k slips with its cells.
+// Applies the slip of both cells to the crack of facet k.
 inline void slide_crack(const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
                         const CrackLists &lists, Index k) {
     CrackStateRow &state = state_of(cracks, k);

@@ -1,4 +1,4 @@
-// Power of stress-free strains at a crack.
+// Derivatives ∂U/∂factor of the energy by stress-free strains at a crack.
 #pragma once
 #include "../../exact_sum.hpp"
 #include "../cells/facets.hpp"

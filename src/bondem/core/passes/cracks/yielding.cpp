@@ -37,7 +37,7 @@ void flow_together(const Moving &all, const StressesOfCells &stresses, const Yie
 
 }  // namespace
 
-// Lets the cells of a portion yield whose stress reaches their yield surface.
+// Applies plastic flow to the cells of a portion whose stress reaches their yield surface.
 void yield_cells(const Range &range, const Moving &all, const FacetStrengths &, const StressesOfCells &stresses,
                  const YieldingCells &cells, const CrackOnset &onset) {
     if (!(range.clock.dt > 0.0)) return;

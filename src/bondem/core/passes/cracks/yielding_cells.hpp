@@ -60,7 +60,7 @@ template <class T> BONDEM_INLINE PlasticFlow<T> flow_under(const Symmetric3<T> &
     const PlasticStep<T> step = cone ? cone_step(found, invariants(s), by) : slip_step(found, by);
     return {step.gamma, step.carry, plastic_strain(found, step)};
 }
-// Lets cell p flow if it yields.
+// Applies the plastic flow of cell p if it yields.
 inline void flow(const Moving &all, const StressesOfCells &stresses, const YieldingCells &cells, Index p,
                  const PlasticFlow<double> &by) {
     using namespace plastic_column;
@@ -78,14 +78,14 @@ inline void flow(const Moving &all, const StressesOfCells &stresses, const Yield
 
 // ---- levers
 
-// Lever k of a table, from the one without plastic strain.
+// Updates lever k of a table from the one without plastic strain.
 inline void stretch_lever(const Array<int32_t, 2> &lever, const Array<int32_t, 2> &base,
                           const Array<const double, 1> &pitch, const PlasticDeformation<double> &P, Index k) {
     const Vector b = {pitch(0) * double(base(0, k)), pitch(1) * double(base(1, k)), pitch(2) * double(base(2, k))};
     const Vector to = stretched(P, b);
     for (Index d = 0; d < 3; d++) lever(d, k) = int32_t(nearest(to[d] / pitch(d)));
 }
-// Levers of cell p, whose slip other cells may read from now on.
+// Updates the levers of cell p, whose slip other cells may read from now on.
 inline void stretch_cell(const ElasticFacets &facets, const FacetsOfCells &of_cells, const YieldingCells &cells, Index p) {
     const PlasticDeformation<double> &P = deformation_of(cells, p);
     cells.slipped(p) = cells.plastic(p, plastic_column::gamma);
@@ -94,23 +94,23 @@ inline void stretch_cell(const ElasticFacets &facets, const FacetsOfCells &of_ce
     for (Index e = of_cells.out_start(p); e < of_cells.out_start(p + 1); e++)
         stretch_lever(facets.lever_i, cells.base_i, facets.pitch, P, of_cells.in_start(0) + Index(of_cells.out_bond(e)));
 }
-// Lever of wall g.
+// Updates the lever of wall g.
 inline void stretch_yielding_wall(const WallConstraints &walls, const YieldingCells &cells, Index g) {
     walls.arm.row<Vector>(g) = stretched(deformation_of(cells, walls.cell(g)), cells.base_wall.row<const Vector>(g));
 }
-// Lever of wall g after strains have changed the lever without plastic strain.
+// Updates the lever of wall g after strains have changed the lever without plastic strain.
 inline void stretch_from_present(const WallConstraints &walls, const YieldingCells &cells, Index g) {
     cells.base_wall.row<Vector>(g) = walls.arm.row<Vector>(g);
     stretch_yielding_wall(walls, cells, g);
 }
-// Levers that a crack has of its facet, where one of its cells grows.
+// Updates the levers of the crack of facet k if one of its cells deforms plastically in this step.
 inline void stretch_crack(const ElasticFacets &facets, const YieldingCells &cells, const CohesiveCracks &cracks, Index k) {
     if (grows(cells, facets.i(k)) || grows(cells, facets.j(k))) write_levers(facets, cracks, k);
 }
 
 // ---- work
 
-// Power of load l on free facets as cell p deforms, at full load [J].
+// Work of load l on the free facets of cell p in its last increment of plastic strain, at full load [J].
 inline double yielding_work(const StressesOfCells &stresses, const YieldingCells &cells, Index l, Index p) {
     const double *m = &stresses.pressed(l, p, 0);
     return work_of({m[0], m[1], m[2], m[3], m[4], m[5]}, strain_of(cells, p));

@@ -18,7 +18,7 @@ void judge_beams(const Range &range, const Moving &all, const Beams &beams, cons
 
 #if defined(BONDEM_LANES)
 
-// Number c of the strengths of the bonds from k on; behind the last bond, that of the last one again.
+// Number c of the strengths of the bonds from k on; after the last bond, that of the last one again.
 Lanes coefficients_of(const Strengths &strengths, Index k, Index c) {
     Lanes all;
     for (int n = 0; n < lanes; n++) all[n] = strengths.coefficient(least(k + n, strengths.station.size() - 1), c);

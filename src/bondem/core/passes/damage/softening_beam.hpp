@@ -118,7 +118,7 @@ inline Verdict<double> begin_beam(const Moving &all, const Beams &beams, const S
     return verdict;
 }
 
-// Moves the rows of portion q that have broken behind the others, each kind in its order.
+// Moves the rows of broken beams of portion q after the others, each kind in its order.
 inline void part_broken(const SofteningBounds &bounds, const SofteningBeams &soft, Index q) {
     const Index first = q * bonds_of_portion, count = soft.number(q);
     Index unbroken = 0;

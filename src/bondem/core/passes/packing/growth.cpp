@@ -1,8 +1,8 @@
 // Hard spheres that fly, collide and grow: event-driven molecular dynamics.
 //
-// Lubachevsky and Stillinger, J. Stat. Phys. 60 (1990); one event a sphere, as Lubachevsky, J. Comput. Phys. 94 (1991).
-// All radii grow in proportion at a constant rate. Between collisions a sphere flies straight; each knows its own next
-// event and stands in a heap by its time. One thread: events depend on each other, and their order makes the bits.
+// Lubachevsky and Stillinger, J. Stat. Phys. 60 (1990); one event per sphere, as Lubachevsky, J. Comput. Phys. 94 (1991).
+// All radii grow in proportion at a constant rate. Between collisions a sphere flies straight. The next event
+// of each is stored in a heap by time. One thread: events depend on each other, and their order determines the bits.
 #include "../../registered.hpp"
 #include "../../tables/columns.hpp"
 #include "../../tables/packing_tables.hpp"
@@ -172,7 +172,7 @@ struct Flying {
 
 }  // namespace
 
-// Lets spheres fly and grow, as far as the neighbour lists are valid; all are advanced to the end. Returns its
+// Advances spheres that fly and grow while the neighbour lists are valid, all to the same time. Returns its
 // ending; after `list_out_of_date` make new lists and call again. Without a grid of depths.
 Index fly_and_grow(Index, const Spheres &spheres, const PackingWalls &walls, const Near &near, const Growing &growing,
                    const Flight &flight) {

@@ -7,7 +7,7 @@
 
 namespace bondem {
 
-// A sphere this near to a wall of the grid, over its radius, touches it.
+// Largest gap to a wall of the grid, over the radius of a sphere, at which they touch.
 constexpr double touch = 1e-6;
 // Walls that meet at a right angle need one round, at 45° about 30.
 constexpr int most_rounds = 30;

@@ -116,7 +116,7 @@ struct Descent {
     double dt, keep, steer;  // time step, and what of velocity and of force enters the new velocity
 };
 
-// Moves the spheres of a block, and finds how far any has come since the neighbour lists were made.
+// Moves the spheres of a block, and finds the largest displacement since the neighbour lists were made.
 void descend(const Spheres &spheres, const PackingWalls &walls, const Near &near, Descent step, Index b,
              const Array<double, 2> &part) {
     const PlainWalls plain(walls);

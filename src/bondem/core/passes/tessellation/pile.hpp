@@ -48,7 +48,7 @@ struct Stack {
     Index first_corner(Index p) const { return p < size() ? pile.what(p, 2) : pile.used(corners); }
 };
 
-// Face f of solids.
+// Plane and polygon of face f of solids.
 inline Plane face_plane(const Solids &solids, Index f) { return solids.plane.row<const Plane>(f); }
 inline Polygon face_polygon(const Solids &solids, Index f) {
     const Index first = solids.corner(f), size = solids.corner(f + 1) - first;

@@ -8,7 +8,7 @@ namespace bondem {
 // Most corners of one polygon, and the room of a buffer that `clip` writes to.
 constexpr Index most_corners = 512;
 
-// The points with n·x <= d.
+// The half-space n·x <= d, and the plane that bounds it.
 struct Plane {
     Vector normal;
     double d;
