@@ -71,7 +71,7 @@ def yield_cells(
 ) -> StepEntry:
     """Applies plastic flow to the cells of a portion whose stress reaches their yield surface.
 
-    Over elements, in portions. Reads `pose`, `tensor` of an element; reads `slipped` at both ends; adds `carry`,
-    `plastic` to elements; changes `judged` of an element.
+    Over elements, in portions. Reads `pose`, `tensor` of an element; reads `slipped` at both ends; adds
+    `carry`, `plastic` to elements; changes `judged` of an element.
     """
     return StepEntry("yield_cells", (moving, facet_strengths, stresses_of_cells, yielding_cells, crack_onset))
