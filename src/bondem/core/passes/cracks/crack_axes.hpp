@@ -3,8 +3,9 @@
 // Cracks with axes of their own block each other: those of neighbouring facets cost 6 to 8 % of the fracture energy at a
 // notch, and those of layers that a crack reaches one after the other, where a body tears by turning, 10 to 22 %. So a crack
 // takes the axes of that crack of its two cells which has lost most, where one of the three is within 45° of the largest
-// principal stress around it; else the principal directions of that stress, the mean over both cells and all their
-// neighbours. Cracks of these neighbours do not lead: ahead of a crack that curves the axes behind it no longer fit.
+// principal stress around it: behind the front of a crack the largest stress is often along it. Else it takes those of the
+// crack of all their neighbours which has lost most, where the first is within 45°; else the principal directions of that
+// stress, the mean over these cells. With any of three axes of neighbours too, cracks under mixed mode would not curve.
 #pragma once
 #include "../../laws/principal.hpp"
 #include "single_cracks.hpp"
@@ -37,15 +38,17 @@ inline void find_leader(const CohesiveCracks &cracks, const CrackLists &lists, I
     lists.leader(p) = int32_t(leader.facet);
 }
 
-// Some cells: Σ V σ [J] and Σ V [m³].
-struct StressAround {
+// Some cells: Σ V σ [J], Σ V [m³], and the crack that leads them.
+struct CellsAround {
     Symmetric3<double> sum = {};
     double volume = 0.0;
+    LeadingCrack leader;
 
-    void add(const StressesOfCells &stresses, Index p) {
+    void add(const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists, Index p) {
         const double v = stresses.volume(p);
         sum = sum + v * tensor_of(stresses, p);
         volume += v;
+        if (lists.leader(p) >= 0) leader.add(cracks, lists.leader(p));
     }
 };
 
@@ -54,11 +57,10 @@ struct StressAround {
 inline void choose_axes(const Moving &all, const ElasticFacets &facets, const CellSlack &of,
                         const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists, Index k) {
     const Short cells[2] = {facets.i(k), facets.j(k)};
-    StressAround around;
-    LeadingCrack leading;
-    const auto add = [&](Index p) { around.add(stresses, p); };
+    CellsAround own, around;
+    const auto add = [&](Index p) { around.add(stresses, cracks, lists, p); };
     for (const Short p : cells) {
-        if (lists.leader(p) >= 0) leading.add(cracks, lists.leader(p));
+        own.add(stresses, cracks, lists, p);
         add(p);
         for (Index h = of.in_start(p); h < of.in_start(p + 1); h++) add(facets.i(h));
         for (Index e = of.out_start(p); e < of.out_start(p + 1); e++) add(facets.j(of.in_start(0) + Index(of.out_bond(e))));
@@ -68,13 +70,17 @@ inline void choose_axes(const Moving &all, const ElasticFacets &facets, const Ce
     for (int d = 1; d < 3; d++)
         if (here.stress[d] > here.stress[first]) first = d;
     CrackAxes<double> axes = {{here.direction[first], here.direction[(first + 1) % 3], here.direction[(first + 2) % 3]}};
-    const Index leader = leading.facet;
-    if (leader >= 0) {
+    // the axes of a crack, if one of so many is near the largest stress
+    const auto follows = [&](Index leader, int compared) {
+        if (leader < 0) return false;
         const Quaternion<double> turn = orientation(gather(all.pose.data, facets.i(leader)));
         const CrackAxes<double> other = axes_of(turn, quaternion_of(frame_of(cracks, leader).axes));
-        for (const Vector &e : other.e)
-            if (absolute(dot(e, here.direction[first])) > crack::near_enough) axes = other;
-    }
+        bool near = false;
+        for (int d = 0; d < compared; d++) near |= absolute(dot(other.e[d], here.direction[first])) > crack::near_enough;
+        if (near) axes = other;
+        return near;
+    };
+    if (!follows(own.leader.facet, 3)) follows(around.leader.facet, 1);
     put_axes(cracks, k, orientation(gather(all.pose.data, cells[0])), axes);
 }
 
