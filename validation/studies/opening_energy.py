@@ -5,12 +5,15 @@
     blocks   a block of packed spheres whose beams have the same fracture energy in shear; it expands at these speeds
              per 5 mm, with random velocities and spins of 0.3 of them
     balls    a ball of cells that turns, its rim at 253, 405 or 1000 m/s, and bursts
+    finer    the ball at 1000 m/s with shorter time steps (`safety`), and of more cells
 
 Reported are the energy of fracture and crushing, 1 for cracks that dissipate what was entered, the largest error of
 the energy balance over the kinetic energy at the start, the number of broken beams or facets, and the least and
-median number of steps from onset to complete loss (`run.events.opening_steps`; null in versions without it).
+median number of steps from onset to complete loss (`run.events.opening_steps`; null in versions without it). `finer`
+has the part of the energy that is crushing too, and whether the run warns that its openings take too few steps.
 """
 
+import warnings
 from functools import partial
 from itertools import product
 from operator import itemgetter
@@ -19,6 +22,7 @@ from typing import Any
 import numpy as np
 
 import bondem as bd
+from bondem.errors import UnresolvedOpeningWarning
 from validation.frame.record import Record
 
 SEEDS = range(1, 6)
@@ -27,6 +31,8 @@ PARTING = 100.0 / 19.0, 400.0 / 19.0
 CASES = {
     "rows": ((20, 40), PARTING), "blocks": ((300, 1000), PARTING), "balls": ((300, 1000), (253.0, 405.0, 1000.0)),
 }  # fmt: skip
+#: Cells and `safety` of balls whose rim has the largest speed.
+FINER = (300, 0.9), (300, 0.4), (300, 0.1), (1000, 0.9), (1000, 0.5), (1000, 0.1), (3000, 0.9), (3000, 0.45)
 PITCH, RADIUS, BALL = 5e-3, 2e-3, 10e-3
 
 
@@ -78,15 +84,16 @@ def ball(count: int, seed: int, speed: float) -> tuple[bd.Model, bd.State, float
     return model, state, 60e-6, 100.0 * body.facets.area
 
 
-def measured(part: str, count: int, seed: int, speed: float) -> dict[str, Any]:
+def measured(part: str, count: int, seed: int, speed: float, safety: float = 0.9) -> dict[str, Any]:
     """Energy, error of the balance and steps of one run."""
     model, state, duration, cost = {"rows": row, "blocks": block, "balls": ball}[part](count, seed, speed)
-    run = bd.solve_explicit(model, duration=duration, every=20, state=state)
+    run = bd.solve_explicit(model, duration=duration, every=20, state=state, safety=safety)
     energy, broken = run.history.energy, run.state.bond_integrity == 0.0
     steps = getattr(run.events, "opening_steps", None)
     released = sum(energy[kind][-1] for kind in ("fracture", "crushing") if kind in energy)
+    crushing = float(energy["crushing"][-1] / (cost @ broken)) if "crushing" in energy else None
     return {
-        "energy": float(released / (cost @ broken)), "broken": int(broken.sum()),
+        "energy": float(released / (cost @ broken)), "crushing": crushing, "broken": int(broken.sum()),
         "balance": float(np.abs(energy["balance"]).max() / energy["translation"][0]), "steps": run.steps,
         "least opening": None if steps is None else float(np.nanmin(steps)),
         "median opening": None if steps is None else float(np.nanmedian(steps)),
@@ -94,16 +101,29 @@ def measured(part: str, count: int, seed: int, speed: float) -> dict[str, Any]:
     }  # fmt: skip
 
 
+def finer(count: int, seed: int, speed: float, safety: float) -> dict[str, Any]:
+    """A ball with a share of the critical step: the same, its crushing over G_f, and whether the run warns."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        found = measured("balls", count, seed, speed, safety)
+    warned = any(issubclass(one.category, UnresolvedOpeningWarning) for one in caught)
+    return found | {"warned": warned}
+
+
 def measure(
-    record: Record, *, name: str = "after", parts: tuple[str, ...] = tuple(CASES),
+    record: Record, *, name: str = "after", parts: tuple[str, ...] = (*CASES, "finer"),
     seeds: tuple[int, ...] = tuple(SEEDS),
 ) -> None:  # fmt: skip
     """Measure bodies that fly apart; rows of several versions stand beside each other by `name`."""
     bd.set_threads(1)
-    for part in parts:
+    for part in set(CASES).intersection(parts):
         counts, speeds = CASES[part]
         for count, speed, seed in product(counts, speeds, seeds):
             record.add(partial(measured, part, count, seed, speed), "rows", name=name, part=part, count=count,
                        speed=speed, seed=seed)  # fmt: skip
+    if "finer" in parts:
+        speed = CASES["balls"][1][-1]
+        for (count, safety), seed in product(FINER, seeds):
+            record.add(partial(finer, count, seed, speed, safety), "finer", count=count, safety=safety, seed=seed)
     record.rows("rows").sort(key=itemgetter("part", "count", "speed", "name", "seed"))
     record.keep()
