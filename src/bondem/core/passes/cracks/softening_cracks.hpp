@@ -157,13 +157,23 @@ inline void put_turned(const Moving &all, const ElasticFacets &facets, const Coh
     CrackFrameRow &frame = frame_of(cracks, k);
     CrackPastRow &past = past_of(cracks, k);
     double *const s = found.left.s;
-    for (int d = 1; d < 3; d++)
-        if (s[d] < s[0]) {
-            exchange(s[0], s[d]);
-            exchange(found.at.e[0], found.at.e[d]);
-            exchange(past.left[0], past.left[d]);
-            exchange(past.rate[0], past.rate[d]);
-        }
+    if (s[1] < s[0] || s[2] < s[0]) {
+        // the energy of bending is that of the first direction, and goes with the least integrity
+        const float *const h = softening_of(cracks, k).H;
+        const Symmetric3<double> H = {h[0], h[1], h[2], h[3], h[4], h[5]};
+        const double bending = least(facet_bending(SingleCrack(all.pose, facets, cracks, k).ends, H).energy, past.rate[0]);
+        const double was_least = past.left[0];
+        past.rate[0] -= bending;
+        for (int d = 1; d < 3; d++)
+            if (s[d] < s[0]) {
+                exchange(s[0], s[d]);
+                exchange(found.at.e[0], found.at.e[d]);
+                exchange(past.left[0], past.left[d]);
+                exchange(past.rate[0], past.rate[d]);
+            }
+        const double lost = past.left[0] - s[0], share = lost > 0.0 ? within((was_least - s[0]) / lost, 0.0, 1.0) : 1.0;
+        past.rate[0] += share * share * bending;
+    }
     put_axes(cracks, k, orientation(gather(all.pose.data, facets.i(k))), found.at);
     for (int d = 0; d < 3; d++) frame.left[d] = s[d];
     const SingleCrack one(all.pose, facets, cracks, k);
