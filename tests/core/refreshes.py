@@ -86,7 +86,7 @@ def layers(parts: Iterable[Part], *, energies: bool = False) -> tuple[int, int]:
     passes = [columns_of(one.name) for one in composed(parts, *STEP)]
     around = {column for one in passes for column in one.get("around", ())}
     bonds = any("FacePairs.faced" in one.get("ends", ()) or (energies and "energy" in one) for one in passes)
-    return 1 + (len(around) > 0) + (LEADER in around) + bonds, int(bonds)
+    return 1 + (len(around) > 0) + bonds, int(bonds)
 
 
 def _first_need(passes: list[_Pass | str]) -> tuple[int, str, int] | None:
