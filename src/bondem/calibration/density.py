@@ -63,7 +63,8 @@ def balanced_density(lattice: Lattice, rho: float) -> PerElement:
     mass = uniform * particles.volume[inside] / (rho * body.volume)
     own = 0.4 * (particles.radius[inside] / size) ** 2
     rows = mass * _conditions(arm, own)
-    wanted = np.concatenate([[1.0, 0.0, 0.0, 0.0], _six(body.inertia) / (body.volume * size**2)])
+    inertia = body.inertia[[0, 1, 2, 1, 0, 0], [0, 1, 2, 2, 2, 1]]
+    wanted = np.concatenate([[1.0, 0.0, 0.0, 0.0], inertia / (body.volume * size**2)])
     factor = np.ones(len(mass))
     for _ in range(2):  # the second round takes out what rounding left
         factor += np.linalg.lstsq(rows, wanted - rows @ factor, rcond=None)[0]
@@ -84,7 +85,3 @@ def _conditions(arm: Floats, own: PerElement) -> Floats:
     one = np.ones_like(x)
     return np.stack([one, x, y, z, y * y + z * z + own, z * z + x * x + own, x * x + y * y + own,
                      -y * z, -x * z, -x * y])  # fmt: skip
-
-
-def _six(tensor: Floats) -> Floats:
-    return tensor[[0, 1, 2, 1, 0, 0], [0, 1, 2, 2, 2, 1]]

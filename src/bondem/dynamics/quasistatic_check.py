@@ -39,7 +39,8 @@ def measured(model: Model, plan: Plan, history: History, state: State) -> Quasis
         top = int(np.argmax(elastic))
         # what only servo walls load is to be at rest at the end
         whole = chosen = slice(len(history) - max(1, len(history) // 10), len(history))
-        if _driven(model):  # the initial motion is prescribed, and what breaks moves at any speed of loading
+        # where ends are driven, the initial motion is prescribed, and what breaks moves at any speed of loading
+        if any(any(_ends(model, axis)) for axis in range(3)):
             broken = BrokenBonds.of(state).time.min(initial=np.inf)
             whole, chosen = slice(1, top + 1), slice(1, min(top + 1, int(np.searchsorted(history.time, broken))))
         moving, stored = (energy["translation"] + energy["rotation"])[chosen], elastic[whole].max(initial=0.0)
@@ -96,11 +97,6 @@ def _meant(model: Model, plan: Plan, passes: float) -> str:
         return "driven between two ends, with damping"
     slow = bool(_force_gauges(plan)) and passes > _PASSES
     return "driven slowly between two ends, whose force is recorded" if slow else ""
-
-
-def _driven(model: Model) -> bool:
-    """True if a condition or a wall is driven along some axis."""
-    return any(any(_ends(model, axis)) for axis in range(3))
 
 
 def _squeezed(model: Model, axis: int) -> bool:

@@ -75,7 +75,7 @@ def _origins(supports: Supports, before: Supports, mine: np.ndarray, theirs: np.
     was = before.flatness(state.grips[:, 3:])[theirs]
     more = supports.flatness(state.orientation[supports.cell])[mine]
     share = np.where(more > was, was / np.maximum(more, 1e-300), 1.0)[:, None]
-    turn = share * rotation_vector(_product(now, _conjugate(origin)))
+    turn = share * rotation_vector(_product(now, origin * np.array([1.0, -1.0, -1.0, -1.0])))
     half = 0.5 * np.linalg.norm(turn, axis=1, keepdims=True)
     back = np.hstack([np.cos(half), -0.5 * turn * np.sinc(half / np.pi)])
     return np.where(share == 1.0, origin, _product(back, now))
@@ -98,10 +98,6 @@ def _of_facets(model: Model, state: State, fresh: Floats) -> Floats:
     swelling = np.asarray(np.bincount(supports.cell, weights=opened, minlength=len(q)), dtype=float)
     stress = lambda_theta(before, state) - before.interaction.dilatational_stress(swelling)
     return rigid + soft * ((force / area)[facet] - stress[supports.cell, None] * way)
-
-
-def _conjugate(q: Floats) -> Floats:
-    return q * np.array([1.0, -1.0, -1.0, -1.0])
 
 
 def _product(p: Floats, q: Floats) -> Floats:

@@ -46,7 +46,8 @@ def draw_fracture(
     with sheet(path, 10.0, 6.4, 2, 2, height_ratios=(1.25, 1.0)) as (figure, axes):
         (left, right), (below, corner) = axes
         draw_fragments(left, body, state, pieces, view=view, reach=reach)
-        left.set_title(f"{many(int((pieces.size >= 10).sum()), 'piece')}, {many(_crumbs(pieces), 'crumb')},"
+        crumbs = int((pieces.size < 10).sum())
+        left.set_title(f"{many(len(pieces.size) - crumbs, 'piece')}, {many(crumbs, 'crumb')},"
                        f" motion × {reach:g}")  # fmt: skip
         scale = draw_cracks(right, body, cracks, view=view)
         right.set_title(f"cracks, {1e6 * cracks.area:.0f} mm² in {many(len(cracks.surfaces), 'surface')}")
@@ -55,10 +56,6 @@ def draw_fracture(
         bar.outline.set_visible(False)
         _draw_growth(below, growth)
         _draw_magnitudes(corner, emission, b_value)
-
-
-def _crumbs(pieces: Fragments) -> int:
-    return int((pieces.size < 10).sum())
 
 
 def _draw_growth(ax: Axes, growth: CrackGrowth) -> None:

@@ -43,7 +43,7 @@ def join(
         instance("join", "bodies", one, (Lattice, Particles), "lattices, or bd.Particles for loose grains")
     if len(bodies) < 2:
         raise InputError(f"join: {len(bodies)} bodies; give at least two")
-    lattices = [one if isinstance(one, Lattice) else _loose(one) for one in bodies]
+    lattices = [one if isinstance(one, Lattice) else Lattice(one, np.zeros((0, 2), dtype=np.int64)) for one in bodies]
     if any(one.particles.period is not None for one in lattices):
         raise InputError("join: a periodic body fills its cell; pack a Box of the same size")
     shapes_of = [one.elements.shape_name for one in lattices]
@@ -130,10 +130,6 @@ def parts(lattice: Lattice) -> list[tuple[Ints, Particles]]:
     own = np.split(order, np.cumsum(lattice.bodies.count)[:-1])
     shapes = lattice.bodies.shapes
     return [(k, filled(Particles(position[k], radius[k]), shape)) for k, shape in zip(own, shapes, strict=True)]
-
-
-def _loose(grains: Particles) -> Lattice:
-    return Lattice(grains, np.zeros((0, 2), dtype=np.int64))
 
 
 def _across(pairs: ArrayLike | None) -> Pairs:

@@ -21,7 +21,8 @@ def boundary(shared: SharedTables) -> Part:
     if turned:
         present.append(steps.follow_couples(timeline, schedules.couples, moving, rows))
     if len(schedules.drive_row):
-        present.append(steps.follow_drives(timeline, _drives(schedules), rows))
+        drives = Drives(schedules.drive_row, schedules.drive_dof, schedules.drive_schedule, schedules.drive_rate)
+        present.append(steps.follow_drives(timeline, drives, rows))
     return Part({"present": present})
 
 
@@ -30,7 +31,3 @@ def _row_loads(schedules: Schedules) -> RowLoads:
     if len(turns) == 0:
         turns = np.full(len(schedules.load_row), -1, dtype=np.int64)
     return RowLoads(schedules.load_row, schedules.load_schedule, schedules.load_value, turns)
-
-
-def _drives(schedules: Schedules) -> Drives:
-    return Drives(schedules.drive_row, schedules.drive_dof, schedules.drive_schedule, schedules.drive_rate)

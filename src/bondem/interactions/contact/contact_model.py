@@ -88,8 +88,9 @@ class ContactModel:
         user = layout.order
         branch = lattice.particles.nearest(lattice.centre[user[later]] - lattice.centre[user[earlier]])
         distance = np.linalg.norm(branch, axis=1)
+        start = np.concatenate([[0], np.cumsum(np.bincount(later, minlength=n))]).astype(np.int64)
         pairs = RestGaps(
-            _starts(later, n), earlier.astype(np.uint32), np.minimum(distance - radius[earlier] - radius[later], 0.0)
+            start, earlier.astype(np.uint32), np.minimum(distance - radius[earlier] - radius[later], 0.0)
         )
         # one place for the geometry of walls: the core, asked for walls within reach of a sphere at rest
         count = len(walls.shape)
@@ -125,7 +126,3 @@ def _boxed(position: Floats, radius: Floats, period: Floats | None) -> tuple[Flo
         return sphere, lower - margin, upper + margin, np.zeros(3)
     sphere[:, :3] %= period
     return sphere, np.zeros(3), period, period
-
-
-def _starts(later: Ints, n: int) -> Ints:
-    return np.concatenate([[0], np.cumsum(np.bincount(later, minlength=n))]).astype(np.int64)
