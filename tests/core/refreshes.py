@@ -80,14 +80,14 @@ def refreshes(parts: Iterable[Part]) -> list[Refresh]:
 def layers(parts: Iterable[Part], *, energies: bool = False) -> tuple[int, int]:
     """Return how many layers of ghosts a step needs, and of how many all bonds, for motions or for energies too.
 
-    Neighbours of the ends of an own bond are two away, as are cells of the cracks of these ends. A pass that reads
+    Neighbours of the ends of an own bond are two away, and the cells of their cracks three. A pass that reads
     which faces of a cell have parted, or an energy by all of its cracks, needs all bonds of the ghosts beside own
     elements, and so one layer more.
     """
     passes = [columns_of(one.name) for one in composed(parts, *STEP)]
-    around = any("around" in one for one in passes)
+    around = {column for one in passes for column in one.get("around", ())}
     bonds = any("FacePairs.faced" in one.get("ends", ()) or (energies and "energy" in one) for one in passes)
-    return 1 + around + bonds, int(bonds)
+    return 1 + (len(around) > 0) + (LEADER in around) + bonds, int(bonds)
 
 
 def _first_need(passes: list[_Pass | str]) -> tuple[int, str, int] | None:

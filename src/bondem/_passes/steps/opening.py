@@ -24,8 +24,8 @@ def measure_cracks(
     """Finds faces and halves of the cracks that are treated one by one, and axes of cracks before any loss of
     integrity.
 
-    Over cracks or their cells, of which threads may share portions. Reads `leader` at both ends; reads `pose`,
-    `tensor` at both ends and at their neighbours; adds `half` to elements.
+    Over cracks or their cells, of which threads may share portions. Reads `leader`, `pose`, `tensor` at both
+    ends and at their neighbours; adds `half` to elements.
     """
     return StepEntry("measure_cracks", (
         moving, elastic_facets, cell_slack, stresses_of_cells, cohesive_cracks, crack_lists

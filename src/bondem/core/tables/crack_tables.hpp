@@ -4,7 +4,6 @@
 
 namespace bondem {
 
-
 // Mean stresses of n cells, and Σ b⊗f of their cracks.
 struct StressesOfCells {
     Array<const double, 1> volume;  // [m³], (n,)

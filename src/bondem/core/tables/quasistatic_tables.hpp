@@ -4,7 +4,6 @@
 
 namespace bondem {
 
-
 // Constants and states of m facets; see `bondem.interactions.cells.cell_constants`.
 struct WeakenedFacets {
     Array<const Index, 1> i;  // (m,)

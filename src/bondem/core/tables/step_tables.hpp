@@ -7,7 +7,6 @@
 
 namespace bondem {
 
-
 // The motion of n elements; arrays of a state.
 struct Moving {
     Array<double, 2> pose;  // (n, 8)

@@ -20,5 +20,4 @@ void sum_face_energies(const Range &range, const Moving &all, const ContactConst
 }
 BONDEM_PASS(sum_face_energies, of_elements, "")
 
-
 }  // namespace bondem

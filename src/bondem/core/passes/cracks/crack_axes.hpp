@@ -1,11 +1,11 @@
 // Axes of a crack of the material before any loss of integrity.
 //
 // Cracks with axes of their own block each other: those of neighbouring facets cost 6 to 8 % of the fracture energy at a
-// notch, and those of layers that a crack reaches one after the other, where a body tears by turning, 10 to 22 %. So a crack
-// takes the axes of that crack of its two cells which has lost most, where one of the three is within 45° of the largest
-// principal stress around it: behind the front of a crack the largest stress is often along it. Else it takes those of the
-// crack of all their neighbours which has lost most, where the first is within 45°; else the principal directions of that
-// stress, the mean over these cells. With any of three axes of neighbours too, cracks under mixed mode would not curve.
+// notch, and where a body tears by turning 10 to 22 %. A crack takes the axes of that crack of its two cells which has lost
+// most, where one of the three is within 45° of the largest principal stress around it: behind the front of a crack the
+// largest stress is often along it. Else those of the crack of all their neighbours which has lost most, where the first
+// is within 45°: with any of the three, cracks under mixed mode would not curve. Else the principal directions of that
+// stress, the mean over these cells.
 #pragma once
 #include "../../laws/principal.hpp"
 #include "single_cracks.hpp"
@@ -75,10 +75,9 @@ inline void choose_axes(const Moving &all, const ElasticFacets &facets, const Ce
         if (leader < 0) return false;
         const Quaternion<double> turn = orientation(gather(all.pose.data, facets.i(leader)));
         const CrackAxes<double> other = axes_of(turn, quaternion_of(frame_of(cracks, leader).axes));
-        bool near = false;
-        for (int d = 0; d < compared; d++) near |= absolute(dot(other.e[d], here.direction[first])) > crack::near_enough;
-        if (near) axes = other;
-        return near;
+        for (int d = 0; d < compared; d++)
+            if (absolute(dot(other.e[d], here.direction[first])) > crack::near_enough) return axes = other, true;
+        return false;
     };
     if (!follows(own.leader.facet, 3)) follows(around.leader.facet, 1);
     put_axes(cracks, k, orientation(gather(all.pose.data, cells[0])), axes);

@@ -45,7 +45,7 @@ void measure_cracks(const Range &range, const Moving &all, const ElasticFacets &
         });
     });
 }
-BONDEM_PASS(measure_cracks, of_cracks, "ends leader; around pose tensor; adds half")
+BONDEM_PASS(measure_cracks, of_cracks, "around leader pose tensor; adds half")
 
 // Finds the stresses of all cells with cracks that are treated one by one.
 void relax_cracked_cells(const Range &range, const Moving &all, const CellDilatation &cells,

@@ -150,19 +150,17 @@ BONDEM_INLINE Softened<T> soften_along(const CrackFaces<T> &faces, const FacetTr
     found.left.grip = select((s[0] == zero) & open, fallen(found.left.grip, grip, loss[0]), found.left.grip);
     return found;
 }
-
 // Writes axes of crack k that have turned; the direction that has lost most is the first.
 inline void put_turned(const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
                        const CrackLists &lists, Softened<double> found, Index k) {
-    CrackFrameRow &frame = frame_of(cracks, k);
     CrackPastRow &past = past_of(cracks, k);
     double *const s = found.left.s;
     if (s[1] < s[0] || s[2] < s[0]) {
         // the energy of bending is that of the first direction, and goes with the least integrity
         const float *const h = softening_of(cracks, k).H;
-        const Symmetric3<double> H = {h[0], h[1], h[2], h[3], h[4], h[5]};
-        const double bending = least(facet_bending(SingleCrack(all.pose, facets, cracks, k).ends, H).energy, past.rate[0]);
-        const double was_least = past.left[0];
+        const FacetBending<double> whole = facet_bending(
+            SingleCrack(all.pose, facets, cracks, k).ends, Symmetric3<double>{h[0], h[1], h[2], h[3], h[4], h[5]});
+        const double bending = least(whole.energy, past.rate[0]), was_least = past.left[0];
         past.rate[0] -= bending;
         for (int d = 1; d < 3; d++)
             if (s[d] < s[0]) {
@@ -175,7 +173,7 @@ inline void put_turned(const Moving &all, const ElasticFacets &facets, const Coh
         past.rate[0] += share * share * bending;
     }
     put_axes(cracks, k, orientation(gather(all.pose.data, facets.i(k))), found.at);
-    for (int d = 0; d < 3; d++) frame.left[d] = s[d];
+    for (int d = 0; d < 3; d++) frame_of(cracks, k).left[d] = s[d];
     const SingleCrack one(all.pose, facets, cracks, k);
     put_halves_of(lists, k, one.stiffness, one.now);
 }
