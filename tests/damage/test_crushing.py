@@ -27,7 +27,7 @@ def thrown(failure: bd.Criterion, speed: float) -> tuple[bd.Model, bd.State]:
     body = ball(CELLS, RADIUS)
     wall = bd.PlaneWall(point=(body.centre[:, 0].min() - 5e-3, 0.0, 0.0), normal=(1.0, 0.0, 0.0))
     model = bd.Model(
-        body, bd.CellBond(E=30e9, nu=0.2), 2400.0, failure=failure, walls=[wall], contact=bd.LinearContact(E=30e9)
+        body, bd.CellBond(E=30e9, nu=0.2), 2400.0, failure=failure, walls=[wall], contact=bd.LinearContact(E=60e9)
     )
     state = model.state()
     state.velocity = (-speed, 0.0, 0.0)
