@@ -82,7 +82,7 @@ class Plotted:
 
 
 class PlottedState(Plotted):
-    """A result with a state, whose body is drawn where it is."""
+    """A result with a state, whose body is drawn at its current position."""
 
     @property
     def _pictures(self: _WithState) -> tuple[Present, ...]:

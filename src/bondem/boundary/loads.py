@@ -204,7 +204,11 @@ class Absorbing:
         return self.c if self.c is not None else plane, math.sqrt(0.5 * E / (1.0 + nu) / self.density)
 
     def dashpots(self, lattice: Lattice) -> tuple[Ints, Floats]:
-        """Return elements (k,) and their dashpot coefficients xx, yy, zz, xy, xz, yz [N·s/m], (k, 6)."""
+        """Return elements (k,) and their dashpot coefficients xx, yy, zz, xy, xz, yz [N·s/m], (k, 6).
+
+        Raises:
+            InputError: the region is not on a face, or has no patches.
+        """
         chosen, owner, _, area = patches_on("Absorbing", self.region, lattice)
         along, across = (self.density * c for c in self.celerities)
         size = np.linalg.norm(area, axis=1)

@@ -209,7 +209,7 @@ class DeviceLoop:
         self.state.time = self._scheme.origin + step * self._scheme.dt
 
     def _guard(self) -> tuple[int, int, int]:
-        """Return bonds turned wide, bonds lost, and whether the run is sound, as `judge_energy` finds them."""
+        """Return the counts of bonds turned too far and lost, and the ending by `judge_energy` (0: sound)."""
         _run(self._guarding)
         found = self._ledger.found
         self._tables.fetch(found)

@@ -51,7 +51,7 @@ LEAST, REACH, RECORDS = 0.2, 20.0, 4000
 
 
 def is_cells(body: Lattice, law: object) -> bool:
-    """Return True for a specimen of cells, and for arguments that only tests of cells can refuse."""
+    """Return True for a specimen of cells, and for invalid arguments, which tests of cells reject."""
     kind = kind_of(next(iter(law.values()), None) if isinstance(law, Mapping) else law)
     if kind.on_facets or not isinstance(body, Lattice):
         return True

@@ -69,7 +69,7 @@ def points_of(shape: Shape, x: Floats, width: float) -> Particles:
 
 
 def moved_inside(shape: Shape, x: Floats, before: Floats, margin: PerElement) -> Floats:
-    """Keep centres at least `margin` from the walls: those that would come nearer move half the way, or stay."""
+    """Move centres by half or not at all where they would be nearer to walls than `margin`; push others inwards."""
     if shape.period is not None:
         return np.mod(x, shape.period)
     x = x.copy()

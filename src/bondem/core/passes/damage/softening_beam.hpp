@@ -18,7 +18,7 @@ constexpr double broken_integrity = 1e-9;
 inline Ends<double> ends_of(const Row<double> &i, const Row<double> &j, const Beams &beams) {
     return ends_of(i, j, beams.period.data);
 }
-// Energy of beam k at full integrity [J].
+// Parts of the energy of beam k at full integrity that opening and sliding release [J]; pressure releases none.
 __attribute__((noinline)) inline OpeningEnergy<double> opening_energy_of(const Ends<double> &ends, const Beams &beams, Index k) {
     const BeamShape<double> shape = shape_of<double>(beams, k);
     const BeamEnergy<double> energy = beam_energy(ends, shape, stiffness_of(beams, k, 1.0), beams.ks(k), beams.lever(k));
