@@ -57,10 +57,11 @@ struct CellsAround {
 inline void choose_axes(const Moving &all, const ElasticFacets &facets, const CellSlack &of,
                         const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists, Index k) {
     const Short cells[2] = {facets.i(k), facets.j(k)};
-    CellsAround own, around;
+    CellsAround around;
+    LeadingCrack own;
     const auto add = [&](Index p) { around.add(stresses, cracks, lists, p); };
     for (const Short p : cells) {
-        own.add(stresses, cracks, lists, p);
+        if (lists.leader(p) >= 0) own.add(cracks, lists.leader(p));
         add(p);
         for (Index h = of.in_start(p); h < of.in_start(p + 1); h++) add(facets.i(h));
         for (Index e = of.out_start(p); e < of.out_start(p + 1); e++) add(facets.j(of.in_start(0) + Index(of.out_bond(e))));
@@ -70,8 +71,7 @@ inline void choose_axes(const Moving &all, const ElasticFacets &facets, const Ce
     for (int d = 1; d < 3; d++)
         if (here.stress[d] > here.stress[first]) first = d;
     CrackAxes<double> axes = {{here.direction[first], here.direction[(first + 1) % 3], here.direction[(first + 2) % 3]}};
-    // the axes of a crack, if one of so many is near the largest stress
-    const auto follows = [&](Index leader, int compared) {
+    const auto follows = [&](Index leader, int compared) {  // where one of its first `compared` axes is near
         if (leader < 0) return false;
         const Quaternion<double> turn = orientation(gather(all.pose.data, facets.i(leader)));
         const CrackAxes<double> other = axes_of(turn, quaternion_of(frame_of(cracks, leader).axes));
@@ -79,7 +79,7 @@ inline void choose_axes(const Moving &all, const ElasticFacets &facets, const Ce
             if (absolute(dot(other.e[d], here.direction[first])) > crack::near_enough) return axes = other, true;
         return false;
     };
-    if (!follows(own.leader.facet, 3)) follows(around.leader.facet, 1);
+    if (!follows(own.facet, 3)) follows(around.leader.facet, 1);
     put_axes(cracks, k, orientation(gather(all.pose.data, cells[0])), axes);
 }
 
