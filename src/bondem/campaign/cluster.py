@@ -18,14 +18,14 @@ from bondem._extras import needed
 from bondem.campaign.sweep import Slurm
 from bondem.errors import InputError, UnprotectedClusterWarning
 
-# A task is given up when so many workers have died over it.
+# Number of workers that may die during a task before the task fails.
 _DEATHS = 5
-# How long to wait for a scheduler [s].
+# Time limit for the connection to a scheduler.
 _PATIENCE = "10s"
-# Pages of a cluster are for users of this machine only.
+# Address of the status pages of a cluster, for users of this machine only.
 _LOOPBACK = "127.0.0.1:0"
 _ROLES = ("scheduler", "worker", "client")
-# What Dask does beside the work, up to a hundred times a second: 9 % of two cores that both work, 1 % with these.
+# Intervals at which Dask monitors itself; its defaults, up to 100 Hz, cost 9 % of two busy cores, these cost 1 %.
 _QUIET = {
     "distributed.worker.profile.enabled": False,
     "distributed.worker.memory.monitor-interval": "2s",
@@ -50,10 +50,10 @@ def connected(
     slurm: Slurm | None = None,
     shared: Path | None = None,
 ) -> Iterator[Any]:
-    """Client of a cluster, which ends with the block if the campaign has started it.
+    """Yield the client of a Dask cluster; a cluster that is started here ends with the block.
 
     Args:
-        workers: number of processes of this machine with one thread each; None for one per core.
+        workers: number of processes on this machine, with one thread each; None for one per core.
         address: scheduler address of an existing cluster, such as "tls://host:8786".
         slurm: SLURM jobs to request.
         shared: folder that the machines of SLURM jobs share, for their credentials.
@@ -106,9 +106,9 @@ def submitted(
 
     Args:
         client: client of a cluster.
-        work: function of a worker, of a task and the folder.
-        asked: tasks, each with its own name.
-        out: the folder, which all workers share.
+        work: function of a task and the folder, called on a worker.
+        asked: tasks, each with a unique name.
+        out: folder that all workers share.
     """
     jobs = {client.submit(work, one, out, key=f"bondem-{one.name}", pure=False): one for one in asked}
     for job in needed("dask.distributed", "campaign").as_completed(list(jobs)):
@@ -118,7 +118,7 @@ def submitted(
 
 @contextmanager
 def slurm_cluster(slurm: Slurm, shared: Path) -> Iterator[Any]:
-    """Create the dask-jobqueue cluster, before any job is requested; `.job_script()` is the script of a job.
+    """Yield a dask-jobqueue cluster without jobs yet; its `.job_script()` returns the script of a job.
 
     Args:
         slurm: options of the jobs.
@@ -139,7 +139,7 @@ def slurm_cluster(slurm: Slurm, shared: Path) -> Iterator[Any]:
 
 @contextmanager
 def _credentials(shared: Path) -> Iterator[Any]:
-    """Create credentials for TLS for the block, in files that only the user can read, deleted with it."""
+    """Yield new TLS credentials, in files that only the user can read and that are deleted after the block."""
     distributed = needed("dask.distributed", "campaign")
     needed("cryptography.x509", "campaign")
     made = distributed.Security.temporary().get_tls_config_for_role("worker")
@@ -153,7 +153,7 @@ def _credentials(shared: Path) -> Iterator[Any]:
 
 
 def _require_protected(address: str) -> None:
-    """Warn if code and results go to another machine unencrypted, where anyone may send code."""
+    """Issue an UnprotectedClusterWarning for an address of another machine without TLS, where anyone may run code."""
     scheme, _, rest = address.rpartition("://")
     host = rest.rpartition(":")[0].strip("[]")
     if scheme in ("", "tcp") and host not in ("localhost", "::1") and not host.startswith("127."):

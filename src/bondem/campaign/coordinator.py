@@ -16,7 +16,7 @@ from bondem.campaign.work import SPECIMENS, carry_out, clear, finished
 from bondem.io.atomic import make_folder, write_text
 from bondem.io.folder import only_writer
 
-# The table is written again when so much time has passed and something has come [s].
+# Least time between two updates of the table [s].
 _EVERY = 5.0
 
 #: Function of the name of a stage and its completed share.
@@ -34,7 +34,7 @@ def run_campaign(
 ) -> dict[str, Any]:
     """Run a campaign; specimens already finished in the folder are not run again.
 
-    The folder gets `specimens/NAME/` with the results of `bondem run` of each specimen, named once they are complete.
+    Each specimen has a folder `specimens/NAME/` with the results of `bondem run`, named once they are complete.
     `table.parquet` and `table.csv` are updated as specimens finish. `results.json` lists the failed specimens with
     their input and the reason.
 
@@ -43,11 +43,11 @@ def run_campaign(
         out: folder for the results, on a file system that all workers share.
         workers: number of processes of a local cluster; None for one per core.
         address: scheduler address of an existing cluster.
-        progress: callback, called with the completed share [-].
+        progress: callback, called with the name of the stage and its completed share [-].
         dashboard: callback, called with the address of the cluster's status page.
 
     Returns:
-        Contents of `results.json`: "finished", "failed" with a row per specimen, "seconds".
+        Contents of `results.json`, such as the number "finished", "failed" with a row per specimen, and "seconds".
 
     Raises:
         InputError: the folder cannot be written, another process writes to it, or no scheduler is at the address.
@@ -96,7 +96,7 @@ def _carry_out(
 
 
 def _arriving(client: Any, missing: Iterable[CampaignSpecimen], out: Path) -> Iterator[dict[str, Any]]:
-    """Rows in the order of completion; a specimen whose workers died repeatedly also gets a row."""
+    """Yield a row per specimen in the order of completion; if the task failed on its workers, it has "error"."""
     for job, one in submitted(client, carry_out, missing, out):
         if job.status == "finished":
             yield job.result()
@@ -107,6 +107,6 @@ def _arriving(client: Any, missing: Iterable[CampaignSpecimen], out: Path) -> It
 
 
 def _good(campaign: Campaign, rows: Mapping[str, dict[str, Any]]) -> list[dict[str, Any]]:
-    """Rows without an error, in the order of the campaign."""
+    """Select the rows without an error, in the order of the campaign."""
     found = (rows.get(one.name) for one in campaign.specimens)
     return [row for row in found if row is not None and "error" not in row]

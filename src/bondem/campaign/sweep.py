@@ -19,20 +19,20 @@ from bondem.study.programme_run import code_hash
 from bondem.study.study_file import Study, parse_study, read_toml
 from bondem.study.toml_table import TomlTable
 
-# Specimens of one campaign; more are a mistake in [campaign] more often than a wish.
+# Largest number of specimens of a campaign; more are probably a mistake in [campaign].
 _MOST = 1_000_000
 
 
 @dataclass(frozen=True)
 class CampaignSpecimen:
-    """Specimen of a campaign, as a study.
+    """Specimen of a campaign, as a study of one packing.
 
     Attributes:
-        name: name of its folder.
+        name: name of its folder, from varied values and a hash.
         varied: varied values by dotted key, with the seed.
         document: study as a TOML document.
         folder: folder of the files that the study names.
-        inputs: hash of the study, of its files and of the code.
+        inputs: hash of the study, of its files and of the code of bondem.
     """
 
     name: str
@@ -44,7 +44,7 @@ class CampaignSpecimen:
 
 @dataclass(frozen=True)
 class Slurm:
-    """Options of SLURM jobs for dask-jobqueue; None selects its default.
+    """Options of SLURM jobs for dask-jobqueue; None selects the default of dask-jobqueue.
 
     Attributes:
         queue: partition.
@@ -73,7 +73,7 @@ class Campaign:
         name: name of the study.
         keys: dotted keys of the varied values, in the order of the columns, "seed" last.
         specimens: specimens, in the order of the file.
-        slurm: SLURM jobs to request; None for a local cluster, or one by its address.
+        slurm: SLURM jobs to request; None for a local cluster, or an existing one.
     """
 
     name: str
@@ -96,7 +96,7 @@ def read_campaign(path: str | Path) -> Campaign:
 
 
 def is_campaign(path: str | Path) -> bool:
-    """True if a file has a table [campaign]; False if it cannot be read."""
+    """Return True if a file has a table [campaign]; False if it has none or cannot be read."""
     try:
         return "campaign" in tomllib.loads(read_text(Path(path)))
     except (OSError, ValueError, RecursionError):
@@ -169,7 +169,7 @@ def _vary(table: TomlTable) -> list[tuple[str, list[Any]]]:
 
 
 def _flat(table: Mapping[str, Any], path: str = "") -> Iterator[tuple[str, Any]]:
-    """Dotted keys of all lists; `"material.E" = […]` and `material.E = […]` are equivalent."""
+    """Yield dotted keys and values of nested tables; `"material.E" = […]` and `material.E = […]` are equivalent."""
     for key, value in table.items():
         name = f"{path}.{key}" if path else key
         if isinstance(value, Mapping):

@@ -14,7 +14,7 @@ TABLE = "table.parquet"
 
 
 def require_tables() -> None:
-    """Check that tables can be written, before any work.
+    """Check that the libraries which write tables are installed.
 
     Raises:
         MissingDependencyError: pandas or pyarrow is not installed.
@@ -66,7 +66,7 @@ def campaign_table(out: str | Path) -> Any:
 
 
 def campaign_dataset(out: str | Path) -> Any:
-    """Read the table of a campaign as arrays over the varied values: `dataset["macro.E"].mean("seed")`.
+    """Read the table of a campaign as arrays over the varied values, as for `dataset["macro.E"].mean("seed")`.
 
     Args:
         out: folder of the campaign.
@@ -79,7 +79,7 @@ def campaign_dataset(out: str | Path) -> Any:
         MissingDependencyError: pandas, pyarrow or xarray is not installed.
     """
     frame = campaign_table(out)
-    needed("xarray", "campaign")  # to_xarray takes it
+    needed("xarray", "campaign")  # imported by to_xarray
     if frame.empty:
         raise InputError(f"'{out}/{TABLE}' has no row yet; try again once a specimen is finished")
     keys = list(frame.attrs["varied"])
@@ -93,5 +93,5 @@ def _alone(key: str, keys: Sequence[str]) -> bool:
 
 
 def _plain(value: Any) -> Any:
-    """Value of a column; tables and lists become text."""
+    """Return a value for a column of the table; tables and lists as JSON text."""
     return value if isinstance(value, str | int | float | bool) else json.dumps(value, default=str)

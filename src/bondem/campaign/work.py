@@ -1,4 +1,4 @@
-"""Work on one specimen of a campaign, in a folder that gets its name once the results are complete."""
+"""Run of one specimen of a campaign, in a temporary folder that is renamed once the results are complete."""
 
 import contextlib
 import json
@@ -19,25 +19,25 @@ from bondem.io.atomic import write_text
 from bondem.study.pipeline import run_study
 from bondem.study.study_file import parse_study
 
-#: Folder of the specimens within that of a campaign, and what each of them leaves.
+#: Folder of the specimens within that of a campaign, and file with the row of a finished specimen.
 SPECIMENS, RECORD = "specimens", "specimen.json"
-# What an unfinished one is called: with a dot in front, and whose it is.
+# Ending of the folder of an unfinished specimen, whose name starts with a dot and contains the worker.
 _UNFINISHED = ".unfinished"
 
 
 def carry_out(specimen: CampaignSpecimen, out: Path) -> dict[str, Any]:
-    """Run one specimen on one thread.
+    """Run one specimen on one thread, unless it is finished.
 
     Args:
         specimen: the specimen.
         out: folder of the campaign, on a file system that all workers share.
 
     Returns:
-        Row of the specimen: "name", "varied" and "values"; or "error" instead of values for a faulty specimen.
+        Row of the specimen: "name", "varied" and "values"; "error" with the reason instead of values if it failed.
     """
     final = out / SPECIMENS / specimen.name
     known = finished(specimen, out)
-    if known is not None:  # by a worker that was taken for dead
+    if known is not None:  # finished by a worker that the scheduler had lost
         return known
     own = final.parent / f".{specimen.name}.{socket.gethostname()}-{os.getpid()}-{uuid.uuid4().hex[:8]}{_UNFINISHED}"
     start = time.perf_counter()
@@ -60,7 +60,7 @@ def carry_out(specimen: CampaignSpecimen, out: Path) -> dict[str, Any]:
 
 
 def finished(specimen: CampaignSpecimen, out: Path) -> dict[str, Any] | None:
-    """Row of a specimen that is finished in `out` with equal study and code, or None."""
+    """Return the row of a specimen that is finished in `out` with equal study and code, or None."""
     record = _record(out / SPECIMENS / specimen.name)
     if record is None or record.get("inputs") != specimen.inputs:
         return None
@@ -68,7 +68,7 @@ def finished(specimen: CampaignSpecimen, out: Path) -> dict[str, Any] | None:
 
 
 def _record(folder: Path) -> dict[str, Any] | None:
-    """Stored results of a finished specimen, or None."""
+    """Read the stored record of a finished specimen from its folder; None if there is none."""
     try:
         return json.loads((folder / RECORD).read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -76,14 +76,14 @@ def _record(folder: Path) -> dict[str, Any] | None:
 
 
 def clear(out: Path) -> None:
-    """Remove unfinished folders of dead workers, and their locks."""
+    """Remove the folders and locks of unfinished specimens, which workers that died have left."""
     for left in (out / SPECIMENS).glob(f".*{_UNFINISHED}*"):
         with contextlib.suppress(OSError):
             shutil.rmtree(left) if left.is_dir() else left.unlink()
 
 
 def scalars(results: Mapping[str, Any], path: str = "") -> dict[str, Any]:
-    """Numbers and texts of results by dotted names, without lists such as those of each packing."""
+    """Collect the numbers and texts of results by dotted names, without lists such as that of the packings."""
     found: dict[str, Any] = {}
     for key, value in results.items():
         name = f"{path}.{key}" if path else key

@@ -1,8 +1,8 @@
 """Command line of bondem, the command `bondem`.
 
-The exit status is 0 for success, 2 for bad input and 3 for a run that became unstable or lost its energy balance. Bad
-input gives one line on stderr that states what to do. Each subcommand is imported when it is called, so that `bondem
---version` and `bondem --help` are instant.
+The exit status is 0 for success, 1 for a closed pipe or failed specimens of a campaign, 2 for bad input, 3 for a run
+that became unstable or lost its energy balance, and 130 for an interrupt. Errors give one line on stderr. Each
+subcommand is imported when it is called, so that `bondem --version` and `bondem --help` are instant.
 """
 
 import contextlib
@@ -17,7 +17,7 @@ from bondem import __version__
 from bondem.cli.streams import accept_all_characters, flush
 from bondem.errors import BondemError, UnstableRunError
 
-# The commands and the first lines of their help, which are listed without an import of their modules.
+# First line of the help of each command, so that `bondem --help` imports no module of a command.
 _COMMANDS = {
     "calibrate": "Calibrate bonds to E, ν and ρ of a material, and with --ucs and --tension to its strengths.",
     "campaign": "Run a study for all seeds and values of its table [campaign], in parallel.",
@@ -90,7 +90,7 @@ def _status(command: click.Command) -> int:
             return stop.exit_code
         finally:
             flush(sys.stdout)
-    except BrokenPipeError:  # the reader, such as `head`, has seen enough
+    except BrokenPipeError:  # the reader of the pipe, such as `head`, has ended
         return UNREAD
     except OSError as error:
         where = f"'{error.filename}': " if error.filename else ""
@@ -98,7 +98,7 @@ def _status(command: click.Command) -> int:
     except (click.Abort, KeyboardInterrupt) as stop:
         return _complain(_interrupt_text(stop), INTERRUPTED)
     except SystemError as error:
-        # what an interrupt becomes that comes while compiled code runs
+        # an interrupt during compiled code becomes a SystemError
         if _by_interrupt(error):
             return _complain("interrupted", INTERRUPTED)
         raise
@@ -117,7 +117,7 @@ def _by_interrupt(error: BaseException | None) -> bool:
 
 
 def _interrupt_text(stop: BaseException) -> str:
-    """Message of an interrupt, such as how to resume the run."""
+    """Return the message of an interrupt, which may state how to resume the run."""
     cause = stop.__cause__ or stop.__context__
     return str(stop) or (str(cause) if isinstance(cause, KeyboardInterrupt) else "") or "interrupted"
 

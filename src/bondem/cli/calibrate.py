@@ -20,7 +20,7 @@ from bondem.specimen import materials
 from bondem.specimen.material import Material
 from bondem.study.calibration_step import SHAPES, CalibrationPlan, run_calibration
 
-# As one types them: euler-bernoulli.
+# Bond laws by their names on the command line, such as euler-bernoulli.
 _LAWS: dict[str, type[BondLaw]] = {law.title.lower().replace("–", "-"): law for law in CALIBRATED.values()}
 
 

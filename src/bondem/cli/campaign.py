@@ -33,8 +33,7 @@ def command(study_file: Path, out: Path, workers: int | None, address: str | Non
     """Run a study for all seeds and values of its table [campaign], in parallel.
 
     Called again with the same DIR, the command runs only unfinished specimens. Workers that die are replaced, and
-    their specimens run again. The exit status is 1 if specimens failed; results.json then lists their input and the
-    reason.
+    their specimens run again. The exit status is 1 if specimens failed; results.json lists their input and reason.
     """
     if workers is not None and address is not None:
         raise InputError(

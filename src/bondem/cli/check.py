@@ -18,9 +18,8 @@ from bondem.study.study_file import parse_study
 def command(study_file: Path) -> None:
     """Check a study and print what it will compute, without running it.
 
-    The first specimen of up to 20 000 elements is packed, and its tests to failure begin without a step, so that
-    `bondem run` rejects nothing later. Element sizes, time steps and memory are estimated. The exit status is 2 for
-    an invalid study.
+    A first specimen of up to 20 000 elements is packed, and its tests to failure begin without a time step, to find
+    errors before a run. Element sizes, time steps and memory are estimated. The exit status of errors is 2.
     """
     console = Console(highlight=False, markup=False)
     if not console.is_terminal:

@@ -26,7 +26,7 @@ def command(run_file: Path, as_json: bool) -> None:
 
 
 def lines_of(found: RunContents) -> list[tuple[str, str]]:
-    """Summary of a run file as pairs of a name and a text."""
+    """Summarise a run file as pairs of a name and a text."""
     done = found.step / found.steps if found.steps else 1.0
     stands = "being written" if found.written else "finished" if done >= 1.0 else "not finished"
     lines = [

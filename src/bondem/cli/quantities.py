@@ -8,7 +8,7 @@ from bondem.errors import InputError
 
 
 class Quantity(click.ParamType):
-    """Finite number in SI, or text with a unit of the same dimension.
+    """Type of an option that is a finite number in SI, or a text with a unit of the same dimension.
 
     Args:
         unit: SI unit; "-" for plain numbers, whose text may be a percentage; "%" for numbers in percent.

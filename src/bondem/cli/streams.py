@@ -16,7 +16,7 @@ _PLAIN = str.maketrans({
 
 
 def in_ascii(text: str) -> str:
-    """Spell a text in ASCII: names of Greek letters, letters without their accents, and ? for all others."""
+    """Spell a text in ASCII: Greek letters by name, other letters without accents, and ? for all other characters."""
     found = []
     for character in unicodedata.normalize("NFKD", text.translate(_PLAIN)):
         name = unicodedata.name(character, "")
@@ -31,7 +31,7 @@ def in_ascii(text: str) -> str:
 
 
 def accept_all_characters() -> None:
-    """Set stdout and stderr to spell characters that their encoding lacks, so that no text is an error."""
+    """Set stdout and stderr to spell characters that their encoding lacks in ASCII, instead of raising an error."""
     codecs.register_error(_ERRORS, _spelled)
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
@@ -39,7 +39,7 @@ def accept_all_characters() -> None:
 
 
 def flush(stream: TextIO | None) -> None:
-    """Write the buffered text of stdout or stderr; a failure is raised here, and not at the end of the process.
+    """Write the buffered text of stdout or stderr now, so that a failure is raised before the process ends.
 
     Raises:
         OSError: The stream cannot be written to.
@@ -49,7 +49,7 @@ def flush(stream: TextIO | None) -> None:
     try:
         stream.flush()
     except OSError:
-        # the interpreter would try again at its end, print a traceback and leave with a status of its own
+        # without this, the interpreter flushes again at its end, prints a traceback and sets its own exit status
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
         raise
 

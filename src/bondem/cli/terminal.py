@@ -28,7 +28,7 @@ _EXPLANATION = (
 
 @contextmanager
 def progress_bars(log: Path | None = None) -> Iterator[Callable[[str, float], None]]:
-    """Show stages as bars on a terminal, as lines on stderr elsewhere; yield progress(stage, completed share).
+    """Show stages as bars on a terminal, as lines on stderr elsewhere; yields a function of stage and its share.
 
     Args:
         log: file for one line per twentieth of a stage, or None.
@@ -50,7 +50,7 @@ def progress_bars(log: Path | None = None) -> Iterator[Callable[[str, float], No
 
 
 class _Log:
-    """Log file of time, stage and completed share."""
+    """Log file with lines of time, stage and completed share."""
 
     def __init__(self, path: Path) -> None:
         try:
@@ -70,7 +70,7 @@ class _Log:
             self._latest = ""
 
     def store(self, progress: RunProgress) -> None:
-        """Store the progress of the run for the next line."""
+        """Store the progress of a run, as text for the next line."""
         self._latest = f": {progress.words}"
 
     def close(self) -> None:
@@ -80,7 +80,7 @@ class _Log:
             self._file.close()
 
     def _write(self, words: str) -> None:
-        with suppress(OSError):  # a disk that is full need not end the run
+        with suppress(OSError):  # a full disk must not end the run
             self._file.write(f"{datetime.now().astimezone().isoformat(timespec='seconds')} {words}\n")
 
 
@@ -98,7 +98,7 @@ def on_threads(count: int | None) -> Iterator[None]:
 
 
 def show_results(study: Study, results: Mapping[str, Any], out: Path) -> None:
-    """Print the results of a study."""
+    """Print the results of a study, and the paths of its files in the folder `out`."""
     console = Console(highlight=False)
     if not console.is_terminal:
         console.width = 120
@@ -131,7 +131,7 @@ def show_results(study: Study, results: Mapping[str, Any], out: Path) -> None:
 
 
 def _broken(results: Mapping[str, Any]) -> Iterator[str]:
-    """Cracks, pieces and energies of the tests to failure of the first specimen."""
+    """Yield a line on cracks, pieces and energies of each test to failure of the first packing."""
     for name, test in results["packings"][0]["tests"].items():
         one = test["failure"]
         if one is None:
@@ -147,14 +147,14 @@ def _broken(results: Mapping[str, Any]) -> Iterator[str]:
 
 
 def _show_files(console: Console, out: Path) -> None:
-    """Print the paths of the results; the report, which one opens next, comes last."""
+    """Print the paths of the results; the report is last, as users open it next."""
     console.print(f"\n  {out / 'results.json'}", soft_wrap=True, markup=False)
     if (out / "report.html").exists():
         console.print(f"  {out / 'report.html'}", soft_wrap=True, markup=False)
 
 
 def show_programme(results: Mapping[str, Any], out: Path) -> None:
-    """Print the results of a test programme, measured values with their targets."""
+    """Print the results of a test programme, measured values with targets and closed forms."""
     console = Console(highlight=False)
     if not console.is_terminal:
         console.width = 140

@@ -76,7 +76,7 @@ for _name in __all__:
     describe({_home: tuple(__all__)})
 
 
-if not TYPE_CHECKING:  # checkers of types are to find wrong names themselves
+if not TYPE_CHECKING:  # type checkers report wrong names themselves
 
     def __getattr__(name: str) -> None:
         raise AttributeError(no_attribute("bd.labtests", name, __all__), name=name)

@@ -1,4 +1,4 @@
-"""Checks of the arguments that all tests of a specimen share."""
+"""Checks of arguments that several laboratory tests share."""
 
 from typing import Any
 
@@ -24,9 +24,9 @@ def check(test: str, lattice: object, **given: object) -> None:
     """Check that a lattice is one bonded body and that numbers are in range.
 
     Args:
-        test: name of the calling function.
+        test: name of the calling function, for messages.
         lattice: the specimen.
-        **given: further arguments, under the names common to all tests.
+        **given: further arguments by name, such as E [Pa], nu [-], density [kg/m³] or depth in mean radii [-].
 
     Raises:
         InputError: an argument is of the wrong type or out of range.
@@ -45,7 +45,7 @@ def check(test: str, lattice: object, **given: object) -> None:
 
 
 def _each(test: str, density: np.ndarray, count: int) -> None:
-    """Check densities of single elements, such as those of `balanced_density`."""
+    """Raise InputError unless an array holds one positive density per element [kg/m³], (count,)."""
     numbers = density.dtype.kind in "fiu" and density.shape == (count,)
     if not (numbers and possible(density) and (density > 0.0).all()):
         raise InputError(

@@ -15,7 +15,7 @@ from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
 
-# How far the extents of a ball may differ, and its volume from that of a sphere [-].
+# Largest relative differences between the extents of a ball, and between its volume and that of a sphere [-].
 _ROUND, _FULL = 1e-6, 0.01
 
 
@@ -23,8 +23,8 @@ _ROUND, _FULL = 1e-6, 0.01
 class FragmentSizes(Plotted):
     """Size distribution of the fragments of a broken ball, by mass.
 
-    The diameter of a fragment is D (m / M)^(1/3), with D and M of the ball and m of the fragment. Rattlers, which
-    were loose from the start, are left out.
+    The diameter of a fragment of mass m is D (m / M)^(1/3), where D is the diameter of the ball and M its mass.
+    Fragments of rattlers alone are left out, as they were loose from the start.
 
     Attributes:
         diameter: diameters of the fragments, ascending [m], shape (f,).
@@ -41,13 +41,13 @@ class FragmentSizes(Plotted):
 
     @classmethod
     def of(cls, pieces: Fragments, lattice: Lattice, diameter: float) -> "FragmentSizes":
-        """Compute the sizes of the fragments of a ball of a given diameter [m]."""
+        """Compute the size distribution of the fragments of a ball with an initial diameter [m]."""
         whole = np.bincount(pieces.label[lattice.connected], minlength=len(pieces)) > 0
         mass = pieces.mass[whole][::-1]
         return cls(diameter * np.cbrt(mass / mass.sum()), np.cumsum(mass) / mass.sum())
 
     def below(self, diameter: float) -> float:
-        """Return the mass share of the fragments smaller than a diameter [m], [-]."""
+        """Return the mass share [-] of the fragments smaller than a diameter [m]."""
         found = int(np.searchsorted(self.diameter, diameter))
         return float(self.passing[found - 1]) if found else 0.0
 
@@ -101,7 +101,7 @@ class BallSpecimen:
 
     @classmethod
     def of(cls, test: str, model: Model) -> "BallSpecimen":
-        """Create the ball specimen of a model.
+        """Create the specimen of a model, for the test of a given name.
 
         Raises:
             InputError: the shape is not a ball.
@@ -119,15 +119,15 @@ class BallSpecimen:
         )  # fmt: skip
 
     def reach(self, direction: Floats) -> float:
-        """Largest extent of the elements along a direction, from the origin [m]."""
+        """Largest coordinate of the surfaces of all elements along a unit vector, shape (3,) [m]."""
         return float((self.lattice.centre @ direction + self.radius).max())
 
     def contact(self, given: ContactLaw | None) -> ContactLaw:
-        """Given contact law, or one whose wall contacts are as stiff as the median bond, with a friction of 0.4."""
+        """Return the given contact law, or for None that of `fragment_contact` for this ball."""
         return fragment_contact(self.stiffness, self.radius) if given is None else given
 
     def broken(self, state: State, fine: float) -> BrokenBall:
-        """Fragments of the ball in a state; `fine` is the size limit of fines as a share of the diameter [-]."""
+        """Evaluate the fragments in a state; `fine` is the largest size of fines over the ball's diameter [-]."""
         pieces = fragments(self.lattice, state)
         sizes = FragmentSizes.of(pieces, self.lattice, self.diameter)
         damage = float(np.mean(state.bond_integrity <= 0.0))

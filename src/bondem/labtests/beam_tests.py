@@ -37,10 +37,10 @@ class CrossSection:
 
     @classmethod
     def of(cls, shape: Shape) -> "CrossSection":
-        """Cross-section of a shape, from its walls.
+        """Compute the cross-section of a circular or rectangular bar along x.
 
         Raises:
-            InputError: the shape is not a bar along x.
+            InputError: the shape is neither a Cylinder nor a Box.
         """
         match shape:
             case Cylinder():
@@ -59,12 +59,12 @@ class CrossSection:
                 )
 
     def filled(self, stiffness: Floats, mass: Floats) -> "CrossSection":
-        """Cross-section of the same area with an uneven distribution of stiffness and mass.
+        """Return a cross-section of equal area with the second moments of uneven stiffness and mass.
 
         Args:
-            stiffness: ⟨y²⟩ and ⟨z²⟩ of the axial force in tension [m²], (2,); the shear stiffness is assumed to have
-                the same distribution.
-            mass: ⟨y²⟩ and ⟨z²⟩ of the mass [m²], (2,).
+            stiffness: ⟨y²⟩ and ⟨z²⟩, weighted with the axial force in tension [m²], (2,). The shear stiffness is
+                assumed to have the same distribution.
+            mass: ⟨y²⟩ and ⟨z²⟩, weighted with the mass [m²], (2,).
         """
         return replace(
             self,
@@ -82,7 +82,7 @@ class CrossSection:
 
 
 def _torsion_of_rectangle(b: float, c: float) -> float:
-    """J of a b × c rectangle [m⁴]: Saint-Venant's series, whose terms fall as n⁻⁵."""
+    """Torsion constant J of a b × c rectangle [m⁴], by Saint-Venant's series, whose terms decrease as n⁻⁵."""
     long, short = max(b, c), min(b, c)
     n = np.arange(1, 60, 2)
     tail = (np.tanh(0.5 * n * math.pi * long / short) / n**5.0).sum()
@@ -171,7 +171,8 @@ class Bar:
         The state (v, θ, M, Q) obeys y' = A y along the bar with
             v' = θ + Q/(kGS)   θ' = M/(EI)   M' = -Q - ρ I ω² θ   Q' = -ρ S ω² v.
 
-        The matrix exp(A L) maps the state at the clamped end (v = θ = 0) to the state at the free end (M = Q = 0).
+        The matrix exp(A L) maps the state at the clamped end (v = θ = 0) to that at the free end (M = Q = 0). At a
+        natural frequency its block from (M, Q) to (M, Q) is singular.
         """
         section, L = self.section, self.length
         # lengths in L and forces in EI/L² keep the numbers near one
@@ -183,7 +184,7 @@ class Bar:
             A = np.array([[0, 1, 0, shear], [0, 0, 1, 0], [0, -rotary * w, 0, -1], [-w, 0, 0, 0]])
             return float(np.linalg.det(expm(A)[2:, 2:]))
 
-        # shear and rotary inertia only lower it, so the first change of sign from below is the first mode
+        # shear and rotary inertia only lower the frequency, so the first change of sign from below is the first mode
         high = 0.05
         while free_end(high) > 0.0:
             high += 0.05

@@ -15,15 +15,15 @@ from bondem.labtests.bonded_platens import LEAST, REACH, RECORDS, BondedSpecimen
 from bondem.labtests.quasi_static_rig import Rig, RunOptions, StrengthTest, straight_part
 from bondem.specimen.regions import Index
 
-# Radius of the rollers over the depth of the beam, and at least so many mean radii.
+# Radius of the rollers over the depth of the beam, and its lower limit in mean radii.
 _ROLLER, _RADII = 0.25, 3.0
-# Half the width of the layers whose motion is the deflection, in mean radii, and over the depth.
+# Lower limits of half the width of the layers whose motion is the deflection, in mean radii and over the depth.
 _HALF, _SHARE = 1.5, 0.05
 
 
 @dataclass(frozen=True, eq=False)
 class BentBonds:
-    """Bending of bonded spheres.
+    """Result of a bending test of bonded spheres.
 
     Attributes:
         test: result of the test to failure.
@@ -47,7 +47,9 @@ def bend_bonded(
     ending: float,
     options: RunOptions,
 ) -> BentBonds:
-    """Bend a beam of bonded spheres between a roller above mid-span and two below, which are rigid rods along z.
+    """Bend a beam of bonded spheres between a moving rod above mid-span and two fixed rods below, all along z.
+
+    For the non-local law on cells, driven layers of cells replace the rods, and friction raises InputError.
 
     Args:
         specimen: the beam.
@@ -104,7 +106,7 @@ def bend_bonded(
 def _roller(
     specimen: BondedSpecimen, at: float, side: float, radius: float, friction: float, speed: float, begin: float
 ) -> CylinderWall:
-    """Rod along z at x = `at`, above (side 1) or below (-1) the beam, which touches its outermost element."""
+    """Create a rod along z at x = `at` [m] that touches the beam from above (side 1) or below (side -1)."""
     lower, upper = specimen.bounds
     reach = specimen.bare.contact_radius + radius
     away = specimen.lattice.centre[:, 0] - at

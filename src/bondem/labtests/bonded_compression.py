@@ -1,4 +1,4 @@
-"""Bonded spheres in compression along x between platens, with or without confining walls, and in tension."""
+"""Compression of bonded spheres along x, with or without confining walls, and tension along x."""
 
 import math
 from functools import partial
@@ -18,8 +18,8 @@ from bondem.labtests.quasi_static_rig import Rig, RunOptions, StrengthTest
 from bondem.model.model import Model
 from bondem.specimen.regions import Index
 
-# Rise of the axial strength with the confining pressure that sets the speed of a test; (1 + sin φ) / (1 - sin φ) of
-# φ = 30° [-].
+# Assumed rise of the axial strength with the confining pressure, (1 + sin φ) / (1 - sin φ) at φ = 30° [-]. It sets
+# the speed and the limit of the motion.
 _CONFINED = 3.0
 # Largest speed of confining walls over that of the platens [-].
 _FOLLOWS = 20.0
@@ -35,7 +35,12 @@ def compress_bonded(
     reach: float | None,
     options: RunOptions,
 ) -> StrengthTest:
-    """Compress bonded spheres along x between a platen at rest and one that approaches it."""
+    """Compress bonded spheres along x between a fixed platen and one that approaches it.
+
+    The platens have a coefficient of `friction` [-], and the sides a confining `pressure` [Pa]. `reach` limits the
+    motion, over that at the expected peak [-]; None for `REACH`. Raises InputError for a pressure on a shape that
+    walls cannot confine, and for friction with the non-local law on cells.
+    """
     lower, upper = specimen.bounds
     length, section = float(upper[0] - lower[0]), specimen.lattice.particles.envelope.section()
     specimen.require_smooth(friction)
@@ -61,7 +66,7 @@ def compress_bonded(
 
 
 def tear_bonded(specimen: BondedSpecimen, options: RunOptions) -> StrengthTest:
-    """Pull one end layer of bonded spheres along x from the other, as `direct_tension` does."""
+    """Pull one end layer of bonded spheres along x away from the other, until they are separated."""
     lower, upper = specimen.bounds
     section = specimen.lattice.particles.envelope.section()
     near, far = specimen.layer(0, -1.0), specimen.layer(0, 1.0)
@@ -86,7 +91,7 @@ def _shortening(strains: Floats) -> Floats:
 
 
 def _confining(specimen: BondedSpecimen, pressure: float, speed: float, begin: float) -> tuple[Wall, ...]:
-    """Smooth walls around a specimen that a servo presses with a confining pressure; none without pressure.
+    """Create smooth servo walls that apply a confining pressure [Pa] to the sides; none for zero pressure.
 
     Raises:
         InputError: the specimen is neither a cylinder nor a box.

@@ -36,14 +36,14 @@ from bondem.statics.static import StaticResult, solve_static
 
 # Local damping of tests of bonded spheres, that of Potyondy and Cundall (2004).
 _DAMPING = 0.7
-# Passes of sound until the expected peak, one attempt after another, and the root mean square of the difference of
-# the forces of both ends, over the peak, up to which an attempt is quasi-static.
+# Passes of sound until the expected peak in successive attempts. An attempt is quasi-static if the difference of the
+# forces of both ends has at most this root mean square over the peak.
 _TRAVERSES, _BALANCE = (50.0, 100.0, 200.0), 0.02
 # Share of the bonds that have reached their strength in the elastic solution at the expected peak.
 _REACHED = 0.05
-# Motion of an elastic solution over the length [-], largest multiple of it, and halvings in the search of a load.
+# Motion of the elastic solution over the length [-]; largest factor on it and bisections in the search of the load.
 _MOTION, _FARTHEST, _HALVINGS = 1e-5, 1e6, 12
-# A peak after this share of the records is none: the load still rises.
+# A maximum after this share of the records is not a peak, as the load still rises.
 _LATE = 0.98
 #: A peak above this share of the expected one may be that of the specimen; limit of the motion over that at the
 # expected peak, and number of records until then.
@@ -51,7 +51,10 @@ LEAST, REACH, RECORDS = 0.2, 20.0, 4000
 
 
 def is_cells(body: Lattice, law: object) -> bool:
-    """Return True for a specimen of cells, and for invalid arguments, which tests of cells reject."""
+    """Return True to run a test with cells, False for bonded spheres and for the non-local law.
+
+    Invalid arguments give True, as the checks of tests with cells reject them.
+    """
     kind = kind_of(next(iter(law.values()), None) if isinstance(law, Mapping) else law)
     if kind.on_facets or not isinstance(body, Lattice):
         return True
@@ -59,7 +62,7 @@ def is_cells(body: Lattice, law: object) -> bool:
 
 
 def as_cells(test: str, law: AnyLaw, contact: ContactLaw | None) -> CellAssignment:
-    """Return the law of a specimen of cells, which has no options of bonded spheres.
+    """Return the law of a specimen of cells, after a check that no contact law of bonded spheres is given.
 
     Raises:
         InputError: a contact law is given.
@@ -74,12 +77,12 @@ def as_cells(test: str, law: AnyLaw, contact: ContactLaw | None) -> CellAssignme
 
 @dataclass(frozen=True, eq=False)
 class Side:
-    """One of the platens or rollers of a test.
+    """Platen or roller of a test.
 
     Attributes:
-        elements: elements that it presses or holds, user's order.
-        share: velocity over that of the far side relative to the near one [-].
-        wall: function of its velocity [m/s] and the rise time [s] that returns the wall.
+        elements: indices of the elements that it loads, (k,).
+        share: velocity of this platen over the speed of the test [-].
+        wall: function that returns the wall from its velocity [m/s] and the rise time of the velocity [s].
     """
 
     elements: Ints
@@ -112,7 +115,7 @@ class BondedSpecimen:
         cls, test: str, lattice: Lattice, law: AnyLaw, failure: FailureAssignment, *, density: float,
         contact: ContactLaw | None, faces: tuple[str, ...] = ("x_min", "x_max"),
     ) -> "BondedSpecimen":  # fmt: skip
-        """Check the arguments of a test and create its specimen.
+        """Check the arguments of a test that loads given `faces`, and create its specimen.
 
         Raises:
             InputError: no criterion, a shape without the faces of the test, or arguments that a model rejects.
@@ -139,14 +142,14 @@ class BondedSpecimen:
 
     @cached_property
     def implied(self) -> ImpliedFracture:
-        """Strength, modulus and density that the bonds imply."""
+        """Macroscopic strength, modulus, density and fracture energy estimated from the bonds."""
         found = self.bare.implied_fracture
         assert found is not None
         return found
 
     @cached_property
     def contact(self) -> ContactLaw:
-        """Contact law of fragments and platens."""
+        """Contact law of fragments and platens, as given or from `fragment_contact`."""
         if self.given is not None:
             return self.given
         return fragment_contact(float(np.median(self.bare.stiffness.kn)), self.bare.contact_radius)
@@ -164,11 +167,11 @@ class BondedSpecimen:
 
     @property
     def cast(self) -> bool:
-        """True if platens hold their elements along the axis, as for cells, whose flat walls spheres do not fill."""
+        """True for the non-local law on cells: driven layers replace walls, which touch cells as spheres only."""
         return self.lattice.cells is not None
 
     def require_smooth(self, friction: float) -> None:
-        """Raise InputError for friction of platens that hold their elements along the axis only."""
+        """Raise InputError if platens of the non-local law on cells have a friction coefficient above 0 [-]."""
         if friction > 0.0 and self.cast:
             raise InputError(
                 f"labtests.{self.test}: friction of platens = {friction:g}: platens of the non-local law on cells are"
@@ -179,12 +182,15 @@ class BondedSpecimen:
         self, axis: int, near: tuple[Side, ...], far: tuple[Side, ...],
         around: Callable[[float, float], tuple[Wall, ...]] = lambda speed, begin: (),
     ) -> tuple[tuple[AnyGauge, ...], tuple[AnyGauge, ...], Callable[[float, float], Model]]:  # fmt: skip
-        """Gauges of the forces on both sides, and the function of speed and rise time that returns the model.
+        """Create the gauges of the forces on both sides, and a function that creates the model.
 
         Args:
-            axis: axis of the load.
+            axis: axis of the load, 0, 1 or 2.
             near, far: platens of both sides.
-            around: function of speed and rise time that returns further walls.
+            around: function that returns further walls from the speed [m/s] and its rise time [s].
+
+        Returns:
+            Gauges of the near side, gauges of the far side, and the model as a function of speed and rise time.
         """
         both = near + far
         if self.cast:
@@ -203,7 +209,7 @@ class BondedSpecimen:
     def driven(
         self, axis: int, ends: tuple[tuple[Ints, float], ...], begin: float, walls: tuple[Wall, ...] = ()
     ) -> Model:
-        """Model in which sets of elements move along an axis at given velocities [m/s], reached in `begin` [s]."""
+        """Create a model in which sets of elements move along an axis at velocities [m/s] reached at `begin` [s]."""
         drives: list[BoundaryCondition] = []
         for chosen, speed in ends:
             motion: dict[str, Any] = {"v" + "xyz"[axis]: Ramp(0.0, speed, begin)}
@@ -211,12 +217,15 @@ class BondedSpecimen:
         return self._between(walls, tuple(drives))
 
     def extent(self, axis: int, sign: float) -> Floats:
-        """Outermost coordinate of each connected element along ±axis [m], -inf for rattlers, (n,)."""
+        """Largest coordinate of the surface of each element along sign · axis [m], (n,); -inf for rattlers."""
         reach = sign * self.lattice.centre[:, axis] + self.bare.contact_radius
         return np.where(self.lattice.connected, reach, -np.inf)
 
     def layer(self, axis: int, sign: float, *, depth: float = 1.0, where: Mask | None = None) -> Ints:
-        """Elements that reach within `depth` mean radii of the outermost one along ±axis, out of those of a mask."""
+        """Select the elements of a mask (n,) up to `depth` mean radii behind the outermost one along sign · axis.
+
+        Returns indices, (k,). Without a mask, all connected elements are considered.
+        """
         reach = self.extent(axis, sign)
         reach = reach if where is None else np.where(where, reach, -np.inf)
         return np.flatnonzero(reach >= reach.max() - depth * float(self.bare.contact_radius.mean()))
@@ -225,15 +234,15 @@ class BondedSpecimen:
         self, axis: int, sign: float, friction: float, speed: float, begin: float, *, where: Mask | None = None,
         outer: float | None = None, inner: float = 0.0,
     ) -> PlaneWall:  # fmt: skip
-        """Platen at the outermost element along ±axis, out of those of a mask, which moves along the axis.
+        """Create a platen that touches the outermost element along sign · axis and moves along the axis.
 
         Args:
             axis, sign: axis 0, 1 or 2, and the side of the specimen.
             friction: coefficient of friction [-].
-            speed: velocity along the axis [m/s].
-            begin: time in which the velocity rises [s].
-            where: mask of the elements that it presses, (n,).
-            outer, inner: radius of a disc and of its hole [m].
+            speed: velocity along the axis [m/s]; 0 for a fixed platen.
+            begin: rise time of the velocity [s].
+            where: mask of the elements that the platen may touch first, (n,); None for all.
+            outer, inner: radius of the platen and of its hole [m]; None for an infinite plane, 0 without a hole.
         """
         reach = self.extent(axis, sign)
         at = float((reach if where is None else reach[where]).max())
@@ -246,14 +255,14 @@ class BondedSpecimen:
         return PlaneWall((x, y, z), (a, b, c), motion, friction, outer, inner)
 
     def _between(self, walls: tuple[Wall, ...] = (), boundary: tuple[BoundaryCondition, ...] = ()) -> Model:
-        """Model of the specimen between walls."""
+        """Create the model of the specimen with its contact law, walls and boundary conditions."""
         return Model(
             self.lattice, self.law, self.rho, failure=self.failure, contact=self.contact, walls=walls,
             boundary=boundary,
         )  # fmt: skip
 
     def pressed(self, axis: int, near: Ints, far: Ints) -> StaticResult:
-        """Elastic equilibrium in which the elements of both ends are held and moved along an axis only."""
+        """Solve for the elastic equilibrium with the near end fixed and the far end displaced, both along an axis."""
         lower, upper = self.bounds
         from_middle = np.linalg.norm(self.lattice.centre - 0.5 * (lower + upper), axis=1)
         inmost = Index([int(np.argmin(np.where(self.lattice.connected, from_middle, np.inf)))])
@@ -267,17 +276,17 @@ class BondedSpecimen:
     def response(
         self, axis: int, near: Ints, far: Ints, section: float, largest: float, least: float
     ) -> tuple[float, float]:
-        """Elastic compliance between both ends [m/N], and the expected largest force [N].
+        """Estimate the elastic compliance between both ends [m/N] and the largest force [N].
 
-        The force is that at which a twentieth of the bonds would have reached their strength in the elastic solution.
-        For the non-local law it is that at which a uniform stress reaches the criterion. Both set the speed of the
-        test only.
+        At this force a twentieth of the bonds reach their strength in the elastic solution. For the non-local law a
+        uniform stress reaches the criterion. If the criterion does not limit the load, the force is the weakest bond
+        strength times the section. Both numbers only set the speed and the limits of the test.
 
         Args:
-            axis: axis of the load.
-            near, far: elements of both ends.
-            section: area over which the force is a stress [m²].
-            largest, least: largest and least principal stress over that stress, where the specimen fails [-].
+            axis: axis of the load, 0, 1 or 2.
+            near, far: indices of the elements of both ends, (k,).
+            section: nominal section, the ratio of force and stress [m²].
+            largest, least: largest and least principal stress at the place of failure, over the nominal stress [-].
 
         Raises:
             InputError: no bonds join both ends.
@@ -302,24 +311,29 @@ class BondedSpecimen:
         return compliance, high * force
 
     def _reached(self, static: StaticResult, factor: float) -> float:
-        """Failure index that a twentieth of the bonds exceed in a scaled equilibrium [-]."""
+        """Failure index that a twentieth of the bonds exceed, if a factor multiplies the displacements [-]."""
         scaled = replace(static, displacement=factor * static.displacement, rotation=factor * static.rotation)
         return float(np.quantile(failure_index(self.bare, scaled), 1.0 - _REACHED))
 
     def _uniform_index(self, largest: float, least: float) -> float:
-        """Index of a uniform stress with given principal stresses, of the weakest criterion of the non-local law."""
+        """Failure index of the non-local law per nominal stress [1/Pa], for principal over nominal stresses [-].
+
+        The largest of all criteria counts. A load that no criterion limits gives 1 over the weakest strength.
+        """
         limits = [limit for part in self.bare.failure_parts if (limit := part.criterion.principal) is not None]
         found = max(max(a * largest, b * largest - c * least) for a, b, c in limits)
         return found if found > 0.0 else 1.0 / self.implied.weakest
 
     def load(self, rig: Rig, options: RunOptions) -> StrengthTest:
-        """Load the specimen to failure, more slowly until the forces of both ends balance.
+        """Load the specimen to failure, and repeat more slowly until the forces of both ends balance.
 
-        Args:
-            rig: loading of the specimen.
-            options: options of the test. Without `traverses` these are 50, or 100 or 200 where the forces of both
-                ends do not balance: their difference has a root mean square above 0.02 of the peak. A second attempt
-                writes a file "NAME-100.h5" next to "NAME.h5".
+        Forces balance if the root mean square of their difference is at most 0.02 of the peak. Without
+        `options.traverses`, the attempts take 50, 100 and 200 passes of sound until the expected peak. A further
+        attempt writes a file of its own, "NAME-100.h5" next to "NAME.h5".
+
+        Raises:
+            UnstableRunError: the run became unstable.
+            RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
 
         Warns:
             NotQuasistaticWarning: the forces of both ends do not balance.

@@ -1,4 +1,4 @@
-"""Bonded spheres in the Brazilian test: a disc with flats between plane platens, or a cylinder held in strips."""
+"""Brazilian test of bonded spheres: a disc with flats between plane platens, or a cylinder loaded on two strips."""
 
 import math
 from functools import partial
@@ -16,7 +16,7 @@ from bondem.model.model import Model
 from bondem.observables.element_stress import element_stress
 from bondem.specimen.regions import Index
 
-# Half the angle of the strips of a plain cylinder [rad], and at least so many mean radii for half of one. Narrower
+# Half angle of the strips of a plain cylinder [rad], and lower limit of half their width in mean radii. Narrower
 # strips break off single spheres before the cylinder splits.
 _STRIP, _RADII = math.radians(10.0), 1.5
 # Share of the peak at which a disc has split [-].
@@ -31,16 +31,17 @@ def split_bonded(
     ending: float | None,
     options: RunOptions,
 ) -> tuple[StrengthTest, float, float, float]:
-    """Compress a disc of bonded spheres across y, as `brazilian` does.
+    """Compress a disc of bonded spheres along y.
 
-    Planes press the flats of a disc. A plain cylinder has strips of its side, whose elements move along y together.
+    Planes with a coefficient of `friction` [-] press on the flats of a disc. On a plain cylinder, the elements of two
+    strips of a half angle [rad] move along y. The test ends at a share `ending` of the peak load [-], 0.7 by default.
 
     Returns:
-        Result of the test, elastic stress at the centre over 2 P / (π D t), its theoretical value, and half the angle
-        of flats or strips [rad].
+        Result of the test, elastic stress at the centre over 2 P / (π D t) [-], its theoretical value [-], and the
+        half angle of flats or strips [rad].
 
     Raises:
-        InputError: no disc, an angle out of range or without elements, or friction on strips.
+        InputError: a body that is not a disc, an angle out of range or without elements, or friction on strips.
     """
     disc = require_disc(specimen.lattice)
     bottom, top, angle, factor = _pressed_elements(specimen, disc, half_angle, friction)
@@ -71,7 +72,7 @@ def split_bonded(
 
 
 def _centre(specimen: BondedSpecimen, disc: Disc, bottom: Ints, top: Ints) -> float:
-    """Elastic stress across the load at the centre over the load [1/m²]; NaN for the non-local law."""
+    """Elastic stress σ_zz at the centre per load [1/m²]; NaN for the non-local law."""
     if not specimen.bare.interaction.has_potential:  # a static solution does not store its stresses
         return math.nan
     static = specimen.pressed(1, bottom, top)
@@ -83,7 +84,10 @@ def _centre(specimen: BondedSpecimen, disc: Disc, bottom: Ints, top: Ints) -> fl
 def _pressed_elements(
     specimen: BondedSpecimen, disc: Disc, half_angle: float | None, friction: float
 ) -> tuple[Ints, Ints, float, float]:
-    """Elements below and above that are pressed, half the angle of flats or strips [rad], and its factor [-]."""
+    """Select the loaded elements at bottom and top, as indices (k,) each.
+
+    The result also has the half angle of flats or strips [rad], and the theoretical centre stress over 2 P / (π D t).
+    """
     disc.refuse_angle(half_angle)
     if disc.flat is not None:
         specimen.require_smooth(friction)
@@ -113,5 +117,5 @@ def _pressed_elements(
 
 
 def _strained(strains: Floats) -> Floats:
-    """Strain measure of the middle without stress along the axis; E times it is 2 P / (π D t)."""
+    """Strain of the middle [-], (k,), from its normal strains, (k, 3): 2 P / (π D t) / E for zero axial stress."""
     return -0.5 * (strains[:, 1] + strains[:, 2] - strains[:, 0])

@@ -19,7 +19,7 @@ from bondem.statics.lagged_statics import LaggedStatics
 from bondem.statics.linear import System
 from bondem.statics.static import Statics
 
-# C is stationary in the motions, so that their error comes in squared.
+# Relative tolerance of the motions. C is stationary in them, so that its error is of second order in theirs.
 _RTOL = 1e-8
 
 
@@ -30,8 +30,7 @@ class BulkModuli(StiffnessResult):
     Attributes:
         stiffness: C of σ = C ε, in the order xx, yy, zz, yz, xz, xy with engineering shear strains [Pa], (6, 6).
         strains: deformation of the bonds under each of the six unit strains; empty for cells and the non-local law.
-        motions: displacements and rotations of the elements in addition to the uniform strain [m, rad], six of (n,
-            6).
+        motions: displacements [m] and rotations [rad] in addition to the uniform strains, six arrays (n, 6).
         volume: volume of the cell [m³].
     """
 
@@ -43,10 +42,11 @@ class BulkModuli(StiffnessResult):
     def stiffness_of(self, k: Floats) -> Floats:
         """Return the stiffness C [Pa], (6, 6), of bonds with given stiffnesses at the deformations of this result.
 
-        Args:
-            k: kn, ks, kb and kt of each bond, (4, m).
-
         With the derivatives of the bond stiffnesses with respect to a parameter, the result is the derivative of C.
+        Without bonds, for cells and the non-local law, it is zero.
+
+        Args:
+            k: kn and ks [N/m], kb and kt [N·m/rad] of each bond, (4, m).
         """
         C = np.zeros((6, 6))
         for s, one in enumerate(self.strains):
@@ -59,11 +59,10 @@ class BulkModuli(StiffnessResult):
 def bulk_moduli(lattice: Lattice, law: AnyLaw, *, guess: BulkModuli | None = None) -> BulkModuli:
     """Compute the stiffness tensor of a periodic lattice.
 
-    Six macroscopic strains ε are imposed. Each bond is stretched by ε times its branch vector over the nearest image.
-    The elements then move and rotate to equilibrium, equally in all images of the cell: u = ε x + v. C is the energy
-    of the bonds in that motion, V C_st = Σ kn δn_s δn_t + ks δs_s·δs_t + …. The energy is stationary in v: its
-    derivative with respect to a bond parameter is this sum with the stiffnesses replaced by their derivatives. No
-    further solution is needed.
+    Six macroscopic strains ε are imposed. Each bond is stretched by ε times its branch vector to the nearest image.
+    The elements then move and rotate to equilibrium, equally in all images of the cell: u = ε x + v. C follows from
+    the energy of the bonds, V C_st = Σ kn δn_s δn_t + ks δs_s·δs_t + …. As this energy is stationary in v, the
+    derivative of C with respect to a bond parameter is the sum with the derivatives of the stiffnesses.
 
     Args:
         lattice: bonded elements of a `Cell`, or of particles with a `period`.
@@ -71,7 +70,7 @@ def bulk_moduli(lattice: Lattice, law: AnyLaw, *, guess: BulkModuli | None = Non
         guess: moduli of the same lattice with similar bonds, as an initial guess.
 
     Raises:
-        InputError: the lattice is not periodic.
+        InputError: the lattice is not periodic or has no bonds.
     """
     instance("bulk_moduli", "lattice", lattice, Lattice, "a periodic lattice, from bd.connect")
     if not len(lattice.pairs):
@@ -98,7 +97,7 @@ def bulk_moduli(lattice: Lattice, law: AnyLaw, *, guess: BulkModuli | None = Non
         slip = np.where(moving, slip, 0.0)
         force = BondStrain.of(lattice, k.lever, still, still, slip=slip).forces(k)
         load = _nodal(statics.model, force)
-        # in a crystal nothing moves but by rounding
+        # in a crystal the load is zero but for rounding
         if np.linalg.norm(load[:, :3]) <= 1e-12 * np.linalg.norm(force):
             load[:] = 0.0
         motion = statics.response(load, guess=start, rtol=_RTOL)
@@ -109,7 +108,7 @@ def bulk_moduli(lattice: Lattice, law: AnyLaw, *, guess: BulkModuli | None = Non
 
 
 def _of_cells(statics: Statics) -> BulkModuli:
-    """Stiffness tensor of a periodic body of cells."""
+    """Compute the stiffness tensor of a periodic body of cells."""
     model = statics.model
     body, constants = model.lattice, model.cell_constants
     still = np.zeros((len(body.particles), 3))
@@ -127,7 +126,7 @@ def _of_cells(statics: Statics) -> BulkModuli:
 
 
 def _of_lagged(model: Model, law: LaggedInteraction) -> BulkModuli:
-    """Stiffness tensor under a law that lags, from the mean stress Σ branch ⊗ F / V."""
+    """Compute the stiffness tensor under a non-local law, from the mean stress Σ branch ⊗ F / V."""
     lattice = model.lattice
     assert lattice.particles.period is not None
     volume = float(lattice.particles.period.prod())
@@ -152,9 +151,10 @@ def _slips(branch: Floats) -> Floats:
 
 
 def _nodal(model: Model, force: Floats) -> Floats:
-    """Forces and moments on the elements [N, N·m], (n, 6), from the bond forces on their far ends [N], (m, 3).
+    """Sum up the forces and moments on the elements [N, N·m], (n, 6), from the forces F of bonds [N], (m, 3).
 
-    A bond pulls i by +F and j by -F. Both elements get moments of equal sign, with the levers of the contact point.
+    A bond acts on element i with F and on element j with -F. The moments about both centres have equal signs, as the
+    force acts at the contact point between them.
     """
     lattice = model.lattice
     i, j = lattice.pairs.T

@@ -1,8 +1,8 @@
 """Static tension, bending and torsion of a clamped specimen, compared with beam theory.
 
 As in André et al. (2012), the elements at x_min are clamped and those at x_max are loaded. The mean motion of the
-loaded elements is compared with theory. A body of cells is clamped and loaded at its walls, and the motion of its
-walls is compared; its length is that of the shape.
+loaded elements is compared with theory. A body of cells is clamped, loaded and measured at its walls; its length is
+that of the shape.
 """
 
 from dataclasses import dataclass
@@ -36,11 +36,11 @@ class Cantilever:
         lattice: the specimen.
         clamped: elements at x_min, (k,).
         loaded: elements at x_max, (k,).
-        paper: bar of length L_M of eq (12), from wall to wall.
+        paper: bar of length L_M of eq (12) of André et al. (2012), from wall to wall.
         refined: bar between the mean centres of both sets, for statics; between the walls of a body of cells.
         moving: bar from the mean centre of the clamped set to the face x_max, for dynamics: the elements at x_max
             move with all their mass.
-        overhang: distance of the face x_max, on whose centre loads act, beyond the loaded centres [m].
+        overhang: distance from the mean centre of the loaded set to the face x_max, on which the loads act [m].
     """
 
     lattice: Lattice
@@ -63,14 +63,15 @@ class Cantilever:
         density: float | PerElement = 1.0,
         depth: float = 0.02,
     ) -> "Cantilever":
-        """Create the cantilever of a specimen with macroscopic moduli E [Pa] and ν [-].
+        """Create the cantilever of a specimen with macroscopic E [Pa], ν [-] and ρ [kg/m³].
 
-        With `gyration` of its `Tension`, the refined bars have the section that carries the axial force. Their mass
-        has the distribution of elements of this `density` [kg/m³], a number or (n,).
+        With `Tension.gyration` [m²], (2,), `refined` and `moving` have the section that carries the axial force, and
+        mass is distributed like the element `density` [kg/m³], a number or (n,). `depth` is that of the face regions,
+        in mean radii [-].
 
         Raises:
             EmptyRegionError: a face has no connected element.
-            InputError: the specimen is neither a Cylinder nor a Box.
+            InputError: the shape is neither a Cylinder nor a Box, or `gyration` is not two positive numbers.
         """
         envelope = lattice.particles.envelope
         section = CrossSection.of(envelope)
@@ -95,7 +96,7 @@ class Cantilever:
         )
 
     def model_under(self, law: AnyLaw, depth: float, force: tuple[float, ...], moment: float = 0.0) -> Model:
-        """Model of the specimen clamped at x_min, under a force and a moment about x on x_max."""
+        """Create the model clamped at x_min, under a force [N], (3,), and a moment about x [N·m] on x_max."""
         clamp = Fix(Face("x_min", depth))
         load = Load(Face("x_max", depth), force=(force[0], force[1], force[2]), moment=(moment, 0.0, 0.0))
         return Model(self.lattice, law, density=1.0, boundary=[clamp, load])  # statics do not depend on the density
@@ -103,7 +104,7 @@ class Cantilever:
     def stressed(
         self, law: AnyLaw, depth: float, solution: StaticResult, *, force: tuple[float, ...]
     ) -> dict[str, Floats]:
-        """Axial stress [Pa], (n,), displacement [m] and rotation [rad], (n, 3), of cells; empty for spheres."""
+        """Evaluate axial stress [Pa], (n,), displacement [m] and rotation [rad], (n, 3), of cells; {} for spheres."""
         if self.lattice.cells is None:
             return {}
         stress = cell_stress(self.model_under(law, depth, force), solution)
@@ -112,13 +113,16 @@ class Cantilever:
     def respond(
         self, law: AnyLaw, depth: float, *, force: tuple[float, ...] = (0, 0, 0), moment: float = 0.0
     ) -> tuple[StaticResult, Floats]:
-        """Equilibrium under a force and a moment about x on x_max, and the motion of x_max [m, rad], (6,)."""
+        """Solve for the equilibrium under a force [N] and a moment about x [N·m] on x_max.
+
+        Returns the solution, and the rigid motion of the face x_max [m, rad], (6,).
+        """
         model = self.model_under(law, depth, force, moment)
         solution = solve_static(model)
         return solution, specimen_faces(self.lattice, depth).motion(model, solution, "x_max")
 
     def profile(self, displacement: Floats, component: int) -> dict[str, Floats]:
-        """Component of the rigid motion of the cross-sections along x, for figures."""
+        """Evaluate component 0 … 5 of the rigid motion of the cross-sections [m or rad] over x [m], for figures."""
         chosen = self.lattice.connected
         x, motion = profile(self.lattice.centre[chosen], displacement[chosen])
         return {"x": x, "profile": motion[:, component]}
@@ -127,8 +131,8 @@ class Cantilever:
 def mass_gyration(lattice: Lattice, density: float | PerElement = 1.0) -> Floats:
     """Squared radii of gyration of the mass in the section, ⟨y²⟩ and ⟨z²⟩ about its centre [m²], (2,).
 
-    Elements are solid balls or cells. With uniform density the result is less than that of the shape; with
-    `balanced_density` it is exactly that of the shape.
+    Elements are solid balls or cells. Cells, and spheres of `balanced_density`, have the result of the shape. Spheres
+    of uniform density have less, as they fill the skin of the body less than its core.
 
     Args:
         lattice: the specimen.
@@ -163,6 +167,10 @@ def clamped_tension(
         gyration: `Tension.gyration` of the specimen [m²], (2,), for the consistency check `theory_refined`.
         stress: axial stress F / S [Pa].
         depth: depth of the two face regions, in mean radii [-].
+
+    Raises:
+        EmptyRegionError: a face has no connected element.
+        InputError: a specimen that is neither a Cylinder nor a Box or is too coarse, or a value out of range.
     """
     E, nu = constant("E", E), constant("nu", nu)
     check("clamped_tension", lattice, E=E, nu=nu, stress=stress, depth=depth)
@@ -206,6 +214,9 @@ def static_bending(
         gyration: `Tension.gyration` of the specimen [m²], (2,), for the consistency check `theory_refined`.
         stress: mean shear stress F / S [Pa].
         depth: depth of the two face regions, in mean radii [-].
+
+    Raises:
+        EmptyRegionError, InputError: as for `clamped_tension`.
     """
     E, nu = constant("E", E), constant("nu", nu)
     check("static_bending", lattice, E=E, nu=nu, stress=stress, depth=depth)
@@ -252,6 +263,9 @@ def static_torsion(
         gyration: `Tension.gyration` of the specimen [m²], (2,), for the consistency check `theory_refined`.
         stress: T √S / J [Pa], approximately the largest shear stress.
         depth: depth of the two face regions, in mean radii [-].
+
+    Raises:
+        EmptyRegionError, InputError: as for `clamped_tension`.
     """
     E, nu = constant("E", E), constant("nu", nu)
     check("static_torsion", lattice, E=E, nu=nu, stress=stress, depth=depth)

@@ -31,12 +31,12 @@ def impact(
     out: str | Path | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> Outcome:
-    """Measure the speed of a longitudinal wave and compare it with √(E/ρ).
+    """Measure the speed of a longitudinal wave along a bar and compare it with √(E/ρ).
 
     The face x_max moves at a prescribed velocity v. The free face x_min then moves at a plateau velocity of 2 v,
     until the wave returns from x_max at three times the arrival time. The arrival is the time at which the mean
     velocity at x_min first exceeds half the plateau; the plateau is averaged over the middle of its duration. The
-    speed is L_M of eq (12) over the arrival time.
+    speed is L_M of eq (12) of André et al. (2012) over the arrival time.
 
     The refined theory uses the path from the mean centre of the driven elements to the face x_min. In a body of cells
     this path is the whole length: the wall drives the face x_max itself, and the cells at x_min record the front and
@@ -51,8 +51,7 @@ def impact(
         rho: density of the specimen, mass over volume of the shape [kg/m³].
         velocity: velocity v of the face towards x_min [m/s].
         depth: depth of the two face regions, in mean radii [-].
-        out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was
-            killed or interrupted, and evaluates a complete one; None for no file.
+        out: run file (HDF5) from which the same call resumes a test or evaluates a complete one; None for no file.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Returns:

@@ -16,16 +16,16 @@ from bondem.fracture.fragments import Fragments, fragments
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
 
-#: Facets of this integrity or less are cracks and join no pieces, in tests that end before the last facet has parted.
+#: Largest integrity of a facet that counts as cracked [-], as some tests end before the last facets have broken.
 CRACKED = 0.1
-#: Pieces of fewer cells are crumbs, and crack surfaces of fewer facets are not counted.
+#: Smallest number of elements of a piece, and of facets of a crack; smaller fragments are counted as crumbs.
 FEW = 10
-# Energy dissipated per section over that of one crack, above which there was more than one [-].
+# Energy dissipated per section over that of one crack, above which several cracks dissipated it [-].
 _SEVERAL = 1.5
 
 
 def dissipated_in(history: History) -> tuple[float, float, float]:
-    """Return energies of a run for `Cracking`: dissipated by facets and by the slip of cells, and crushed [J]."""
+    """Return final energies of a run [J]: dissipated by facets including crushing, by plastic flow, by crushing."""
     fracture, crushed, slipped = (float(history.energy[name][-1]) for name in ("fracture", "crushing", "plastic"))
     return fracture + crushed, slipped, crushed
 
@@ -60,42 +60,42 @@ class Cracking:
 
     @cached_property
     def found(self) -> Cracks:
-        """Facets that have cracked, as surfaces."""
+        """Cracked facets or broken bonds, grouped into crack surfaces."""
         return cracks(self.body, self.state, integrity=self.integrity)
 
     @cached_property
     def fragments(self) -> Fragments:
-        """Pieces and crumbs, the heaviest first."""
+        """Fragments of the specimen, the heaviest first."""
         return fragments(self.body, self.state, integrity=self.integrity)
 
     @property
     def broken(self) -> int:
-        """Number of cracked facets or broken bonds, microcracks of bonded spheres."""
+        """Number of cracked facets of cells, or of broken bonds of spheres."""
         return len(self.found)
 
     @property
     def count(self) -> int:
-        """Number of cracks: connected surfaces of at least ten facets; cracks that meet are one."""
+        """Number of cracks: connected surfaces of at least ten facets or bonds; cracks that meet count as one."""
         return int((self.found.surfaces.count >= FEW).sum())
 
     @property
     def pieces(self) -> int:
-        """Number of pieces of at least ten cells."""
+        """Number of pieces: fragments of at least ten elements."""
         return int((self.fragments.size >= FEW).sum())
 
     @property
     def crumbs(self) -> int:
-        """Number of pieces of fewer than ten cells."""
+        """Number of fragments of fewer than ten elements."""
         return len(self.fragments) - self.pieces
 
     @property
     def surface(self) -> float:
-        """Area of all cracks along their facets, which zigzag [m²]."""
+        """Total area of all cracked facets, or of the sections of broken bonds [m²]."""
         return self.found.area
 
     @property
     def brittle(self) -> bool:
-        """True if no fracture energy was given."""
+        """True for a material without a fracture energy."""
         return math.isnan(self.fracture_energy)
 
     @property
@@ -105,7 +105,7 @@ class Cracking:
 
     @property
     def projected(self) -> float:
-        """Area of all cracks projected on the section [m²]; NaN without a section."""
+        """Area of all cracks projected on the plane of the section [m²]; NaN without a section."""
         if not self.sectioned:
             return math.nan
         return self.found.projected_area(np.eye(3)[self.axis].tolist()) if len(self.found) else 0.0
@@ -117,27 +117,30 @@ class Cracking:
 
     @property
     def per_section(self) -> float:
-        """Dissipated energy over the section [J/m²]: the fracture energy of the material if there is one crack."""
+        """Energy dissipated by facets over the section [J/m²]; for a single crack it is the fracture energy."""
         return self.dissipated / self.section
 
     @property
     def stored_ratio(self) -> float:
-        """Elastic energy at the peak over the energy of one crack, G_f times the section [-]; NaN without a section.
+        """Elastic energy at the peak over the energy of one crack, G_f times the section [-]; NaN without these.
 
-        Above 1 the specimen releases more energy than one crack dissipates: the load snaps back, and in a test at a
-        given motion the rest goes into further cracks and vibrations.
+        Above 1 the specimen stores more energy than one crack dissipates: the equilibrium path snaps back, and in a
+        test at a given motion the excess drives further cracks and vibrations.
         """
         taken = self.fracture_energy * self.section
         return self.stored / taken if taken > 0.0 else math.nan
 
     @property
     def single(self) -> bool:
-        """True if one crack dissipated the energy, so that the work per section is a fracture energy."""
+        """True if both energies agree with one crack, so that the work per section is a fracture energy.
+
+        The stored energy is at most that of one crack, and the dissipated energy at most 1.5 times that.
+        """
         return self.stored_ratio <= 1.0 and self.per_section <= _SEVERAL * self.fracture_energy
 
     @property
     def mode(self) -> str:
-        """Description of the failure: how often it cracks, or in compression whether it has split or yielded."""
+        """Text on the failure: the number of cracks, or in compression whether the specimen split or yielded."""
         if self.sectioned:
             return "cracks once" if self.count == 1 else f"cracks {self.count} times" if self.count else "softens"
         split = "splits" if self.pieces > 1 else "does not split"
@@ -147,7 +150,7 @@ class Cracking:
 
     @property
     def objection(self) -> str:
-        """Reason why the work per section cannot be a fracture energy, and what to do; "" where it can."""
+        """Reason why the work per section cannot be a fracture energy, with advice; "" if it can."""
         if self.stored_ratio > 1.0:
             return (
                 f"at its peak the specimen stores {self.stored_ratio:.3g} times the energy that one crack takes"
@@ -162,11 +165,7 @@ class Cracking:
         return ""
 
     def warn(self, test: str) -> None:
-        """Warn where the work of a test cannot be a fracture energy.
-
-        Args:
-            test: name of the test.
-        """
+        """Issue a FractureEnergyWarning if the work of the test of a given name cannot be a fracture energy."""
         if self.objection:
             warnings.warn(
                 f"labtests.{test}: the work per section is not a fracture energy: {self.objection}",

@@ -11,7 +11,7 @@ from bondem.labtests.line_probe import walls_along
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Index, Region
 
-#: Widest strips, half the angle [rad].
+#: Largest half angle of the strips [rad].
 WIDEST = math.radians(20.0)
 # Stress and strain at the centre are evaluated within these shares of the radius.
 _CENTRE, _GAUGE = 0.25, 0.5
@@ -42,10 +42,10 @@ class Disc:
 
 
 def require_disc(body: Lattice) -> Disc:
-    """Return the disc of a body.
+    """Return the disc of a body: a cylinder along x, plain or with the faces "top" and "bottom" as flats.
 
     Raises:
-        InputError: the body is no cylinder along x, and has no flats "top" and "bottom", or it has a hole.
+        InputError: another shape, or a hole at the centre.
     """
     shape = body.particles.envelope
     lower, upper = shape.bounds
@@ -73,20 +73,20 @@ def require_disc(body: Lattice) -> Disc:
 
 
 def stamped(half_angle: float) -> float:
-    """Stress at the centre over 2 P / (π D t) [-] under smooth rigid stamps on strips of half angle α [rad]."""
+    """Return the centre stress over 2 P / (π D t) [-] under smooth rigid stamps on strips of half angle α [rad]."""
     angle = math.pi * (np.arange(64) + 0.5) / 64
     sine = math.sin(half_angle) * np.cos(angle)
     return float((np.sqrt(1.0 - sine**2) * (1.0 - 4.0 * sine**2)).mean())
 
 
 def flattened(half_angle: float) -> float:
-    """Stress at the centre over 2 P / (π D t) [-] for flats of half angle α [rad], after Wang et al. (2004)."""
+    """Return the centre stress over 2 P / (π D t) [-] for flats of half angle α [rad], by Wang et al. (2004)."""
     c, s = math.cos(half_angle), math.sin(half_angle) / half_angle
     return (2.0 * c**3 + c + s) ** 2 / (8.0 * (c + s)) / s
 
 
 def centre_stress(position: Floats, volume: Floats, across: Floats, disc: Disc) -> float:
-    """Stress across the load at the centre [Pa], by a quadratic fit to the elements near it.
+    """Evaluate the stress σ_zz at the centre [Pa], by a quadratic fit to elements within a quarter of the radius.
 
     Args:
         position: places of the elements relative to the centre [m], (n, 3).
@@ -102,6 +102,6 @@ def centre_stress(position: Floats, volume: Floats, across: Floats, disc: Disc) 
 
 
 def middle_of_disc(body: Lattice, disc: Disc) -> Region:
-    """Elements within half the radius."""
+    """Select the elements within half the radius of the disc from its axis."""
     position = body.centre - disc.middle
     return Index(np.flatnonzero(np.hypot(position[:, 1], position[:, 2]) < _GAUGE * 0.5 * disc.diameter))

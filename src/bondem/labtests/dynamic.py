@@ -46,6 +46,10 @@ def dynamic_tension(
         modes: natural frequencies of the specimen, if known; None to compute them.
         vibration: free vibration of the specimen, or None.
         depth: depth of the two face regions, in mean radii [-].
+
+    Raises:
+        EmptyRegionError: a face has no connected element.
+        InputError: a specimen that is neither a Cylinder nor a Box, no axial mode, or a value out of range.
     """
     density, E, nu, rho = constant("density", density), constant("E", E), constant("nu", nu), constant("rho", rho)
     check("dynamic_tension", lattice, density=density, E=E, nu=nu, rho=rho, depth=depth)
@@ -77,7 +81,7 @@ def dynamic_bending(
 ) -> Outcome:
     """Compare the first bending frequency of a clamped specimen with Euler–Bernoulli's and Timoshenko's cantilevers.
 
-    The arguments are those of `dynamic_tension`.
+    Arguments, curves and errors are those of `dynamic_tension`.
     """
     density, E, nu, rho = constant("density", density), constant("E", E), constant("nu", nu), constant("rho", rho)
     check("dynamic_bending", lattice, density=density, E=E, nu=nu, rho=rho, depth=depth)
@@ -110,7 +114,7 @@ def dynamic_torsion(
 ) -> Outcome:
     """Compare the first torsional frequency of a clamped specimen with √(G J / (ρ I_p)) / (4 L).
 
-    The arguments are those of `dynamic_tension`.
+    Arguments, curves and errors are those of `dynamic_tension`.
     """
     density, E, nu, rho = constant("density", density), constant("E", E), constant("nu", nu), constant("rho", rho)
     check("dynamic_torsion", lattice, density=density, E=E, nu=nu, rho=rho, depth=depth)

@@ -1,4 +1,4 @@
-"""Elastic tests of studies, a record each: static tests, free vibrations and the speed of a wave."""
+"""Table of the elastic tests of studies: static tests, natural frequencies and the speed of a wave."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ from bondem.specimen.lattice import Lattice
 
 @dataclass(frozen=True, eq=False)
 class ElasticBar:
-    """Bar with known elasticity, and the results that several of its tests share.
+    """Bar with measured elasticity, and results that several of its tests share.
 
     Attributes:
         lattice: the bar.
@@ -36,22 +36,22 @@ class ElasticBar:
 
     @property
     def moduli(self) -> dict[str, float]:
-        """E [Pa] and ν as measured."""
+        """Measured E [Pa] and ν [-], as keyword arguments of tests."""
         return {"E": self.tension.E, "nu": self.tension.nu}
 
     @property
     def moving(self) -> dict[str, Any]:
-        """E and ν as measured, and the densities of the elements and of the specimen, as arguments of tests."""
+        """Measured E [Pa] and ν [-], and both densities [kg/m³], as keyword arguments of dynamic tests."""
         return self.moduli | {"density": self.density, "rho": self.rho}
 
     @cached_property
     def frequencies(self) -> NaturalFrequencies:
-        """Natural frequencies."""
+        """First natural frequencies of the bar clamped at x_min."""
         return natural_frequencies(self.lattice, self.law, density=self.density)
 
     @cached_property
     def vibration(self) -> FreeVibration:
-        """Free vibration after a release."""
+        """Vibration of the bar clamped at x_min, after the release of its loads."""
         return free_vibration(self.lattice, self.law, **self.moving)
 
 
@@ -61,8 +61,8 @@ class ElasticTest:
 
     Attributes:
         name: name in studies and results.
-        perform: runs it.
-        vibrates: True if it evaluates the free vibration of the bar.
+        perform: function that runs the test on a bar.
+        vibrates: True if the test uses the natural frequencies and the free vibration of the bar.
     """
 
     name: str

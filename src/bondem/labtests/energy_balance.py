@@ -17,11 +17,10 @@ PARTS = ("elastic", "kinetic", "fracture", "crushing", "plastic", "friction", "d
 def energy_ledger(test: AnyTest) -> dict[str, Floats]:
     """Compute the energies at each point of the curve of a test [J], (k,) each.
 
-    The keys are those of `PARTS`, "work" of the load and "balance", the sum of the parts less the work, which should
-    vanish. A bending test of cells has no inertia: "fracture" is the dissipation of its events, and "kinetic",
-    "crushing", "plastic", "friction" and "damping" are zero. Its "work" and "elastic" are computed with the motion of
-    the loaded cells, whose mean position is not quite the line of the load. The difference is 1.5 % of the work in
-    200 cells.
+    The keys are those of `PARTS`, "work" of the load and "balance": the sum of the parts less the work, less its
+    initial value. It vanishes for an exact solution. A bending test of cells has no inertia: "fracture" is the
+    dissipation of its events, and "kinetic", "crushing", "plastic", "friction" and "damping" are zero. Its "work" and
+    "elastic" use the motion of the loaded cells, whose mean position deviates slightly from the line of the load.
     """
     if isinstance(test, BendingTest):
         found = _of_path(test.path) if isinstance(test.path, QuasistaticResult) else test.path.history.parts
@@ -37,13 +36,16 @@ def _of_run(test: StrengthTest | BrazilianTest | TriaxialTest) -> dict[str, Floa
 
 
 def _of_path(path: QuasistaticResult) -> dict[str, Floats]:
-    """Energies of all three rollers; events occur at constant load, and paths between events are proportional."""
+    """Compute the energies along a path [J], from load and roller motion.
+
+    Each failure event occurs at constant load. Between events, motion and load are proportional.
+    """
     load, moved = path.load, -0.5 * (path.gauge["left"] + path.gauge["right"])[:, 1]
     compliance = moved / load
     first = 0.5 * load[:1] * moved[:1]
     softer = load[:-1] ** 2 * np.diff(compliance)
     further = 0.5 * np.diff(load**2) * compliance[1:]
-    spent = np.cumsum(path.energy)[:-1]  # what an event dissipates is gone at the next one
+    spent = np.cumsum(path.energy)[:-1]  # the energy of an event is dissipated after its point of the curve
     none = np.zeros(len(load) + 1)
     return dict.fromkeys(PARTS, none) | {
         "elastic": np.append(0.0, 0.5 * load * moved), "fracture": np.concatenate([[0.0, 0.0], spent]),

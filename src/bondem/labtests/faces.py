@@ -1,6 +1,6 @@
 """Faces of a specimen as laboratory tests load and observe them: layers of spheres, or facets of cells.
 
-Spheres are loaded and held at their centres, cells at the walls of the body. The motion of a body of cells is
+Spheres are loaded and constrained at their centres, cells at the walls of the body. The motion of a body of cells is
 therefore that of its surface; see `bondem.observables.surface_displacement`.
 """
 
@@ -27,12 +27,7 @@ _PATCH = 0.5
 
 @dataclass(frozen=True, eq=False)
 class SpecimenFaces:
-    """Faces of a specimen of spheres: the elements in a layer at each face; of cells in `WalledFaces`.
-
-    Attributes:
-        lattice: the specimen.
-        depth: depth of the layers, in mean radii [-].
-    """
+    """Faces of a specimen of spheres: layers of elements, `depth` mean radii deep; for cells see `WalledFaces`."""
 
     lattice: Lattice
     depth: float
@@ -46,49 +41,49 @@ class SpecimenFaces:
 
     @property
     def paper_length(self) -> float:
-        """Length L_M of eq (12) with corrected sign [m], 2 R̄ + ⟨x⟩ of face x_max - ⟨x⟩ of face x_min.
+        """Length of the specimen [m]; for spheres L_M = 2 R̄ + ⟨x⟩ at x_max - ⟨x⟩ at x_min, with mean radius R̄.
 
-        For cells it is the length of the body.
+        This is eq (12) of André et al. (2012) with corrected sign.
         """
         first, last = self.ends
         return last - first + 2.0 * self.lattice.particles.mean_radius
 
     @property
     def paper_radius(self) -> float:
-        """Radius R_M of eq (13) [m], R̄ + mean distance of the elements at "side" from the axis.
+        """Radius of the specimen [m]; for spheres R_M = R̄ + mean distance of the elements at "side" from the axis.
 
-        For cells it is the radius of the body.
+        This is eq (13) of André et al. (2012). For cells it is the radius of a circle of equal area.
         """
         particles, side = self.lattice.particles, self._select("side")
         return float(particles.mean_radius + np.hypot(*particles.position[side, 1:].T).mean())
 
     def side_distance(self, distance: Floats, share: Floats) -> float:
-        """Distance of the moving elements or facets at "side" from the axis [m]: R_M, or the mean for cells.
+        """Distance from the axis at which the motion of "side" is measured [m]: R_M, or the mean of facets of cells.
 
         A cylinder of cells is a prism, whose facets are nearer to the axis than the radius of its section.
 
         Args:
-            distance: distances of the members of "side" from the axis [m], (k,).
-            share: weights of these members [-], (k,).
+            distance: distances of the elements or facets at "side" from the axis [m], (k,).
+            share: weights of these elements or facets, with the sum 1 [-], (k,).
         """
         return self.paper_radius
 
     def motion(self, model: Model, solution: StaticResult, name: str) -> Floats:
-        """Rigid motion of a face closest to its elements or, for cells, to its facets [m, rad], (6,)."""
+        """Fit a rigid motion [m, rad], (6,), to the elements of the named face or, for cells, to its facets."""
         chosen = self._select(name)
         return rigid_motion(self.lattice.centre[chosen], solution.displacement[chosen])
 
     def outside(
         self, model: Model, solution: StaticResult
     ) -> tuple[Floats, Floats, dict[str, tuple[Ints, Floats]]]:
-        """Positions and displacements of elements or facets, with the members of each face and their weights."""
+        """Positions and displacements of elements or facets [m], (k, 3), with indices and weights by face."""
         sets = {name: self._select(name) for name in self._names}
         even = {name: (found, np.full(len(found), 1.0 / len(found))) for name, found in sets.items()}
         return self.lattice.centre, solution.displacement, even
 
     @property
     def patches(self) -> tuple[Ints, Floats, Floats]:
-        """Patches of the surface: the element of each, centres [m] and areas times outward normals [m²]."""
+        """Patches of the surface: indices of their elements, (p,), centres [m] and areas · normals [m²], (p, 3)."""
         particles = self.lattice.particles
         owners, centres, areas = [], [], []
         for name in particles.envelope.faces:
@@ -109,11 +104,7 @@ class SpecimenFaces:
 
 @dataclass(frozen=True, eq=False)
 class WalledFaces(SpecimenFaces):
-    """Faces of a body of cells: the facets on its walls.
-
-    Attributes:
-        elements: cells of the body.
-    """
+    """Faces of a body of cells, `elements`: the free facets on its walls."""
 
     elements: CellElements
 
@@ -159,7 +150,7 @@ class WalledFaces(SpecimenFaces):
 
 
 def specimen_faces(lattice: Lattice, depth: float = 0.02) -> SpecimenFaces:
-    """Return the faces of a specimen; `depth` of the layers of spheres is in mean radii [-]."""
+    """Create the faces of a specimen, with layers of spheres `depth` mean radii deep [-], or the facets of cells."""
     if isinstance(lattice.elements, CellElements):
         return WalledFaces(lattice, depth, lattice.elements)
     return SpecimenFaces(lattice, depth)

@@ -1,4 +1,4 @@
-"""Record of a laboratory test to failure, the input of studies, results and reports."""
+"""Description of a laboratory test to failure, from which studies run it and reports draw it."""
 
 import math
 from collections.abc import Callable, Mapping
@@ -21,12 +21,7 @@ Curve = tuple[Floats, Floats]
 
 @dataclass(frozen=True)
 class TestOption:
-    """Option of a test in a study.
-
-    Attributes:
-        unit: SI unit.
-        needed: True if the option has no default.
-    """
+    """Option of a test in a study, in the SI unit `unit`; `needed` is True if the option has no default."""
 
     __test__ = False  # no test of pytest
 
@@ -42,9 +37,9 @@ class TestFigure:
         title: title of its panels.
         strain, stress: quantities of its curve.
         azimuth, elevation: direction of view of the broken specimen [rad].
-        slips: True to colour cells by their slip, if there is any.
-        halved: True to leave out the nearer half.
-        across, up: factor and unit of the horizontal and of the vertical axis.
+        slips: True to colour yielded cells by their slip.
+        halved: True to leave out the half of the specimen in front.
+        across, up: factor on SI values, and unit, of the horizontal and of the vertical axis.
         plain: quantity of the horizontal axis for a specimen without a notch; "" for the same as with one.
         quantity: name of the measured value.
         line: True to draw the strength of the material, where it is known.
@@ -77,52 +72,52 @@ class TestFigure:
 
 
 def no_theory(softening: Softening, asked: Mapping[str, float]) -> float:
-    """Return NaN, for tests without a closed form."""
+    """Return NaN, the theoretical strength of a test without a closed form."""
     return math.nan
 
 
 def curve_of(result: Any) -> Curve:
-    """Return both columns of `result.curve`."""
+    """Return both columns of `result.curve`, (k,) each."""
     return result.curve[:, 0], result.curve[:, 1]
 
 
 def peak_of(result: Any) -> float:
-    """Return `result.peak`."""
+    """Return `result.peak` [Pa]."""
     return float(result.peak)
 
 
 def nothing_of(result: Any) -> dict[str, Any]:
-    """Return an empty mapping."""
+    """Return an empty mapping, for a test without further numbers."""
     return {}
 
 
 def cracking_of(result: Any, body: Lattice, fracture_energy: float) -> Cracking:
-    """Return `result.cracking`."""
+    """Return `result.cracking`, for a test that evaluates its cracks itself."""
     return result.cracking
 
 
 @dataclass(frozen=True, kw_only=True)
 class FailureTest:
-    """Laboratory test to failure.
+    """Laboratory test to failure, with functions that evaluate its result.
 
     Attributes:
         name: name in studies and results.
-        perform: runs the test; called with body, law, failure and, by keyword, density, progress and the options.
+        perform: function of body, law, failure and, by keyword, density, progress and options that runs the test.
         figure: style of its figures.
         options: options in studies, by name.
         requirements: specimens that the test needs; None for a bar along x.
-        yields: True if the cells of the material have to yield.
-        uniform: True if one law and one criterion are needed.
+        yields: True if the criterion needs a shear strength, so that cells can yield.
+        uniform: True if laws and criteria by region are not supported.
         bonded: True if the test accepts bonded spheres.
-        theory: strength implied by the criterion and the options [unit].
-        measured: measured value of a result [unit].
+        theory: function of softening law and options that returns the theoretical strength [unit].
+        measured: function of the result that returns the measured value [unit].
         unit: unit of measured value and theory.
-        curve: curve of a result.
-        more: further arrays and scalars of a result, for figures.
-        details: further numbers of a result, by name with unit; None is left out.
-        energy: energy balance along the curve of a result [J], (k,) each.
-        integrity: integrity of the facets at the end [-].
-        cracking: cracks and pieces of a result, with its body and the fracture energy of the material [J/m²].
+        curve: function of the result that returns both columns of its curve.
+        more: function of the result that returns further arrays and scalars for figures.
+        details: function of the result that returns further numbers by name with unit; None is left out.
+        energy: function of the result that returns the energy balance along its curve [J], (k,) each.
+        integrity: function of the result that returns the final integrity of bonds or facets [-], (m,).
+        cracking: function of result, body and fracture energy of the material [J/m²] that returns the cracks.
     """
 
     name: str
@@ -144,11 +139,11 @@ class FailureTest:
     cracking: Callable[[Any, Lattice, float], Cracking] = cracking_of
 
     def figure_of(self, curves: Mapping[str, Any]) -> TestFigure:
-        """Style of the figures of one specimen, by its curves."""
+        """Return the style of the figures of a specimen; its curves have the key "plain" for an unnotched beam."""
         return replace(self.figure, strain=self.figure.plain) if "plain" in curves else self.figure
 
     def curves(self, result: Any, cracking: Cracking) -> dict[str, np.ndarray]:
-        """Collect the curve of a result, and fields of the broken specimen for figures."""
+        """Collect the curve of a result and the fields of the broken specimen for figures, as arrays by name."""
         state, body = cracking.state, cracking.body
         across, up = self.curve(result)
         damage = np.zeros(len(body.particles))

@@ -1,4 +1,4 @@
-"""Tests to failure of studies, a record each, and the outcome of one with the strength of the material.
+"""Table of the tests to failure of studies, and the comparison of a result with the strength of the material.
 
 A further test needs a record here, the function that runs it, and its name in `bondem.labtests`.
 """
@@ -52,7 +52,7 @@ def _worked(test: AnyTest) -> dict[str, float]:
 def _bend(
     body: Lattice, law: AnyLaw, failure: FailureAssignment, *, density: float, **asked: Any
 ) -> BendingTest:
-    """Bend a beam; a path of equilibria of cells has no density."""
+    """Run `three_point_bending`; density is left out for cells, whose path of equilibria does not depend on it."""
     if not is_cells(body, law):
         asked["density"] = density
     return three_point_bending(body, law, failure, **asked)
@@ -95,7 +95,7 @@ def _spalled(test: SpallTest) -> dict[str, float | None]:
 
 
 def _parted(result: Any, body: Lattice, fracture_energy: float) -> Cracking:
-    """Cracks of an explicit run whose pieces fly apart: only broken facets count."""
+    """Evaluate the cracks of a run in which fragments fly apart, so that only facets of integrity 0 count."""
     energy = result.run.history.energy
     elastic = np.sum([energy[name] for name in ("normal", "shear", "bending", "twisting")], axis=0)
     dissipated, slipped, crushed = dissipated_in(result.run.history)
@@ -123,7 +123,7 @@ def _bending(test: BendingTest) -> dict[str, float]:
 
 
 def _load_curve(test: BendingTest) -> Curve:
-    """CMOD, or the deflection of a plain beam, and load."""
+    """Return the CMOD, or the deflection of a plain beam [m], and the load [N], (k,) each."""
     return (test.deflection if test.cmod is None else test.cmod), test.load
 
 
@@ -217,21 +217,22 @@ def failure_outcome(
 ) -> Outcome:
     """Run a test of `FAILURE_TESTS` and compare its strength with that implied by the material.
 
-    The implied strength is f_t in direct tension, the Brazilian test and the spall test. In compression it follows
-    from the criterion. Bending, the shear test and crushing have no closed form; their theory is NaN. An impact has
-    no strength; its measured value is the share of broken facets [-].
+    The implied strength is f_t in direct tension, the Brazilian test and the spall test. Under smooth platens it
+    follows from the criterion. Bending, the shear test and crushing have no closed form; their theory is NaN. An
+    impact has no strength; its measured value is the share of broken facets [-].
 
     Args:
-        name: name of the test.
+        name: name of the test in `FAILURE_TESTS`, such as "ucs".
         body: specimen of cells or of bonded spheres.
-        law, failure: law and criterion, or mappings by region whose first value is the matrix. Theory is then NaN, as
-            for bonded spheres.
+        law, failure: law and criterion, or mappings by region whose first value is the matrix. Theory is NaN for
+            criteria by region and for bonded spheres.
         density: density of the material [kg/m³].
         options: options of the test by name, in SI.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
-        InputError: an unknown test, or a law or criterion that the test does not support.
+        InputError: an unknown test, or a specimen, law or criterion that the test does not support.
+        UnstableRunError: the run became unstable.
     """
     asked, test = dict(options or {}), FAILURE_TESTS.get(name)
     if test is not None and test.bonded and not is_cells(body, law):
@@ -259,7 +260,7 @@ def _bonded_outcome(
     test: FailureTest, body: Lattice, law: AnyLaw, failure: FailureAssignment, density: float,
     asked: Mapping[str, Any], progress: Callable[[float], None] | None,
 ) -> Outcome:  # fmt: skip
-    """Run a test of bonded spheres, whose strengths follow from those of their bonds in no closed form."""
+    """Run a test of bonded spheres; theory is NaN, as no closed form relates their strength to that of the bonds."""
     result = test.perform(body, law, failure, density=density, progress=progress, **asked)
     cracking = test.cracking(result, body, math.nan)
     details = {"broken bonds [%]": 100.0 * cracking.broken / len(body.pairs), **test.details(result)}

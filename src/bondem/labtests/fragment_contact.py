@@ -7,12 +7,12 @@ import numpy as np
 from bondem._types import Floats
 from bondem.interactions.contact.contact_law import ContactLaw, LinearContact
 
-# Friction between pieces, where no contact law is given [-].
+# Coefficient of friction between fragments if no contact law is given [-].
 _FRICTION = 0.4
 
 
 def fragment_contact(stiffness: float, radius: Floats) -> ContactLaw:
-    """Return a contact law with walls as stiff as the median bond, and a friction of 0.4.
+    """Return a contact law whose wall contacts are as stiff as the median bond, with a friction of 0.4.
 
     Args:
         stiffness: k_n of the median bond or facet [N/m].

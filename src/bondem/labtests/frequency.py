@@ -44,7 +44,7 @@ def dominant_frequency(time: Floats, signal: Floats) -> float:
         )
     frequency, amplitude = spectrum(time, signal)
     duration = float(time[-1] - time[0])
-    # below one cycle a record the window cannot distinguish an oscillation from drift
+    # below one cycle per record the window cannot distinguish an oscillation from drift
     amplitude[frequency * duration < 1.0] = 0.0
     peak = float(frequency[np.argmax(amplitude)])
     weight = np.hanning(len(signal))[:, None]

@@ -1,6 +1,6 @@
-"""Deformation of the middle of a specimen, from displacements by least squares.
+"""Deformation of the middle of a specimen, by least-squares fits to displacements.
 
-The ends of a specimen, where it is held and loaded, deform unevenly. The middle half follows beam theory, so that
+The ends of a specimen, where constraints and loads act, deform unevenly. The middle half follows beam theory, so that
 material parameters are measured there.
 """
 
@@ -29,7 +29,7 @@ class AffineField:
 
     @classmethod
     def fit(cls, position: PerElement3, displacement: PerElement3) -> "AffineField":
-        """Fit the field to all points by least squares with equal weight; shift and spin contain the rigid motion."""
+        """Fit the field to all points with equal weights; `shift` and `spin` are the rigid motion of the points."""
         centre, shift = position.mean(axis=0), displacement.mean(axis=0)
         gradient = np.linalg.lstsq(position - centre, displacement - shift, rcond=None)[0].T
         return cls(centre, shift, gradient)
@@ -53,10 +53,10 @@ class AffineField:
 def at_generators(
     lattice: Lattice, displacement: PerElement3, rotation: PerElement3
 ) -> tuple[PerElement3, PerElement3]:
-    """Move the small motion of elements from their centres of mass to the centres that the packing gave them.
+    """Compute the displacements of the generators of elements, which are the sphere centres of the packing.
 
     A uniform stress moves the generators of cells, and not their centres of mass, by an affine field
-    (docs/cell_law.md). Spheres have both at one point.
+    (docs/cell_law.md). The two points of a sphere coincide.
 
     Args:
         lattice: the specimen.
@@ -90,10 +90,10 @@ def middle_half(lattice: Lattice) -> Ints:
 
 
 def curvature(position: PerElement3, displacement: PerElement3, at: float) -> float:
-    """Curvature dθ_z/dx at x = `at` [rad/m], from u_x alone.
+    """Fit the curvature dθ_z/dx at x = `at` [rad/m] to positions and displacements [m], (n, 3).
 
-    A section rotated by θ about z has the displacement u_x = -y θ. The fit takes θ as a parabola, as under a
-    transverse force.
+    A section rotated by θ about z has the displacement u_x = -y θ, the only component used. θ(x) is fitted as a
+    parabola, which is exact under a transverse end force.
     """
     x, y, z = position.T
     s = (x - at) / np.ptp(x)
@@ -103,7 +103,10 @@ def curvature(position: PerElement3, displacement: PerElement3, at: float) -> fl
 
 
 def twist_rate(position: PerElement3, displacement: PerElement3) -> float:
-    """Twist rate dθ_x/dx [rad/m], from u_y and u_z."""
+    """Fit the twist rate dθ_x/dx [rad/m] to positions and displacements across x [m], (n, 3).
+
+    Rotation and shift of the sections are linear in x.
+    """
     x, y, z = position.T
     s = (x - x.mean()) / np.ptp(x)
     one, none = np.ones_like(s), np.zeros_like(s)
@@ -116,11 +119,11 @@ def twist_rate(position: PerElement3, displacement: PerElement3) -> float:
 
 
 def profile(position: PerElement3, displacement: PerElement3, *, slices: int = 24) -> tuple[Floats, Floats]:
-    """Compute the rigid motion of the cross-sections along x.
+    """Compute the rigid motion of slices along x from positions and displacements [m], (n, 3).
 
     Returns:
-        Mean x of each slice [m], (slices,), and its mean displacement and rotation about x, y and z [m, rad],
-        (slices, 6).
+        Mean x of the k slices with at least six points [m], (k,), and their mean displacements and rotations about x,
+        y and z [m, rad], (k, 6).
     """
     x = position[:, 0]
     edges = np.linspace(x.min(), x.max(), slices + 1)
@@ -135,7 +138,10 @@ def profile(position: PerElement3, displacement: PerElement3, *, slices: int = 2
 
 
 def rigid_motion(position: Floats, displacement: Floats, weight: Floats | None = None) -> Floats:
-    """Mean displacement and least-squares rotation of points [m, rad], (6,); equal weights by default."""
+    """Fit a rigid motion to points: weighted mean displacement and least-squares rotation [m, rad], (6,).
+
+    Positions and displacements [m] have shape (n, 3), weights (n,); None for equal weights.
+    """
     share = np.full(len(position), 1.0 / len(position)) if weight is None else weight / weight.sum()
     shift = share @ displacement
     arm = position - share @ position

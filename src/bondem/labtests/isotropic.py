@@ -1,4 +1,4 @@
-"""Elastic moduli of a stiffness matrix: its isotropic average (Voigt's), and by direction."""
+"""Elastic moduli of a stiffness matrix: its isotropic (Voigt) average, and Young's modulus by direction."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -10,7 +10,7 @@ from bondem._types import Floats
 
 #: Components of a tensor in a matrix of moduli: xx, yy, zz, yz, xz, xy.
 VOIGT = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
-# Steps of a turn in which moduli by direction are drawn.
+# Number of directions over half a turn at which moduli are drawn.
 _DIRECTIONS = 181
 
 
@@ -46,7 +46,7 @@ class Isotropic:
 
 
 class StiffnessResult(Plotted):
-    """Result with a stiffness matrix."""
+    """Elastic result with a stiffness matrix, and the moduli that follow from it."""
 
     if TYPE_CHECKING:
 
@@ -63,9 +63,9 @@ class StiffnessResult(Plotted):
 
     @property
     def drawn(self) -> dict[str, Floats]:
-        """Young's moduli [Pa] by direction in the three planes of coordinates.
+        """Young's moduli by direction in the three coordinate planes [Pa], (181,) each, over the angle [degree].
 
-        With the compliance S and the direction n, 1 / E = s·S s, where s holds the components of n⊗n.
+        With the compliance S and the direction n, 1 / E = s·S s, where s are the components of the stress n⊗n.
         """
         S, angle = np.linalg.inv(self.stiffness), np.linspace(0.0, np.pi, _DIRECTIONS)
         found = {"angle in the plane [degree]": np.degrees(angle)}

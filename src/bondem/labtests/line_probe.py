@@ -6,12 +6,12 @@ from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.geometry.shape import Shape
 
-# Points in which a line is first looked at, and how often the stretch between two is then halved.
+# Number of sample points on a line, and of bisections between two of them.
 _POINTS, _HALVINGS = 2000, 40
 
 
 def walls_along(shape: Shape, start: Floats, end: Floats) -> tuple[bool, Floats]:
-    """Find the intersections of a line with the walls of a shape.
+    """Find the intersections of a line with the walls of a shape; walls closer than 1/2000 of it may be missed.
 
     Args:
         shape: shape with walls.

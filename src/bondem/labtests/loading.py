@@ -1,4 +1,4 @@
-"""Slow loading of a specimen of cells along x to failure, between smooth or rough platens."""
+"""Slow loading of a specimen of cells along x between smooth or rough platens, to failure."""
 
 from dataclasses import dataclass
 
@@ -20,9 +20,8 @@ class Loading:
 
     Attributes:
         sign: 1 for tension, -1 for compression.
-        expected: stress at the peak [Pa].
-        reach: limit of the strain [-], in addition to `opening`.
-        opening: limit of the opening of a crack [m].
+        expected: expected stress at the peak [Pa].
+        reach, opening: limit of the motion, reach · length + opening: a strain [-], and an opening of a crack [m].
         ending: share of the peak stress at which the test ends [-].
         pressure: confining pressure on the sides [Pa].
         traverses: number of passes of sound along the specimen before the expected peak [-].
@@ -47,7 +46,7 @@ def load_to_failure(
     loading: Loading,
     options: RunOptions,
 ) -> StrengthTest:
-    """Load a specimen slowly between platens until it has failed.
+    """Load a specimen of cells slowly between platens at x_min and x_max until it has failed.
 
     Raises:
         InputError: a lattice without cells, or a shape without faces x_min and x_max.
@@ -74,7 +73,7 @@ def load_to_failure(
 
 
 def _platens(body: Lattice, loading: Loading, speed: float, begin: float) -> list[BoundaryCondition]:
-    """Conditions of the platens and of the pressure on the sides."""
+    """Create the boundary conditions of the platens, and the pressure on the other faces if there is one."""
     rough = loading.friction or None
     sides = [name for name in body.particles.envelope.faces if name not in ("x_min", "x_max")]
     found: list[BoundaryCondition] = [

@@ -53,8 +53,8 @@ def natural_frequencies(
     """Compute the first axial, bending and torsional frequency by `solve_modes`.
 
     The effective mass identifies the modes: the first axial and torsional modes have 81 % of the total mass, the
-    first pair of bending modes 61 %. The bending frequency along y is the mean of the pair, weighted with the
-    effective mass along y.
+    first pair of bending modes 61 %. The square of the bending frequency is the mean of the squares over the pair,
+    weighted with the effective mass along y.
 
     Args:
         lattice: the specimen.
@@ -64,7 +64,8 @@ def natural_frequencies(
         depth: depth of the clamped face region, in mean radii [-].
 
     Raises:
-        InputError: a kind of mode is missing among the computed modes.
+        EmptyRegionError: the face x_min has no connected element.
+        InputError: a kind of mode is missing among the computed modes, or a value is out of range.
     """
     density = constant("density", density)
     check("natural_frequencies", lattice, density=density, depth=depth)
@@ -87,7 +88,7 @@ def natural_frequencies(
 
 
 def _effective_mass(model: Model, shape: Floats) -> Floats:
-    """Effective masses (φ·M r)² / (φ·M φ · r·M r) of rigid motions r along x, y, z and about x, (count, 4)."""
+    """Effective mass shares (φ·M r)² / (φ·M φ · r·M r), (count, 4), for motions r along x, y, z and about x."""
     lattice = model.lattice
     moving = lattice.connected
     y, z = (lattice.centre - lattice.centre[moving].mean(axis=0))[:, 1:].T

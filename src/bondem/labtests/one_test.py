@@ -1,4 +1,4 @@
-"""Results that add to those of one test to failure."""
+"""Base class of results that extend the result of one test to failure."""
 
 from dataclasses import dataclass
 
@@ -11,11 +11,7 @@ from bondem.model.state import State
 
 @dataclass(frozen=True, eq=False)
 class OfOneTest(PlottedState):
-    """A result whose curve, cracks and state are those of its test.
-
-    Attributes:
-        test: result of the test to failure.
-    """
+    """Result whose curve, cracks and state are those of `test`, the result of a test to failure."""
 
     test: StrengthTest
 
@@ -26,7 +22,7 @@ class OfOneTest(PlottedState):
 
     @property
     def cracking(self) -> Cracking:
-        """Cracks and pieces, and the energy that they dissipated."""
+        """Cracks and pieces of the broken specimen, and the dissipated energy."""
         return self.test.cracking
 
     @property

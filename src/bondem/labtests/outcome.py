@@ -10,7 +10,7 @@ from bondem._types import Floats
 from bondem.labtests.cracking import Cracking
 from bondem.model.state import State
 
-# Columns of elastic tests: keys of `Outcome.curves`, in groups of one length, by the ending of the names of files.
+# Tables of elastic tests: ending of the file name, then key in `Outcome.curves` and label of each column.
 _SIGNALS = (
     ("", (("x", "x [m]"), ("profile", "motion of the section [m or rad]"))),
     ("", (("time", "time [s]"), ("near", "velocity of struck face [m/s]"), ("far", "velocity of far face [m/s]"))),
@@ -26,8 +26,8 @@ class Outcome(Plotted):
     Attributes:
         name: name of the test, as in `results.json`.
         measured: measured value [unit].
-        theory: value of beam theory with the paper's lengths (eq 12), Euler–Bernoulli for bending [unit]; NaN without
-            theory.
+        theory: theoretical value [unit]: the strength of the material, or beam theory with L_M of eq (12) of André et
+            al. (2012), Euler–Bernoulli's for bending; NaN without one.
         unit: SI unit of measured and theoretical values.
         theory_timoshenko: theoretical value with shear deformation [unit], or None.
         theory_refined: theoretical value with the lengths between the clamped, loaded and measured elements and the
@@ -37,8 +37,7 @@ class Outcome(Plotted):
         axes: names and units of "strain" and "stress" in the curves of tests to failure.
         told: further numbers for the report, keyed by name with unit.
         cracking: cracks and pieces of the broken specimen and the energy that they dissipated, for tests to failure.
-        energy: energy balance along the curve, `labtests.energy_balance.energy_ledger`, for tests to failure [J],
-            (k,) each.
+        energy: energy balance along the curve of tests to failure [J], (k,) each, by `energy_ledger`.
     """
 
     name: str
@@ -55,7 +54,7 @@ class Outcome(Plotted):
 
     @property
     def tables(self) -> dict[str, dict[str, Floats]]:
-        """Curves as columns by name and unit, in tables by the ending of their file names; none without curves."""
+        """Curves as tables of columns by name and unit, each under the ending of its file name."""
         found: dict[str, dict[str, Floats]] = {}
         if "strain" in self.curves:
             curve = dict(zip(self.axes, (self.curves["strain"], self.curves["stress"]), strict=True))

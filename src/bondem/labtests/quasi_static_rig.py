@@ -1,4 +1,4 @@
-"""Slow loading of a specimen between two sides to failure: common parts of all tests to failure."""
+"""Slow loading of a specimen between two sides to failure: common parts of the quasi-static tests."""
 
 import math
 from collections.abc import Callable, Mapping
@@ -33,11 +33,11 @@ from bondem.specimen.material import Material, constant
 
 # Share of critical damping of the first axial vibration; brings broken parts to rest.
 _DAMPING = 0.05
-# Records of a test, of which the slope of its curve and its peak are read.
+# Number of records of a test, from which the slope and the peak of its curve are evaluated.
 _RECORDS = 400
-#: The density of a test where none is given [kg/m³]. Nothing depends on it, as speeds are shares of that of sound.
+#: Default density of a test [kg/m³]. Results do not depend on it, as speeds are shares of the speed of sound.
 DENSITY = 2000.0
-# Between these shares of the peak a curve is straight.
+# Shares of the peak between which a curve is assumed straight.
 _STRAIGHT = (0.1, 0.5)
 # Share of the time until the expected peak in which the speed of the walls grows.
 _BEGIN = 0.2
@@ -49,16 +49,16 @@ class StrengthTest(PlottedState):
 
     Attributes:
         peak: largest stress [Pa], positive in tension and in compression; the test defines its section.
-        E: slope of the curve between a tenth and half of the peak [Pa], or the modulus that the test derives from it.
+        E: slope of the stress over the strain of the curve, or over that of a gauge, between a tenth and half of the
+            peak [Pa]. Some tests derive a modulus from it.
         curve: strain [-] and stress [Pa] of each record, positive along the load, shape (k, 2).
-        work: work of the platens until the end, per area of the broken section [J/m²].
+        work: work of platens and loads until the end, per area of the broken section [J/m²].
         asymmetry: largest difference of the forces on both platens until the peak, over the peak [-].
         unbalance: root mean square of that difference until the peak, over the peak [-], near 0 for quasi-static
             loading. Single breaks of brittle bonds raise `asymmetry` at any speed, but hardly this.
         kinetic: largest kinetic energy up to the peak over the elastic energy at the peak [-].
         residual: error of the energy balance over its largest term [-].
-        cracking: cracks and pieces, and the dissipated energy; `cracking.single` is True where the work is that
-            of one crack.
+        cracking: cracks and pieces, and the dissipated energy; `cracking.single` is True if one crack dissipated it.
         run: result of the explicit run.
     """
 
@@ -103,8 +103,8 @@ class Rig:
         ending: share of the peak at which the test ends [-].
         traverses: number of passes of sound before the expected peak [-].
         model: function of the signed speed of the far side [m/s] and its rise time [s] that returns the model.
-        gauge: strain gauge whose strains give that for the slope E, by `strain`; None for the motion over `length`.
-        strain: function of normal strains (k, 3) that returns the strain for the slope E [-], (k,).
+        gauge: strain gauge for the slope E; None to use the motion over `length`.
+        strain: function of normal strains of the gauge, (k, 3), that returns the strain for the slope E [-], (k,).
         more: further gauges, by name.
         least: share of the expected stress that a peak must exceed [-].
         records: number of records until the limit of the motion.
@@ -132,7 +132,7 @@ class Rig:
 
     @property
     def _sides(self) -> dict[str, tuple[AnyGauge, float]]:
-        """Gauges of the forces on both sides, with the sign by which each is a force of supports on the specimen."""
+        """Gauges of the forces on both sides by name, each with the sign that gives the force on the specimen."""
         found: dict[str, tuple[AnyGauge, float]] = {}
         for side, gauges in (("near", self.near), ("far", self.far)):
             for k, gauge in enumerate(gauges):
@@ -142,7 +142,7 @@ class Rig:
 
     @property
     def gauges(self) -> dict[str, AnyGauge]:
-        """Gauges of the forces on both sides, of the strain where there is one, and further ones."""
+        """Gauges of the run by name: forces on both sides, strain if it is measured, and further ones."""
         found = {name: gauge for name, (gauge, _) in self._sides.items()}
         return (found if self.gauge is None else found | {"strain": self.gauge}) | dict(self.more)
 
@@ -166,7 +166,7 @@ class Rig:
 
 
 def softening_of(test: str, failure: object, wanted: str) -> Softening:
-    """Softening of a material; for criteria by region that of the first one, the matrix.
+    """Return the softening law of a criterion; for criteria by region that of the first one, the matrix.
 
     Raises:
         InputError: no criterion, or one without a required fracture energy.
@@ -180,7 +180,7 @@ def softening_of(test: str, failure: object, wanted: str) -> Softening:
 
 
 def softenings_of(test: str, body: Lattice, failure: FailureAssignment, wanted: str) -> tuple[Softening, ...]:
-    """Softening of all materials of a body, the matrix first.
+    """Return the softening laws of all criteria that apply to a part of a body, the matrix first.
 
     Raises:
         InputError: no criterion, or one without a required fracture energy.
@@ -195,8 +195,7 @@ class Moduli:
     """Averages of Young's modulus over the cells of a body, weighted by volume.
 
     Attributes:
-        stiff: arithmetic mean [Pa], an upper bound of the modulus of the specimen and thus a lower bound of its
-            strain.
+        stiff: arithmetic mean [Pa], an upper bound of the modulus of the specimen.
         soft: harmonic mean [Pa], a lower bound of the modulus of the specimen.
         sound: (mean of E^-1/2)^-2 [Pa]; √(sound / ρ) is the speed of sound through all cells in series.
     """
@@ -207,13 +206,13 @@ class Moduli:
 
     @classmethod
     def of(cls, test: str, body: Lattice, law: CellAssignment, density: float) -> "Moduli":
-        """Compute the averages of a body; `require_cells` lists the errors."""
+        """Compute the averages for a body of cells with a given density [kg/m³]; errors as for `require_cells`."""
         matrix = require_cells(test, body, law, density)
         if not isinstance(law, Mapping):
             return cls(matrix.E, matrix.E, matrix.E)
         cells = Model(body, law, DENSITY).cell_constants
         E = cells.G * (3.0 * cells.lame + 2.0 * cells.G) / (cells.lame + cells.G)
-        if len(set(E.tolist())) == 1:  # one material, by other names: no digit is to differ
+        if len(set(E.tolist())) == 1:  # one modulus under several keys: exactly as given, without rounding
             return cls(matrix.E, matrix.E, matrix.E)
         share = cells.volume / cells.volume.sum()
         return cls(float(share @ E), float(1.0 / (share @ (1.0 / E))), float((share @ E**-0.5) ** -2.0))
@@ -240,18 +239,18 @@ class RunOptions:
         cls, density: float | Material | None, traverses: float | None, out: str | Path | None,
         progress: Callable[[float], None] | None,
     ) -> "RunOptions":  # fmt: skip
-        """Return the options of a test; the density is `DENSITY` unless given."""
+        """Create the options of a test from its arguments; the density is `DENSITY` for None."""
         given = constant("density", density)
         return cls(DENSITY if given is None else given, traverses, out, progress)
 
     def check_traverses(self, test: str) -> None:
-        """Raise InputError for less than one pass of sound."""
+        """Raise InputError if `traverses` is below one pass of sound."""
         if self.traverses is not None:
             number(f"labtests.{test}", "traverses", self.traverses, least=1.0, advice="a number of at least 1")
 
 
 def require_cells(test: str, body: Lattice, law: object, density: float = DENSITY) -> CellBond:
-    """Check a body of cells, its law and a density.
+    """Check a body of cells, its law and a density [kg/m³].
 
     Returns:
         The cell law; for laws by region the first one, of the matrix.
@@ -280,7 +279,7 @@ def run_to_failure(
     rig: Rig,
     options: RunOptions,
 ) -> StrengthTest:
-    """Load a body of cells slowly until it has failed; `run_test` lists the errors."""
+    """Load a body of cells slowly until it has failed, with mass damping; errors as for `run_test`."""
     sound = math.sqrt(Moduli.of(test, body, law, options.density).sound / options.density)
     damping = MassDamping(alpha=2.0 * _DAMPING * math.pi * sound / rig.size)
     G = softening_of(test, failure, "a criterion with its fracture_energy").fracture_energy
@@ -297,7 +296,7 @@ def load_rig(
     G: float,
     options: RunOptions,
 ) -> StrengthTest:
-    """Load a specimen in a rig until it has failed; `run_test` lists the errors.
+    """Load a specimen in a rig until it has failed; errors as for `run_test`.
 
     Args:
         test: name of the calling function.
@@ -324,7 +323,7 @@ def load_rig(
 
 
 def straight_part(load: Floats) -> Ints:
-    """Return the records before the peak in which a load is between a tenth and half of it, (k,)."""
+    """Return the indices of the records before the peak with a load between a tenth and half of it, (k,)."""
     top = int(np.argmax(load))
     low, high = (share * load[top] for share in _STRAIGHT)
     return np.flatnonzero((np.arange(len(load)) < top) & (load > low) & (load < high))

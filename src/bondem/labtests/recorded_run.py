@@ -17,16 +17,16 @@ from bondem.run import solve_explicit
 
 Result = TypeVar("Result")
 
-# Checkpoints and snapshots of a test that takes the longest possible time, and the least number of steps between two.
+# Number of checkpoints and snapshots in the longest duration of a test, and least number of steps between two.
 _SAVES, _STEPS = 40, 20
-# Records without which there is no curve.
+# Least number of records of a curve.
 _LEAST = 3
 
 
 def step_of(model: Model, *, damping: AnyDamping | None = None, softening: float = 0.45) -> float:
-    """Return the step of a laboratory test [s]: 0.9 of the critical one, or `softening` of it where facets soften.
+    """Return the time step of a test [s]: 0.9 times the critical step, or `softening` times it if the model softens.
 
-    Cracks that open fast and slip have an energy error of second order: a quarter of it is left at half the step.
+    Cracks that open fast and slip have an energy error of second order, so that half the step gives a quarter of it.
     """
     safety = 0.9 if model.softening is None else softening
     return choose_step(model, VelocityVerlet(), None, safety=safety, damping=damping).dt
@@ -43,17 +43,17 @@ def run_test(
     dt: float | None = None,
     **options: Any,
 ) -> Result:
-    """Carry out the run of a test and evaluate it.
+    """Carry out the run of a test and evaluate it by the function `read`.
 
     Args:
         test: name of the calling function.
         model: specimen and loading.
         read: function of the run that returns the result of the test.
         duration: longest duration of the run [s].
-        every: steps between records.
+        every: number of steps between records.
         out: run file with checkpoints and snapshots. A file of this very test is continued, or evaluated if the test
             is complete. None for no file.
-        dt: time step [s]; None for 0.9 times the critical step.
+        dt: time step [s]; None for that of `step_of`.
         **options: further options of `solve_explicit`.
 
     Raises:
@@ -76,7 +76,7 @@ def run_test(
 
 
 def _so_far(read: Callable[[ExplicitResult], Result], run: ExplicitResult) -> Result | None:
-    """Evaluate an interrupted run; None if it was too short for that."""
+    """Evaluate an interrupted run; None if it was too short."""
     if len(run.history) < _LEAST:
         return None
     try:

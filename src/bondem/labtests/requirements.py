@@ -6,30 +6,25 @@ from dataclasses import dataclass
 from bondem.geometry.elementary_shapes import Ball, BoundingBox, Box, Cylinder
 from bondem.geometry.shape import Cut, Shape
 
-# Names of the faces that the cuts of specimens have; and of a specimen that is no bar either.
+# Names of the faces of cuts that specimens may have, and the name of a specimen without a bar axis.
 NOTCH, BORING, BALL = "notch", "boring", "ball"
 
 
 @dataclass(frozen=True)
 class Requirements:
-    """Specimens that a test needs.
-
-    Attributes:
-        fits: True for a suitable shape.
-        advice: key of a study that gives one.
-    """
+    """Specimens that a test needs: `fits` is True for a suitable shape, `advice` names the key of a study for one."""
 
     fits: Callable[[Shape], bool]
     advice: str
 
 
 def broken_only(shape: Shape) -> str | None:
-    """Reason why a specimen has no tension test: `NOTCH`, `BORING` or `BALL`; None for others."""
+    """Return the reason why a shape has no tension test, `NOTCH`, `BORING` or `BALL`; None for other shapes."""
     return BALL if isinstance(shape, Ball) else cut_as(shape)
 
 
 def cut_as(shape: Shape) -> str | None:
-    """Cut of a specimen, `NOTCH` or `BORING`; None for an uncut specimen or other cuts."""
+    """Return the cut of a shape, `NOTCH` or `BORING`; None for an uncut shape or other cuts."""
     return shape.name if isinstance(shape, Cut) and shape.name in (NOTCH, BORING) else None
 
 

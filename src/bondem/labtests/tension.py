@@ -59,7 +59,7 @@ class Tension(Plotted):
 
     @property
     def drawn(self) -> dict[str, Floats]:
-        """Young's moduli."""
+        """Young's modulus by the affine fit and by eq (14) [Pa]."""
         return {name: self.table[name] for name in ("E [Pa]", "E by eq (14) [Pa]")}
 
     @property
@@ -88,7 +88,7 @@ def static_tension(
 
     Raises:
         EmptyRegionError: a face has no connected element.
-        InputError: fewer than 12 elements in the middle half.
+        InputError: fewer than 12 elements in the middle half, or a value out of range.
 
     Warns:
         ShortSpecimenWarning: the specimen has no cells and is shorter than wide.
@@ -108,7 +108,7 @@ def static_tension(
 
 
 def tension_model(lattice: Lattice, law: AnyLaw, *, stress: float = 1e6, depth: float = 0.02) -> Model:
-    """Create the model of a tension test: a free specimen under two forces; see `static_tension`."""
+    """Create the model of `static_tension`, a free specimen under two forces of a given stress [Pa] on its ends."""
     force = stress * lattice.particles.envelope.section()
     pull = [(Face("x_max", depth), force), (Face("x_min", depth), -force)]
     loads = [Load(face, force=(along, 0.0, 0.0)) for face, along in pull]
@@ -118,7 +118,7 @@ def tension_model(lattice: Lattice, law: AnyLaw, *, stress: float = 1e6, depth: 
 def tension_of(
     statics: Statics, *, stress: float = 1e6, depth: float = 0.02, guess: StaticResult | None = None
 ) -> Tension:
-    """Evaluate the tension test of a `tension_model`, whose statics may serve for further loads."""
+    """Solve and evaluate the tension test of a `tension_model` with a given stress [Pa], from an initial `guess`."""
     model = statics.model
     lattice = model.lattice
     solution = statics.equilibrium(guess=guess)
@@ -142,9 +142,9 @@ def tension_of(
 def force_gyration(model: Model, solution: StaticResult) -> Floats:
     """Squared radii of gyration of the axial force in the section, ⟨y²⟩ and ⟨z²⟩ about its centre [m²], (2,).
 
-    The mean is over the bonds in the middle half of the length, weighted with axial force times extent along x. A
-    homogeneous section gives I/S. A section with a soft skin gives less, and is more flexible in bending by the
-    ratio. For cells the mean is over the cells, weighted with mean axial stress times volume.
+    The mean is over the bonds in the middle half of the length, weighted with axial force times extent along x. For
+    cells it is over the cells, weighted with mean axial stress times volume. A homogeneous section gives I/S. A
+    section with a soft skin gives less, and its bending stiffness is lower in the same ratio.
     """
     lattice = model.lattice
     if model.interaction.on_facets:
@@ -178,7 +178,10 @@ def static_bond_forces(model: Model, solution: StaticResult) -> Floats:
 def _paper_moduli(
     model: Model, solution: StaticResult, field: AffineField, force: float, depth: float
 ) -> tuple[float, float | None]:
-    """Moduli E_M and ν_M of eqs (12)-(15) without rigid motion; for cells from the motion of the surface."""
+    """Compute E_M [Pa] and ν_M [-] of eqs (12)-(15) of André et al. (2012), from motions less the rigid motion.
+
+    For cells they follow from the motion of the surface. ν_M is None for a shape without a face "side".
+    """
     lattice = model.lattice
     faces = specimen_faces(lattice, depth)
     place, displacement, outside = faces.outside(model, solution)

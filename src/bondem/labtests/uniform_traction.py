@@ -90,7 +90,7 @@ def uniform_stress(lattice: Lattice, law: AnyLaw, *, depth: float = 0.02) -> Uni
 
 
 def _nodal(lattice: Lattice, owner: np.ndarray, centre: Floats, force: Floats) -> PerElement6:
-    """Balanced forces and moments on the elements from the forces on patches [N, N·m], (n, 6)."""
+    """Sum up the forces on patches [N], (p, 3), as balanced forces and moments on the elements [N, N·m], (n, 6)."""
     position = lattice.centre
     values = np.hstack([force, np.cross(centre - position[owner], force)])
     load = np.zeros((len(position), 6))

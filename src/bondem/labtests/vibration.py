@@ -27,8 +27,8 @@ from bondem.specimen.material import Material, constant
 from bondem.specimen.regions import Face
 from bondem.statics.static import solve_static
 
-# Steps between records: a wave crosses less than an element radius a step, so no first mode has fewer than a
-# dozen samples a period.
+# Steps between records: a wave crosses less than an element radius per step, so that a first mode has at least a
+# dozen samples per period.
 RECORD_INTERVAL = 8
 _AT_ONCE = Constant(1.0)
 
@@ -39,8 +39,8 @@ class FreeVibration(Plotted):
 
     Attributes:
         time: time of each record [s], (s,).
-        signal: mean displacement along x ("tension") and y ("bending") [m] and mean rotation about x ("torsion")
-            [rad] of the elements at x_max, each (s,).
+        signal: motion of the elements at x_max, (s,) each: mean displacement along x ("tension") and y ("bending")
+            [m], and mean rotation about x ("torsion") [rad].
         energy: terms of the energy balance, `History.energy` [J], each (s,).
         energy_error: largest error of the energy balance over the energy at release [-].
         dt: time step [s].
@@ -101,8 +101,8 @@ def free_vibration(
     """Load a clamped specimen, release it and record its vibration.
 
     The run starts at rest from the static equilibrium under an axial force, a transverse force and a moment about x,
-    the limit of the paper's slow ramp. The loads are removed at t = 0. Amplitudes are so small that the three motions
-    do not interact.
+    the limit of the slow ramp of André et al. (2012). The loads are removed at t = 0. Amplitudes are so small that
+    the three motions do not interact.
 
     Args:
         lattice: the specimen.
@@ -114,8 +114,7 @@ def free_vibration(
         periods: number of periods of the bending mode, the slowest one [-].
         stress: approximate stress from each load [Pa].
         depth: depth of the two face regions, in mean radii [-].
-        out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was
-            killed or interrupted, and evaluates a complete one; None for no file.
+        out: run file (HDF5) from which the same call resumes a test or evaluates a complete one; None for no file.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
@@ -144,23 +143,28 @@ def free_vibration(
 def combined_load(
     section: CrossSection, *, stress: float, depth: float, schedule: Schedule = _AT_ONCE
 ) -> Load:
-    """Load of the face x_max: an axial force, a transverse force and a moment about x, each with a stress of about
-    `stress` [Pa].
+    """Create a load of the face x_max: an axial force, a transverse force and a moment about x.
+
+    Each gives a largest stress of about `stress` [Pa] in a bar eight radii long. `depth` is in mean radii [-].
     """
-    # a bar 8 radii long is some 30 times softer across than along, so the transverse force is taken smaller
+    # in a bar 8 radii long, a transverse force gives 32 times the stress of an equal axial force
     force = (stress * section.area, 0.05 * stress * section.area, 0.0)
     moment = (stress * section.torsion_constant / section.area**0.5, 0.0, 0.0)
     return Load(Face("x_max", depth), force=force, moment=moment, schedule=schedule)
 
 
 def end_gauges(depth: float) -> dict[str, Gauge]:
-    """Return gauges of the mean displacement [m] and rotation [rad] of the face x_max."""
+    """Create the gauges "shift" and "turn" of the mean displacement [m] and rotation [rad] of the face x_max."""
     end = Face("x_max", depth)
     return {"shift": Gauge(end, "displacement"), "turn": Gauge(end, "rotation")}
 
 
 def recorded_vibration(run: ExplicitResult, released: float, energy: float) -> FreeVibration:
-    """Return the motion of a run with `end_gauges`; time of release [s] and energy at release [J] are given."""
+    """Evaluate a run with `end_gauges`, from the time of release [s] and the energy at release [J].
+
+    Raises:
+        UnstableRunError: the run became unstable.
+    """
     if run.status.failed:
         raise UnstableRunError(run.message)
     history = run.history

@@ -22,7 +22,7 @@ from bondem.specimen.regions import Face
 
 @dataclass(frozen=True, eq=False)
 class Wave:
-    """Velocities after a strike; those along x are positive towards the far face, x_min.
+    """Velocities after a strike; `near`, `far` and `sections` are along x, positive towards the far face, x_min.
 
     Attributes:
         time: time of each step [s], (s,).
@@ -30,7 +30,7 @@ class Wave:
         far: mean velocity of the elements at x_min [m/s], (s,).
         place: middle of each slice of the specimen along x [m], (b,).
         sections: mean velocity of the connected elements of each slice [m/s], (s, b); NaN for empty slices.
-        snapshots: time [s] and velocity of every element along x, y and z [m/s], (n, 3).
+        snapshots: pairs of a time [s] and the velocity of every element along x, y and z [m/s], (n, 3).
     """
 
     time: Floats
@@ -67,11 +67,12 @@ def strike(
         slices: number of slices along x for `Wave.sections`.
         moments: times of the snapshots [s]; each is taken at the nearest step.
         depth: depth of the two face regions, in mean radii [-].
-        out: run file, which excludes slices and moments; see `run_test`.
+        out: run file as for `run_test`, without slices and moments, which it does not contain; None for no file.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
-        UnstableRunError: the velocity is too high for the time step.
+        UnstableRunError: the run became unstable.
+        RunInterrupted: Ctrl-C was pressed; its `.result` has the velocities so far.
     """
     near, far = Face("x_max", depth), Face("x_min", depth)
     model = Model(lattice, law, density=density, boundary=[Drive(near, vx=-velocity)] if held else [])
@@ -122,12 +123,12 @@ def strike(
 
 
 def first_passage(time: Floats, signal: Floats, level: float) -> float:
-    """Time at which a signal first passes a level, interpolated between samples [s].
+    """Compute the time at which a signal first reaches a level, interpolated between samples [s].
 
     Args:
         time: sample times [s], (s,).
         signal: samples, (s,).
-        level: level above the first sample.
+        level: level above the first sample, in the unit of the signal.
 
     Raises:
         InputError: the signal never reaches the level.

@@ -1,6 +1,4 @@
-"""Table [aggregates] of a study: coarse aggregates in a matrix, which is the material of the study, and their
-interface.
-"""
+"""Table [aggregates] of a study: aggregates in a matrix, which is the material of the study, and their interface."""
 
 import math
 from dataclasses import dataclass, replace
@@ -18,7 +16,7 @@ from bondem.specimen.regions import Everything
 from bondem.study.failure import read_failure
 from bondem.study.toml_table import TomlTable
 
-# Between the surfaces of two aggregates, over the size of a cell, unless given: one layer of matrix at least.
+# Default gap between two aggregates over the size of a cell, so that at least one layer of matrix fits in.
 _GAP = 1.2
 
 
@@ -66,7 +64,7 @@ class AggregatePlan:
         return _GAP * math.cbrt(shape.volume / count) if self.gap is None else self.gap
 
     def placed(self, shape: Shape, count: int, seed: int) -> Aggregates:
-        """Place the aggregates of a packing.
+        """Place the aggregates of a packing of `count` cells in a shape.
 
         Raises:
             InputError, PackingError: there is no room for the aggregates.
@@ -74,11 +72,11 @@ class AggregatePlan:
         return aggregates(shape, self.sieve, fraction=self.fraction, gap=self._gap(shape, count), seed=seed)
 
     def laws(self, matrix: CellBond, balls: Aggregates) -> AnyLaw:
-        """Cell laws of a body with these aggregates, by region, the matrix first."""
+        """Assign the cell laws of matrix and aggregates by region, the matrix first."""
         return {Everything(): matrix, balls: replace(matrix, E=self.E, nu=self.nu)}
 
     def criteria(self, matrix: Criterion, balls: Aggregates) -> FailureAssignment:
-        """Failure criteria of a body with these aggregates, by region, the matrix first."""
+        """Assign the failure criteria of matrix, aggregates and interface by region, the matrix first."""
         own, between = self.failure or matrix, self.interface or matrix
         return {Everything(): matrix, balls: own, (balls, balls.matrix): between}
 
@@ -103,7 +101,7 @@ class AggregatePlan:
 
 
 def read_aggregates(table: TomlTable) -> AggregatePlan:
-    """Read the aggregates of a table.
+    """Read the plan of the aggregates from its table.
 
     Raises:
         StudyError: a key that is unknown, missing or out of range.

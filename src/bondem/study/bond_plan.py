@@ -22,7 +22,7 @@ from bondem.specimen.particles import Particles
 from bondem.study.failure import CRITERIA
 from bondem.study.toml_table import TomlTable
 
-# Share of the volume that spheres fill.
+# Share of the volume that packed spheres fill [-].
 _FILLED = 0.63
 
 
@@ -33,12 +33,13 @@ class BondPlan:
     Attributes:
         law: class of the bond law to calibrate; None for the one recommended for the material, as in `bd.calibrate`.
         nu_mu: Poisson's ratio of the bonds [-].
+        radius_rule: mean radius to which the radius of a bond refers, as for `BondLaw`.
         tolerance: largest gap of a bond, over R̄ [-]; None if `reach` is given.
         reach: largest length of a bond, over Ri + Rj [-], or None.
-        of_cells: True for a body of cells (class attribute, as those below).
-        words: elements and bonds, plural.
-        neighbours: bonds per element: spheres that touch (z = 6.2), or cells with a facet in common.
-        memory: peak memory of an element, of cells as measured at a million (docs/validation/cost.md) [bytes].
+        of_cells: True for a body of cells; class attribute, like the following ones.
+        words: plural nouns for elements and bonds.
+        neighbours: estimated number of bonds per element, half the coordination number [-].
+        memory: estimated peak memory per element [bytes]; for cells measured in docs/validation/cost.md.
     """
 
     of_cells: ClassVar[bool] = False
@@ -53,7 +54,7 @@ class BondPlan:
     reach: float | None = None
 
     def connect(self, particles: Particles) -> Lattice:
-        """Return the body of a packing."""
+        """Connect the particles of a packing by bonds, or as cells by facets."""
         return connect(particles, tolerance=self.tolerance, reach=self.reach)
 
     def require_law(self, material: Material) -> None:
@@ -64,33 +65,33 @@ class BondPlan:
     def of_material(
         self, material: Material, lattices: tuple[Lattice, ...], on_stage: Callable[[str, float], None]
     ) -> Bonding:
-        """Return the bonds of a material, with the law calibrated to its E, ν and ρ on some packings."""
+        """Calibrate the law to E, ν and ρ of a material on some packings; `on_stage` gets stage and share."""
         on_stage("calibrate", 0.0)
         fit = calibrate(lattices, material, law=self.law, nu_mu=self.nu_mu, radius_rule=self.radius_rule)
         on_stage("calibrate", 1.0)
         return Bonding(law=fit.law, density=fit.density, fit=fit)
 
     def size(self, volume: float) -> float:
-        """Return the size of an element [m], given its share in the volume of the body [m³]."""
+        """Return the size of an element [m] from the volume of the body per element [m³]."""
         return (6.0 * _FILLED * volume / math.pi) ** (1.0 / 3.0)
 
     def described(self, calibrating: int) -> str:
-        """Describe the law and the number of packings on which it is calibrated."""
+        """Return a text on the law and the number of packings on which it is calibrated."""
         law = self.law.__name__ if self.law is not None else "recommended for ν"
         return f"{law}, calibrated on {calibrating} packing{'s' * (calibrating > 1)}"
 
     def heading(self, packings: int, specimen: Mapping[str, Any]) -> list[str]:
-        """Return lines about the specimens of a study from its results."""
+        """Return lines of text on the specimens of a study, from "specimen" of its results."""
         return [
             f"packings: {packings} of {specimen['elements']} elements",
             f"  z = {specimen['coordination_number']:.3f}, φ = {specimen['volume_fraction']:.4f}",
         ]
 
     def require_calibrated(self) -> None:
-        """Raise StudyError if the law is not calibrated."""
+        """Raise StudyError for a law without calibration, so that [calibration] must not be given."""
 
     def require_criterion(self, failure: Criterion, tests: list[str]) -> None:
-        """Raise StudyError for a criterion of cells, or tests to failure of cells only."""
+        """Raise StudyError for a criterion or a test to failure that bonds of spheres do not support."""
         if not isinstance(failure, BondCriterion):
             raise StudyError(
                 f'\'failure.criterion\' = "{type(failure).__name__}" is one of cells; set law = "CellBond" in [bond],'
@@ -128,7 +129,7 @@ class CellPlan(BondPlan):
     def of_material(
         self, material: Material, lattices: tuple[Lattice, ...], on_stage: Callable[[str, float], None]
     ) -> Bonding:
-        """Return the law with E and ν of the material."""
+        """Return the cell law with E and ν of the material; cells need no calibration."""
         law = self.cells(E=material.E, nu=material.nu, facet_rotation=self.facet_rotation)
         return Bonding(law=law, density=material.rho)
 
@@ -148,7 +149,7 @@ class CellPlan(BondPlan):
         )
 
     def require_criterion(self, failure: Criterion, tests: list[str]) -> None:
-        """Raise StudyError for a criterion of beams, or without the strengths that cells or the tests need."""
+        """Raise StudyError for a criterion of beams, or one that lacks properties which cells or the tests need."""
         if isinstance(failure, BondCriterion) and failure.needs_beams:
             raise StudyError(
                 f"'failure.criterion' = \"{type(failure).__name__}\" is one of bonds between spheres; leave out law ="
@@ -165,7 +166,7 @@ class CellPlan(BondPlan):
 
 
 def read_bond(table: TomlTable) -> BondPlan:
-    """Read the plan of the bonds, or of the cells."""
+    """Read the plan of the bonds or of the cells; invalid keys raise StudyError."""
     with table:
         law = table.text("law") if table.has("law") else None
         if law in CELL_LAWS:
@@ -185,7 +186,7 @@ def read_bond(table: TomlTable) -> BondPlan:
 
 
 def _cells(table: TomlTable, law: str) -> CellPlan:
-    """Plan of a cell law, which has no choice of bonds."""
+    """Read the plan of a cell law; keys of bonds between spheres raise StudyError."""
     for key in ("nu_mu", "radius_rule", "tolerance", "reach"):
         if table.has(key):
             raise StudyError(

@@ -25,7 +25,7 @@ from bondem.specimen.bonding import connect
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material
 
-#: What to calibrate on; nothing depends on the size [m], only on the number of elements.
+#: Shapes of calibration specimens. Results depend on the number of elements, and not on the size of a shape.
 SHAPES: dict[str, Shape] = {"cell": Cell((10e-3, 10e-3, 10e-3)), "cylinder": Cylinder(radius=5e-3, length=40e-3)}
 
 
@@ -38,7 +38,7 @@ class CalibrationPlan:
         law: family of bond laws; None for the recommended one.
         count: number of elements per packing.
         packings: number of packings, with seeds seed, seed + 1, …
-        shape: name in `SHAPES`: the periodic cell, without surfaces, or the paper's cylinder.
+        shape: name in `SHAPES`: the periodic cell, without surfaces, or the cylinder of André et al. (2012).
         spread: full range of the radii over their mean, κ [-].
         nu_mu: Poisson's ratio of the bonds [-].
         seed: seed of the first packing.
@@ -126,7 +126,7 @@ def run_calibration(
 
 
 def _summary(plan: CalibrationPlan, fit: Calibration, lattices: list[Lattice]) -> dict[str, Any]:
-    """Calibration as finite numbers in SI; intervals are null for a single packing."""
+    """Collect a calibration as finite numbers in SI; intervals are None for a single packing."""
     several = len(fit.responses) > 1
     quantities: dict[str, Any] = {}
     for name in ("E", "nu", "E_mu", "value"):
@@ -165,7 +165,7 @@ def _summary(plan: CalibrationPlan, fit: Calibration, lattices: list[Lattice]) -
 
 
 def _strength(fit: StrengthCalibration, several: bool) -> dict[str, Any]:
-    """Calibrated strengths of the bonds; intervals are null for a single packing."""
+    """Collect the calibrated strengths of the bonds [Pa]; intervals are None for a single packing."""
     return {
         "reached": fit.reached, "message": fit.message, "parameters": dict(fit.nearest.parameters),
         "confidence_95": {name: fit.interval(name) if several else None for name in fit.names},

@@ -1,4 +1,4 @@
-"""Kinds of keys of a study file. The reader checks values by them, and the JSON schema follows from them."""
+"""Declarations of the keys of a study file, from which values are checked and the JSON schema is created."""
 
 import math
 from collections.abc import Mapping
@@ -10,27 +10,23 @@ Schema = dict[str, Any]
 
 @dataclass(frozen=True)
 class Key:
-    """A key of a table.
-
-    Attributes:
-        words: meaning of the value.
-    """
+    """Key of a table, whose value is described by `words`."""
 
     words: str = ""
 
     def schema(self) -> Schema:
-        """JSON schema of the value."""
+        """Return the JSON schema of the value."""
         return {"description": self.words} if self.words else {}
 
 
 @dataclass(frozen=True)
 class Number(Key):
-    """Number in SI, or a text with its unit.
+    """Key of a number in SI units, or of a text with a unit.
 
     Attributes:
         unit: SI unit.
         above, below: limits, both excluded.
-        quantity: name in the table of plausible values (`bondem._plausibility`), if the unit is to be questioned.
+        quantity: name in `bondem._plausibility`, which warns when a value looks like a unit error; "" for no check.
     """
 
     unit: str = "-"
@@ -39,120 +35,94 @@ class Number(Key):
     quantity: str = ""
 
     def schema(self) -> Schema:
-        """JSON schema of the value."""
         words = f"{self.words} [{self.unit}]; a text may have another unit"
         return {"type": ["number", "string"], "description": words}
 
 
 @dataclass(frozen=True)
 class Numbers(Key):
-    """List of numbers, each of which may be a text with its unit.
-
-    Attributes:
-        unit: SI unit.
-        least: smallest number of entries.
-    """
+    """Key of a list of at least `least` numbers in the SI unit `unit`, each of which may be a text with a unit."""
 
     unit: str = "-"
     least: int = 1
 
     def schema(self) -> Schema:
-        """JSON schema of the value."""
         item = {"type": ["number", "string"]}
         return {"type": "array", "items": item, "description": f"{self.words} [{self.unit}]", "minItems": self.least}
 
 
 @dataclass(frozen=True)
 class Lengths(Key):
-    """Three lengths [m]."""
+    """Key of a list of three lengths [m]."""
 
     def schema(self) -> Schema:
-        """JSON schema of the value."""
         return Numbers(self.words, "m", 3).schema() | {"maxItems": 3}
 
 
 @dataclass(frozen=True)
 class Count(Key):
-    """Whole number.
-
-    Attributes:
-        least: smallest value.
-    """
+    """Key of a whole number of at least `least`."""
 
     least: int = 1
 
     def schema(self) -> Schema:
-        """JSON schema of the value."""
         return {"type": "integer", "minimum": self.least, "description": self.words}
 
 
 @dataclass(frozen=True)
 class Counts(Key):
-    """Number of things, or a list of whole numbers."""
+    """Key of a count, or of a list of whole numbers such as seeds."""
 
     def schema(self) -> Schema:
-        """JSON schema of the value."""
         some = {"type": "array", "items": {"type": "integer", "minimum": 0}, "description": "which ones"}
         return {"description": self.words, "anyOf": [Count("how many").schema(), some]}
 
 
 @dataclass(frozen=True)
 class Text(Key):
-    """Text, which may be one of several choices.
-
-    Attributes:
-        choices: possible values; empty for any text.
-    """
+    """Key of a text, one of `choices` if there are any."""
 
     choices: tuple[str, ...] = ()
 
     def schema(self) -> Schema:
-        """JSON schema of the value."""
         return {"type": "string", "description": self.words} | ({"enum": list(self.choices)} if self.choices else {})
 
 
 @dataclass(frozen=True)
 class Texts(Key):
-    """List of different texts, each one of several choices, or of arbitrary lines without choices.
-
-    Attributes:
-        choices: possible values.
-    """
+    """Key of a list of different texts from `choices`, or of arbitrary lines without choices."""
 
     choices: tuple[str, ...] = ()
 
     def schema(self) -> Schema:
-        """JSON schema of the value."""
         found: Schema = {"type": "array", "items": Text(choices=self.choices).schema(), "description": self.words}
         return found | ({"uniqueItems": True} if self.choices else {})
 
 
 @dataclass(frozen=True)
 class Flag(Key):
-    """True or false."""
+    """Key of a Boolean value."""
 
     def schema(self) -> Schema:
-        """JSON schema of the value."""
         return {"type": "boolean", "description": self.words}
 
 
 @dataclass(frozen=True)
 class Unit(Key):
-    """Unit of length, by name or in metres."""
+    """Key of a unit of length, by name or in metres."""
 
     def schema(self) -> Schema:
-        """JSON schema of the value."""
         return {"type": ["string", "number"], "description": self.words}
 
 
 @dataclass(frozen=True)
 class KeyTable(Key):
-    """Table of keys.
+    """Key of a table of further keys.
 
     Attributes:
-        keys: declared keys, by name.
-        needed: keys without which no table is possible.
-        free: True if any key is possible.
+        keys: declared keys of the table, by name.
+        needed: names of required keys.
+        free: True for a table that may have any keys.
     """
 
     keys: Mapping[str, Key] = field(default_factory=dict)
@@ -160,7 +130,6 @@ class KeyTable(Key):
     free: bool = False
 
     def schema(self) -> Schema:
-        """JSON schema of the value."""
         found: Schema = {"type": "object"} | super().schema()
         if self.free:
             return found
@@ -171,14 +140,9 @@ class KeyTable(Key):
 
 @dataclass(frozen=True)
 class KeyTables(Key):
-    """List of tables, at least one.
-
-    Attributes:
-        each: one of them.
-    """
+    """Key of a list of at least one table, each declared by `each`."""
 
     each: KeyTable = KeyTable()
 
     def schema(self) -> Schema:
-        """JSON schema of the value."""
         return {"type": "array", "minItems": 1, "items": self.each.schema()}

@@ -12,7 +12,7 @@ from bondem.errors import InputError, StudyError
 from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.study.toml_table import TomlTable
 
-#: Criteria of studies by name: all but those that are functions of Python.
+#: Criteria of studies by name: all but `StressCriterion`, which is a Python function.
 CRITERIA = {name: kind for name, kind in EVERY.items() if kind is not StressCriterion}
 # Arguments of a criterion that a study does not give.
 _LEFT_OUT = ("scatter", "on")
@@ -36,7 +36,7 @@ def read_failure(table: TomlTable) -> Criterion:
 
 
 def _argument(table: TomlTable, kind: type[Criterion], argument: Field[Any]) -> Any:
-    """Return an argument of a criterion, or its default."""
+    """Read an argument of a criterion from its key; the default of the class if the key is not given."""
     if argument.name == "curve":
         return _curve(table)
     name = f"{kind.__name__}.{argument.name}"
@@ -45,7 +45,7 @@ def _argument(table: TomlTable, kind: type[Criterion], argument: Field[Any]) -> 
 
 
 def _curve(table: TomlTable) -> Bilinear | None:
-    """Softening curve of cracks: linear, or bilinear with Petersson's kink by default."""
+    """Read the softening curve of cracks: None for linear, or a bilinear one, by default with Petersson's kink."""
     if table.text("curve", default="straight") == "straight":
         return None
     usual = Bilinear()
@@ -59,10 +59,10 @@ def _curve(table: TomlTable) -> Bilinear | None:
 def require_strength(
     tests: tuple[str, ...], failure: Criterion | None, require: Callable[[Criterion, list[str]], None]
 ) -> None:
-    """Check that tests to failure and a criterion are given together, and that the bonds accept both by `require`.
+    """Check that tests to failure and a criterion are given together; `require` checks them against the bonds.
 
     Raises:
-        StudyError: Tests to failure or the criterion are missing, or the bonds of the study reject them.
+        StudyError: Tests to failure or the criterion are missing, or the bonds of the study do not support them.
     """
     asked = [name for name in tests if name in FAILURE_TESTS]
     if failure is None:

@@ -8,16 +8,12 @@ from bondem.study.study_file import Study
 
 # Peak memory of the program [bytes].
 _PROGRAM = 4e8
-# Critical step over size over celerity, of cells and of bonded spheres alike to a third.
+# Critical time step times wave speed over element size, within a third for cells and for bonded spheres.
 _STEP = 0.25
 
 
 def forecast(study: Study) -> list[tuple[str, str]]:
-    """List the planned computations of a study as pairs of a name and a text.
-
-    Args:
-        study: the study.
-    """
+    """List the planned computations of a study, with estimates of memory and time step, as pairs of name and text."""
     plan, bond = study.specimen, study.bond
     lines: list[tuple[str, str]] = []
     if isinstance(plan, ImportPlan):

@@ -32,7 +32,7 @@ from bondem.study.failure import CRITERIA
 from bondem.study.specimen_step import SHAPES, SIZE_LAWS
 
 _DRAFT = "https://json-schema.org/draft/2020-12/schema"
-# Lowest value of a number that may be zero: limits are excluded.
+# Lower limit of a number that may be zero, as limits are excluded.
 _ZERO = -1e-300
 
 
@@ -138,7 +138,7 @@ CAMPAIGN = KeyTable("many specimens of one study", {
         "directives": Texts("further lines after #SBATCH"),
     }),
 })  # fmt: skip
-#: One of the specimens of a test programme.
+#: Keys of a specimen of a test programme.
 SEVERAL = KeyTable("specimen of a test programme", _SPECIMEN | _OPTIONS | {
     "name": Text("name of the specimen"), "tests": _TESTS, "targets": _TARGETS,
 }, needed=("name", "tests"))  # fmt: skip
@@ -166,6 +166,6 @@ STUDY = KeyTable("", {
 
 
 def schema() -> Schema:
-    """JSON schema of a study, a test programme or a campaign."""
+    """Return the JSON schema of a study, a test programme or a campaign."""
     both = {"oneOf": [{"required": ["specimen"]}, {"required": ["specimens"]}]}
     return {"$schema": _DRAFT, "title": "bondem study"} | STUDY.schema() | both

@@ -10,9 +10,9 @@ _NAMED = re.compile(r"'([A-Za-z_][\w.\[\]-]*)'|\[([A-Za-z_][\w.]*)\]")
 
 
 def line_of(text: str, key: str) -> int | None:
-    """Line of a dotted key such as "specimens[1].radius", counted from 1.
+    """Find the line of a dotted key such as "specimens[1].radius" in the text of a file, counted from 1.
 
-    A missing key gets the line of its table; the result is None if neither exists.
+    A missing key has the line of its table; the result is None if neither exists.
     """
     places = _places(text)
     while key:
@@ -24,7 +24,7 @@ def line_of(text: str, key: str) -> int | None:
 
 
 def located(error: StudyError, text: str, file: str) -> StudyError:
-    """Copy of an error with the file and the line of the first key in its message."""
+    """Return a copy of an error whose message states the file and the line of the first key that it names."""
     own, places = _specimen_of(str(error), text), _places(text)
     named = [found.group(1) or found.group(2) for found in _NAMED.finditer(str(error))]
     within = [
@@ -38,7 +38,7 @@ def located(error: StudyError, text: str, file: str) -> StudyError:
 
 
 def _specimen_of(message: str, text: str) -> str:
-    """Key "specimens[k]" of the specimen named in a message on a test programme, or ""."""
+    """Return the key "specimens[k]" of the specimen that an error of a test programme names; "" if none."""
     of = re.match(r"specimen '(.+?)': ", message)
     lines = text.splitlines()
     for place, number in _places(text).items():

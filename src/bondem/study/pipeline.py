@@ -113,7 +113,7 @@ def _carry_out(study: Study, out: Path, on_stage: Progress) -> dict[str, Any]:
 
 
 def report_last(out: Path, write: Callable[[], None]) -> None:
-    """Write a report after all results, which remain where the report fails.
+    """Write a report after all results; an unexpected error gives a warning, as the results are complete.
 
     Args:
         out: folder of `results.json` and the report.
@@ -137,14 +137,18 @@ def report_last(out: Path, write: Callable[[], None]) -> None:
 
 @dataclass(frozen=True, eq=False)
 class _Body:
-    """Packing with its bonds, and the aggregates in it."""
+    """Packing with its bonds, and the aggregates in it or None."""
 
     lattice: Lattice
     aggregates: Aggregates | None
 
 
 def packed(study: Study, k: int, on_stage: Progress) -> _Body:
-    """Create packing k with its bonds; a specimen in two pieces raises an error."""
+    """Create packing k of a study with its bonds.
+
+    Raises:
+        DisconnectedError: the specimen consists of two large pieces.
+    """
     stage, seed = f"pack {k + 1} of {study.packings}", study.seed + k
     balls = None
     if study.aggregates is not None and isinstance(study.specimen, SpecimenPlan):
@@ -156,7 +160,7 @@ def packed(study: Study, k: int, on_stage: Progress) -> _Body:
 
 
 def examined(study: Study, k: int, body: _Body, bonds: Bonding | None, on_stage: Progress) -> Examined:
-    """Evaluate packing k: its fabric and, under the law of the study, its moduli and tests."""
+    """Evaluate packing k of a study: its fabric and, with the law of the study, its moduli and tests."""
     lattice = body.lattice
     stage = f"test {k + 1} of {study.packings}"
     on_stage(stage, 0.0)
@@ -200,12 +204,12 @@ def examined(study: Study, k: int, body: _Body, bonds: Bonding | None, on_stage:
 
 
 def _quality(lattice: Lattice) -> Fabric | None:
-    """Fabric of a packing of spheres; None for cells, as the packing that they were cut from is no part of them."""
+    """Evaluate the fabric of a packing of spheres; None for cells, which do not keep their original packing."""
     return fabric(lattice) if lattice.cells is None else None
 
 
 def _law(study: Study, bonds: Bonding, body: _Body) -> AnyLaw:
-    """Law of a body, by region if it has aggregates."""
+    """Return the law of a body, by region if it has aggregates."""
     if study.aggregates is None or body.aggregates is None:
         return bonds.law
     return study.aggregates.laws(cast(CellBond, bonds.law), body.aggregates)
@@ -214,7 +218,7 @@ def _law(study: Study, bonds: Bonding, body: _Body) -> AnyLaw:
 def to_failure(
     name: str, study: Study, body: _Body, bonds: Bonding, progress: Callable[[float], None]
 ) -> Outcome:
-    """Run a test to failure, after the checks of the study."""
+    """Run the named test to failure on a body, with the law, criterion and options of the study."""
     law, failure = _law(study, bonds, body), cast(Criterion, study.failure)
     if study.aggregates is not None and body.aggregates is not None:
         failure = study.aggregates.criteria(failure, body.aggregates)
@@ -225,7 +229,10 @@ def to_failure(
 
 
 def pulled(specimen: Examined) -> dict[str, Any]:
-    """Motion of the cells of a body in the tension test and a mask of its aggregates; empty for other lattices."""
+    """Collect fields of cells for ParaView: displacement [m] and stress [Pa] in the tension test, aggregates as 1.
+
+    Fields that a specimen does not have are left out.
+    """
     tension, lattice, balls = specimen.tension, specimen.lattice, specimen.aggregates
     parts = {} if balls is None else {"aggregate": balls.mask(lattice).astype(float)}
     if specimen.law is None or tension is None or lattice.cells is None:
@@ -246,7 +253,7 @@ def calibration_chart(lattice: Lattice, fit: Calibration) -> tuple[Trial, ...]:
 
 
 def keep_specimen(path: Path, lattice: Lattice, law: AnyLaw | None, density: float) -> None:
-    """Write a free specimen at rest as a run file, with model and state for later runs."""
+    """Write an unconstrained specimen at rest as a run file, whose model and state later runs can use."""
     model = Model(lattice, law, density=density)
     with RunFile(path, model, settled(model, Plan(duration=0.0))) as file:
         file.checkpoint(State(model), History.empty(()))

@@ -15,10 +15,10 @@ from bondem.study.keys import SEVERAL, STUDY
 from bondem.study.study_file import Study, parse_study, read_toml, source_of
 from bondem.study.toml_table import TomlTable
 
-# What a specimen of a programme says beside the keys of [specimen], and what a study has in their place.
+# Keys of a specimen of a programme in addition to those of [specimen], and its tables of options of tests.
 _OWN, _OPTIONS = ("name", "tests"), tuple(name for name, test in FAILURE_TESTS.items() if test.options)
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9 _-]{0,59}")
-# Files of the programme itself.
+# Names that the results of the programme itself use.
 _OWN_NAMES = ("figures",)
 
 
@@ -69,7 +69,7 @@ class Programme:
                 )
 
     def changed(self, *, packings: int | None = None, seed: int | None = None) -> "Programme":
-        """Copy of the programme with the options of the command line."""
+        """Return a copy with another number of packings or first seed of all specimens; None keeps a value."""
         series = tuple(
             dataclasses.replace(one, study=one.study.changed(packings=packings, seed=seed)) for one in self.series
         )
@@ -146,7 +146,7 @@ def _refuse_bonds(shared: Mapping[str, Any]) -> None:
 
 
 def _require_tests(failing: bool, targets: Mapping[str, float], studies: Sequence[Study]) -> None:
-    """Check that [failure] and every target have a test, and that every target has a single test."""
+    """Check that [failure] and every target have a test, and that a target has equal options in all its tests."""
     asked = {test: [one.options.get(test) for one in studies if test in one.tests] for test in FAILURE_TESTS}
     if failing and not any(asked.values()):
         raise StudyError(
@@ -172,7 +172,7 @@ def _series(
     targets: Mapping[str, float],
     folder: Path,
 ) -> Series:
-    """Read specimen k as a study of its own."""
+    """Create the study of specimen k, from its own table and the shared ones."""
     where = TomlTable(table, SEVERAL, f"specimens[{k}]")
     name = where.text("name")
     if not _NAME.fullmatch(name) or name.lower() in _OWN_NAMES:
@@ -204,14 +204,14 @@ def _series(
 
 
 def _targets(table: TomlTable, tests: Sequence[str]) -> dict[str, float]:
-    """Target strengths by test [Pa]."""
+    """Read the target strengths of tests to failure, by test [Pa]."""
     with table:
         found = {test: table.number(test, default=None) for test in tests if test in FAILURE_TESTS}
     return {test: value for test, value in found.items() if value is not None}
 
 
 def _hash(document: Mapping[str, Any], folder: Path) -> str:
-    """Hash of all inputs of a specimen: the document and the files that it names."""
+    """Compute the hash of all inputs of a specimen: the document and the files that it names."""
     digest = hashlib.sha256(json.dumps(document, sort_keys=True, default=str).encode())
     for key in ("particles", "file"):
         if key in document["specimen"]:

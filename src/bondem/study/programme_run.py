@@ -19,7 +19,7 @@ from bondem.study.programme import Programme, Series
 from bondem.study.provenance import provenance
 from bondem.study.study_file import Study
 
-# Written last: what stands beside it is whole.
+# Name of the file that is written last, so that its presence marks complete results.
 _FINISHED = "finished.json"
 
 
@@ -67,7 +67,7 @@ def _carry_out(programme: Programme, out: Path, fresh: bool, progress: Progress)
 
 
 def _results(series: Series, folder: Path, fresh: bool, progress: Progress) -> dict[str, Any]:
-    """Results of a specimen: stored ones with equal inputs and code, or new ones."""
+    """Return the results of a specimen: stored ones with equal inputs and code, or those of a new run."""
     inputs = _inputs(series)
     if not fresh and _read(folder / _FINISHED) == {"inputs": inputs}:
         known = _read(folder / "results.json")
@@ -80,19 +80,19 @@ def _results(series: Series, folder: Path, fresh: bool, progress: Progress) -> d
 
     run_study(series.study, folder, progress=on_stage)
     write_text(folder / _FINISHED, json.dumps({"inputs": inputs}) + "\n")
-    # As the next time: what a file holds, numbers included.
+    # read from the file, so that new and stored results are equal
     return json.loads((folder / "results.json").read_text(encoding="utf-8"))
 
 
 def _inputs(series: Series) -> str:
-    """Hash of all inputs of a specimen: the file, the command line and the code."""
+    """Compute the hash of all inputs of a specimen: the file, the command line and the code."""
     digest = hashlib.sha256(f"{series.inputs} {series.study.packings} {series.study.seed}".encode())
     digest.update(code_hash().encode())
     return digest.hexdigest()
 
 
 def code_hash() -> str:
-    """Hash of the source code of bondem, by which results of other versions are recognised."""
+    """Compute the hash of the source code of bondem, by which results of other versions are recognised."""
     digest = hashlib.sha256()
     for source in sorted(Path(bondem.__file__).parent.rglob("*.py")):
         digest.update(source.read_bytes())
@@ -101,7 +101,7 @@ def code_hash() -> str:
 
 
 def _read(path: Path) -> dict[str, Any] | None:
-    """Contents of a JSON file; None if it is missing or damaged."""
+    """Read a JSON file; None if it is missing or damaged."""
     try:
         return json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -120,7 +120,7 @@ def _chapter(series: Series, results: Mapping[str, Any]) -> Chapter:
 
 
 def _rows(series: Series, results: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """Rows of the table: measured E and ν, and every test."""
+    """Collect the rows of a specimen for the table: measured E and ν, and every test."""
     macro, material = results["macro"], series.study.material
     assert material is not None
     shared = {
@@ -148,7 +148,7 @@ def _against(measured: float, target: float | None, theory: float | None) -> dic
 
 
 def _label(study: Study, test: str) -> str:
-    """Name of a test with its distinctive option."""
+    """Return the title of a test, with its confining pressure if there is one."""
     title = FAILURE_TESTS[test].figure.title if test in FAILURE_TESTS else test.replace("_", " ").capitalize()
     pressure = study.options.get(test, {}).get("pressure")
     return title if pressure is None else f"{title}, {with_unit(pressure, 'Pa', 3)}"

@@ -13,7 +13,7 @@ from bondem.io.commit import commit
 
 
 def provenance() -> dict[str, Any]:
-    """Describe the process that computes: version, commit, command, date, machine, and threads of the solvers."""
+    """Describe the present process: version, commit, command, date, machine, Python and threads of the solvers."""
     return {
         "version": __version__,
         "commit": commit(),
@@ -26,14 +26,14 @@ def provenance() -> dict[str, Any]:
 
 
 def _command() -> str | None:
-    """Command line of `bondem`; None for a call from Python."""
+    """Return the command line of `bondem`; None for a call from Python."""
     called = Path(sys.argv[0] if sys.argv else "")
     named = called.stem == "bondem" or called.parts[-2:] == ("bondem", "__main__.py")
     return shlex.join(["bondem", *sys.argv[1:]]) if named else None
 
 
 def _processor() -> str:
-    """Name of the processor."""
+    """Return the name of the processor."""
     try:
         lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
     except OSError:

@@ -1,4 +1,4 @@
-"""Rehearsal of a study: the work of `bondem run` before its first step, which finds all errors of input."""
+"""Rehearsal of a study: the work of `bondem run` before its first step, to find errors of input early."""
 
 from typing import cast
 
@@ -11,21 +11,23 @@ from bondem.study.pipeline import packed, to_failure
 from bondem.study.specimen_step import SpecimenPlan
 from bondem.study.study_file import Study
 
-# Largest specimen that is packed for a rehearsal, some seconds of a core; the cache keeps the packing for the run.
+# Largest number of elements packed in a rehearsal, some seconds on a core; the cache keeps the packing for the run.
 _MOST = 20_000
 # Length of an element over the edge of a cube of its volume: 1.13 in packings of 2000 to 50 000 cells.
 _LENGTH = 1.13
 
 
 class _StartedError(Exception):
-    """End of the rehearsal of a test, raised where its run begins."""
+    """Signal that the run of a test would begin, which ends the rehearsal of the test."""
 
 
 def rehearse(study: Study) -> str:
-    """Make the first specimen of a study and begin its tests to failure, without a step.
+    """Pack the first specimen of a study and begin its tests to failure, without a time step.
+
+    Without tests to failure, only the law is checked; above 20 000 elements, the size of the elements too.
 
     Returns:
-        What was done, for the user.
+        Text for the user on the extent of the check.
 
     Raises:
         BondemError: an error that `bondem run` would raise before or at the beginning of a test.
@@ -50,7 +52,7 @@ def rehearse(study: Study) -> str:
 
 
 def _require_short(plan: SpecimenPlan, E: float, failure: Criterion) -> None:
-    """Reject elements that are too long for the fracture energy, by their mean volume."""
+    """Raise an error for elements that are too long for the fracture energy, estimated from their mean volume."""
     length = _LENGTH * (plan.shape.volume / plan.count) ** (1.0 / 3.0)
     for softening in failure._softenings:
         if softening.fracture_energy > 0.0:

@@ -22,9 +22,9 @@ _COMMON = {item.name for item in fields(BondLaw)}
 def collect(
     study: Study, bonds: Bonding | None, specimens: Sequence[Examined], timing: dict[str, float]
 ) -> dict[str, Any]:
-    """Collect the numbers of a study in the pinned layout, and those of each packing under "packings".
+    """Collect the contents of `results.json` of a study: means over its packings, and each packing in "packings".
 
-    The scatter over a single packing is null, and so are "micro" and "macro" of a study without a material.
+    The scatter over a single packing is None, and so are "micro" and "macro" of a study without a material.
     """
     calibrating = study.calibrating if bonds is not None and bonds.fit is not None else 0
     return _finite({
@@ -53,9 +53,9 @@ def _micro(bonds: Bonding) -> dict[str, Any]:
 
 
 def _macro(bonds: Bonding, specimens: Sequence[Examined]) -> dict[str, Any]:
-    """Calibrated moduli or, for cells, the measured moduli of the first packing.
+    """Collect calibrated E and ν or, for cells, those measured on the first packing, with density and scatter.
 
-    The result is null for balls and for specimens with a notch or borings, which have no tension test.
+    E and ν are None for balls and for specimens with a notch or borings, which have no tension test.
     """
     tensions = [one.tension for one in specimens if one.tension is not None]
     found = bonds.fit if bonds.fit is not None else tensions[0] if tensions else None
@@ -69,18 +69,18 @@ def _macro(bonds: Bonding, specimens: Sequence[Examined]) -> dict[str, Any]:
 
 
 def deviation(values: Sequence[float]) -> float | None:
-    """Standard deviation of a sample; None for a single value."""
+    """Return the standard deviation of a sample; None for a single value."""
     return float(np.std(values, ddof=1)) if len(values) > 1 else None
 
 
 def _interval(values: Sequence[float]) -> list[float] | None:
-    """Interval of 95 % of the mean of a sample; None for a single value, or if a value is NaN."""
+    """Return the 95 % confidence interval of the mean of a sample; None for a single value, or if one is NaN."""
     several = len(values) > 1 and bool(np.isfinite(values).all())
     return list(Sample(np.array(values)).interval()) if several else None
 
 
 def _unseen(specimens: Sequence[Examined]) -> dict[str, Any] | None:
-    """Moduli of the packings that were not calibrated on: mean, and its 95 % interval; None without such packings."""
+    """Collect mean E and ν, with 95 % intervals, of the packings not used for calibration; None without such ones."""
     tensions = [one.tension for one in specimens if one.tension is not None]
     if not tensions:
         return None
@@ -92,7 +92,7 @@ def _unseen(specimens: Sequence[Examined]) -> dict[str, Any] | None:
 
 
 def _specimen(one: Examined) -> dict[str, Any]:
-    """Numbers of a specimen; those of a packing of spheres are null for cells, which fill their shape."""
+    """Collect numbers of a specimen; those of a packing of spheres are None for cells, which fill their shape."""
     return _aggregates(one) | {
         "elements": len(one.lattice.particles),
         "bonds": len(one.lattice.pairs),
@@ -104,7 +104,7 @@ def _specimen(one: Examined) -> dict[str, Any]:
 
 
 def _aggregates(one: Examined) -> dict[str, Any]:
-    """Number, volume fraction and cells of the aggregates of a body with aggregates."""
+    """Collect number, volume fraction, cells, E and ν of the aggregates; empty for a body without aggregates."""
     if one.aggregates is None:
         return {}
     share = one.aggregates.volume / one.lattice.particles.envelope.volume
@@ -166,7 +166,7 @@ def _packing(one: Examined, calibrating: bool) -> dict[str, Any]:
 
 
 def _fabric(quality: Fabric) -> dict[str, Any]:
-    """Measures of a packing of spheres."""
+    """Collect the measures of a packing of spheres that `Fabric` has in addition to those of `_specimen`."""
     same = (
         "core_volume_fraction", "loose", "backbone_coordination_number", "fineness", "smallest_extent", "rms_excess",
         "core_rms_excess", "core_stretch", "largest_overlap",
@@ -178,7 +178,7 @@ def _fabric(quality: Fabric) -> dict[str, Any]:
 
 
 def _failure(one: Examined, outcome: Outcome) -> dict[str, Any] | None:
-    """Cracks, pieces and final energy balance of a test to failure; None for other tests."""
+    """Collect cracks, pieces and final energy balance of a test to failure; None for other tests."""
     if outcome.cracking is None:
         return None
     found = outcome.cracking.numbers()

@@ -1,4 +1,4 @@
-"""Table [specimen] of a study: a packing to make, or a file of particles."""
+"""Table [specimen] of a study: the plan of a packing, or a file of particles."""
 
 import warnings
 from collections.abc import Callable, Mapping
@@ -46,7 +46,7 @@ class SpecimenPlan:
     def particles(
         self, seed: int, progress: Callable[[float], None], around: Aggregates | None = None
     ) -> Particles:
-        """Packing of a seed; with aggregates, cells end on their surfaces."""
+        """Pack the shape with a seed; with aggregates, the cells end on their surfaces."""
         return pack(
             self.shape, count=self.count, sizes=self.sizes, method=self.method, seed=seed, progress=progress,
             around=around, **self.target,
@@ -70,14 +70,14 @@ class ImportPlan:
     def particles(
         self, seed: int, progress: Callable[[float], None], around: Aggregates | None = None
     ) -> Particles:
-        """Particles of the file, for any seed; `Study` rejects aggregates before."""
+        """Read the particles of the file; `seed` and `around` have no effect."""
         particles = _made("specimen.particles", lambda: read_particles(self.file, unit=self.unit, shape=self.shape))
         progress(1.0)
         return particles
 
 
 def read_specimen(table: TomlTable, folder: Path) -> SpecimenPlan | ImportPlan:
-    """Read the table; paths of files are relative to `folder`.
+    """Read the plan of the specimen from its table; paths of files are relative to `folder`.
 
     Raises:
         StudyError: a key that is unknown, missing, out of range or in conflict with another.
@@ -148,7 +148,7 @@ def _plain(kind: str, table: TomlTable) -> Shape:
 
 
 def _notched(table: TomlTable, size: tuple[float, float, float]) -> Shape:
-    """Box along x with a notch from below across its middle."""
+    """Create a box along x with a notch from below at mid-length, through its whole width along z."""
     length, height, thick = size
     with table.section("notch") as notch:
         width = notch.number("width", below=length)
@@ -189,7 +189,7 @@ def _target(table: TomlTable) -> dict[str, Any]:
 
 
 def _made(key: str, make: Callable[[], _Made]) -> _Made:
-    """Result of `make`, whose errors get the name of the key."""
+    """Return the result of `make`, and raise its InputError as a StudyError that names the key."""
     try:
         return make()
     except InputError as error:

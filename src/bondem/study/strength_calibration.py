@@ -1,4 +1,4 @@
-"""Pipeline of `bondem strength`: calibrate f_t and c of cells to UCS and Brazilian strength of a cylinder."""
+"""Pipeline of `bondem strength`: calibrate f_t and c of cells to the UCS and Brazilian strength of cylinders."""
 
 import math
 from collections.abc import Callable
@@ -20,21 +20,21 @@ from bondem.specimen.lattice import Lattice
 
 @dataclass(frozen=True, kw_only=True)
 class StrengthPlan:
-    """Plan of a calibration of strengths of cells on laboratory cylinders.
+    """Plan of a calibration of the strengths of cells by tests of cylinders.
 
     Attributes:
         E: Young's modulus [Pa].
         nu: Poisson's ratio [-].
         ucs: target uniaxial compressive strength [Pa].
         brazilian: target Brazilian strength 2 P / (π D t) [Pa].
-        ucs_within, brazilian_within: tolerances [Pa]; None for 4 % and 7.5 %.
+        ucs_within, brazilian_within: tolerances of the strengths [Pa]; None for 4 % and 7.5 % of the targets.
         friction_angle: friction angle φ [rad].
         fracture_energy: fracture energy G_f [J/m²].
         diameter, length: dimensions of the cylinders [m].
         count: number of cells per packing.
         packings: number of packings, with seeds seed, seed + 1, …; their mean is calibrated.
         seed: seed of the first packing.
-        most: largest number of runs.
+        most: largest number of runs; a run is both tests on all packings.
     """
 
     E: float
@@ -58,11 +58,11 @@ class StrengthPlan:
         for name, least in (("count", 1), ("packings", 1), ("seed", 0), ("most", 1)):
             whole("", name, getattr(self, name), least=least)
         number("", "friction_angle", self.friction_angle, least=0.0, below=0.5 * math.pi, unit="rad")
-        self.failure(1e6, 1e6)  # refuses a bad energy
+        self.failure(1e6, 1e6)  # raises an error for an invalid energy
         CellBond(E=self.E, nu=self.nu)
 
     def failure(self, tension: float, cohesion: float) -> MohrCoulomb:
-        """Failure criterion with given tensile strength and cohesion [Pa]."""
+        """Create the failure criterion with a tensile strength and a cohesion [Pa]."""
         return MohrCoulomb(
             tension=tension, cohesion=cohesion, friction_angle=self.friction_angle,
             fracture_energy=self.fracture_energy,
@@ -70,7 +70,7 @@ class StrengthPlan:
 
     @property
     def start(self) -> dict[str, float]:
-        """Tensile strength and cohesion of a continuum with both target strengths [Pa]."""
+        """Initial tensile strength and cohesion, those of a continuum with both target strengths [Pa]."""
         sine, cosine = math.sin(self.friction_angle), math.cos(self.friction_angle)
         return {"tension": self.brazilian, "cohesion": 0.5 * self.ucs * (1.0 - sine) / cosine}
 
@@ -78,7 +78,9 @@ class StrengthPlan:
 def run_strength(
     plan: StrengthPlan, out: str | Path | None = None, *, progress: Callable[[str], None] | None = None
 ) -> StrengthCalibration:
-    """Pack, test and calibrate; with a folder, store every test and continue from stored tests.
+    """Pack, test and calibrate cells by a plan; `progress` is called with a line of text for each run.
+
+    With a folder `out`, every test is stored there, and a later call continues from the stored tests.
 
     Raises:
         InputError: the folder cannot be written to, or has runs of another plan.

@@ -1,4 +1,4 @@
-"""Tests to failure of a study: tables of their options, and the specimen that each needs."""
+"""Tests to failure of a study: reading of their options, and check of the specimen that each needs."""
 
 from bondem.errors import StudyError
 from bondem.geometry.shape import Shape
@@ -8,7 +8,7 @@ from bondem.study.toml_table import TomlTable
 
 
 def read_options(top: TomlTable, tests: tuple[str, ...]) -> dict[str, dict[str, float]]:
-    """Read the options of the requested tests to failure, by test and name.
+    """Read the options of the requested tests to failure, by test and name, in SI.
 
     Raises:
         StudyError: a table of a test that is not requested, or a key that is unknown, missing or out of range.

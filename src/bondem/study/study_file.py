@@ -1,4 +1,4 @@
-"""Contents of a study file as frozen data."""
+"""Contents of a study file as frozen data, and the functions that read it."""
 
 import dataclasses
 import math
@@ -29,7 +29,7 @@ from bondem.study.strength_tests import read_options, require_specimen
 from bondem.study.toml_table import TomlTable
 
 Read = TypeVar("Read")
-# Quotation marks that word processors put in place of the straight ones.
+# Quotation marks that word processors substitute for the straight ones of TOML.
 _CURLY = {*"\N{LEFT DOUBLE QUOTATION MARK}\N{RIGHT DOUBLE QUOTATION MARK}\N{DOUBLE LOW-9 QUOTATION MARK}"}
 #: Elastic tests, which a study runs unless it has its own.
 TESTS = tuple(ELASTIC_TESTS)
@@ -37,7 +37,7 @@ TESTS = tuple(ELASTIC_TESTS)
 
 @dataclass(frozen=True, kw_only=True)
 class Reference:
-    """Published values, to print beside the results.
+    """Published values with which the report compares the results.
 
     Attributes:
         citation: source of the values.
@@ -60,8 +60,8 @@ class Study:
     Attributes:
         name: title of the report.
         material: continuum to reproduce; None to pack and check only.
-        specimen: packing to make, or particles to read.
-        bond: bonds and their law.
+        specimen: plan of a packing, or of particles to read from a file.
+        bond: plan of the bonds and their law.
         failure: failure criterion of the material in tests to failure, or None.
         packings: number of specimens; packing k uses seed + k.
         calibrating: number of packings for the calibration, the first ones.
@@ -70,7 +70,7 @@ class Study:
         seed: seed of the first packing.
         figures: True to draw figures.
         vtk: True to write the first packing for ParaView.
-        run_files: True to write every calibrated specimen, at rest, as a run file for later runs.
+        run_files: True to write every specimen with its law, at rest, as a run file for later runs.
         packing_files: True to write every packing with its bonds as a particle file.
         reference: published values, or None.
         aggregates: aggregates in the material, which is their matrix, or None.
@@ -116,7 +116,7 @@ class Study:
             self.require_testable(self.specimen.shape)
 
     def _require_matrix(self, plan: AggregatePlan) -> None:
-        """Check that a body can be cut along aggregates, and that its criteria are compatible."""
+        """Raise StudyError if specimen, law, tests or criteria do not support the aggregates."""
         if not self.bond.of_cells or isinstance(self.specimen, ImportPlan) or self.specimen.method != EVEN:
             raise StudyError(
                 f'[aggregates] is an option of bodies of cells; set law = "CellBond" in [bond], and method = "{EVEN}"'
@@ -161,20 +161,20 @@ class Study:
         return {"Matrix": self.failure, "Aggregates": own or self.failure, "Interface": between or self.failure}
 
     def changed(self, *, packings: int | None = None, seed: int | None = None) -> "Study":
-        """Copy of the study with the options of the command line."""
+        """Return a copy with another number of packings or first seed; None keeps a value."""
         given = {"packings": packings, "seed": seed}
         return dataclasses.replace(self, **{key: value for key, value in given.items() if value is not None})
 
 
 def _is_prism(shape: Shape) -> bool:
-    """True for a constant section along x, as E is read from the section at mid-length."""
-    # Volumes of shapes put together are measured, to 1e-3 or so.
+    """Return True for a shape of constant section along x, as E is evaluated with the section at mid-length."""
+    # volumes of composed shapes are integrated numerically, to about 1e-3
     prism = {"x_min", "x_max"} <= set(shape.faces)
     return prism and math.isclose(shape.volume, shape.section() * shape.extent, rel_tol=0.01)
 
 
 def _is_bar(shape: Shape) -> bool:
-    """True for a section with formulas of beam theory."""
+    """Return True for a bar along x whose section has formulas of beam theory."""
     return isinstance(shape, Cylinder | Box | BoundingBox)
 
 
@@ -195,12 +195,12 @@ def read_study(path: str | Path) -> Study:
 
 
 def source_of(path: Path) -> tuple[str, str]:
-    """Name and text of a study file, for its report."""
+    """Return the name and the text of a study file, for its report."""
     return path.name, read_text(path)
 
 
 def read_toml(path: Path, parse: Callable[[dict[str, Any]], Read]) -> Read:
-    """Apply a function to the TOML document of a file; errors get the line of their key.
+    """Apply a function to the TOML document of a file; StudyErrors of the function get the line of their key.
 
     Raises:
         StudyError: no such file, not TOML, or an error of the function.
@@ -217,7 +217,7 @@ def read_toml(path: Path, parse: Callable[[dict[str, Any]], Read]) -> Read:
     except (tomllib.TOMLDecodeError, RecursionError) as error:
         advice = 'texts need straight quotes: "granite"' if _CURLY & {*text} else "correct it there"
         raise StudyError(f"study '{path}' is not valid TOML ({error}); {advice}") from None
-    except ValueError:  # Python reads no integers of more digits
+    except ValueError:  # the integer has more digits than Python reads
         digits = sys.get_int_max_str_digits()
         raise StudyError(f"study '{path}' has a number of more than {digits} digits; correct it") from None
     try:
@@ -261,7 +261,7 @@ def parse_study(data: Mapping[str, Any], *, folder: Path = Path()) -> Study:
 
 
 def _material(table: TomlTable) -> Material:
-    """Material of the file, or of the library with overridden values."""
+    """Read the material, from all its values or from the library with overridden values."""
     with table:
         if not table.has("preset"):
             return Material(
@@ -307,7 +307,7 @@ def _output(table: TomlTable) -> _Output:
 
 
 def _range(table: TomlTable, name: str) -> tuple[float, float]:
-    """Lowest and highest value of a test.
+    """Read the lowest and the highest published value of a test.
 
     Raises:
         StudyError: not two values in ascending order.

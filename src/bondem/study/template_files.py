@@ -1,8 +1,8 @@
-"""Commented study templates."""
+"""Access to the commented templates of study files."""
 
 from importlib.resources import files
 
-#: The files in `templates/`, by what one calls them; copies of the repository's examples/.
+#: Files in `templates/` by template name; copies of the repository's examples/.
 TEMPLATES = {
     "silica": "silica.toml", "cells": "silica_cells.toml", "concrete": "concrete.toml", "ucs": "ucs.toml",
     "brazilian": "brazilian.toml", "shear": "shear.toml", "crushing": "sphere_crushing.toml",
@@ -11,6 +11,6 @@ TEMPLATES = {
 
 
 def template(name: str, file: str) -> str:
-    """Text of a study template, which contains the name of its file."""
+    """Return the text of a study template, in whose commands the study file has the name `file`."""
     text = (files("bondem.study") / "templates" / TEMPLATES[name]).read_text(encoding="utf-8")
     return text.replace(f"examples/{TEMPLATES[name]}", file)

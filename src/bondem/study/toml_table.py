@@ -20,19 +20,20 @@ from bondem.study.declared import Count, Key, KeyTable, Number, Numbers, Text, T
 _Kind = TypeVar("_Kind", bound=Key)
 
 _NEEDED = object()
-# Nothing physical in SI units is larger, or smaller than one over it; their products are numbers still.
+# Largest number, and inverse of the smallest: beyond all physical values, while products remain finite.
 _LARGEST = 1e60
 # Largest whole number.
 _MOST = 1 << 62
 
 
 class TomlTable:
-    """Table of a study file.
+    """Table of a study file with its declared keys.
 
-    Use the table as a context manager: at its end, a key that was not requested raises an error.
+    All methods that read a key raise StudyError for a missing or invalid value. Use the table as a context manager:
+    at its end, a key of the file that was not requested raises StudyError.
 
     Args:
-        data: the table.
+        data: contents of the table.
         keys: declared keys of the table.
         path: dotted name of the table, "" for the file itself.
     """
@@ -55,7 +56,7 @@ class TomlTable:
             raise StudyError(f"unknown key '{self.name(unknown[0])}'; {hint}")
 
     def name(self, key: str) -> str:
-        """Dotted name of a key."""
+        """Return the dotted name of a key, such as "specimen.radius"."""
         return f"{self._path}.{key}" if self._path else key
 
     def _get(self, key: str, default: Any, wanted: str) -> Any:
@@ -70,18 +71,18 @@ class TomlTable:
         return default
 
     def _declared(self, key: str, kind: type[_Kind]) -> _Kind:
-        """Declaration of a key."""
+        """Return the declaration of a key, which must be of a given kind."""
         found = self._keys[key]
         assert isinstance(found, kind), key
         return found
 
     def has(self, key: str) -> bool:
-        """True if the key is given; the request makes the key known."""
+        """Return True if the key is given; the key then counts as requested."""
         self._asked.append(key)
         return key in self._data
 
     def section(self, key: str) -> "TomlTable":
-        """Subtable; empty if it is not given."""
+        """Read a subtable; an empty one if the key is not given."""
         value = self._get(key, {}, "a table")
         if not isinstance(value, Mapping):
             raise StudyError(
@@ -92,7 +93,7 @@ class TomlTable:
     def number(
         self, key: str, *, default: Any = _NEEDED, unit: str | None = None, below: float | None = None
     ) -> Any:
-        """Finite number within its limits, or a text with its unit; `unit` and `below` replace those declared."""
+        """Read a number, or a text with a unit, within its limits, in SI; `unit` and `below` replace the declared."""
         known = self._declared(key, Number)
         above, below, unit = known.above, known.below if below is None else below, unit or known.unit
         wanted = f"a number {_range(above, below)}[{unit}]"
@@ -120,12 +121,12 @@ class TomlTable:
         return float(found)
 
     def has_text(self, *keys: str) -> bool:
-        """True if all of the keys that are given are texts, or lists of texts, so that their units are given."""
+        """Return True if all given keys among `keys` have texts as values, and thus units."""
         given = [self._data[key] for key in keys if key in self._data]
         return all(isinstance(one, str) for item in given for one in (item if isinstance(item, list) else [item]))
 
     def count(self, key: str, *, default: Any = _NEEDED) -> int:
-        """Whole number."""
+        """Read a whole number, at least that declared."""
         least = self._declared(key, Count).least
         wanted = f"a whole number of at least {least}"
         value = self._get(key, default, wanted)
@@ -134,7 +135,7 @@ class TomlTable:
         return value
 
     def text(self, key: str, *, default: Any = _NEEDED) -> Any:
-        """Text, one of the choices if there are any."""
+        """Read a text, one of the declared choices if there are any."""
         choices = self._declared(key, Text).choices
         wanted = f"one of {', '.join(choices)}" if choices else "a text"
         value = self._get(key, default, wanted)
@@ -145,7 +146,7 @@ class TomlTable:
         return value
 
     def file(self, key: str, folder: Path) -> Path:
-        """Path of an existing file, relative to `folder`."""
+        """Read the path of an existing file, relative to `folder`."""
         name = self.text(key)
         file = folder / name
         if not name.isprintable() or not os.path.isfile(file):
@@ -153,14 +154,14 @@ class TomlTable:
         return file
 
     def flag(self, key: str, *, default: bool) -> bool:
-        """Boolean value."""
+        """Read a Boolean value."""
         value = self._get(key, default, "true or false")
         if not isinstance(value, bool):
             raise StudyError(f"'{self.name(key)}' = {shown(value)}; give true or false")
         return value
 
     def texts(self, key: str, *, default: tuple[str, ...]) -> tuple[str, ...]:
-        """List of different choices."""
+        """Read a list of different texts, all from the declared choices."""
         choices = self._declared(key, Texts).choices
         values = self._get(key, default, "a list")
         if not isinstance(values, list | tuple):
@@ -175,7 +176,7 @@ class TomlTable:
         return tuple(values)
 
     def numbers(self, key: str) -> tuple[float, ...]:
-        """List of finite numbers, each of which may be a text with its unit."""
+        """Read a list of numbers in the declared SI unit, each of which may be a text with a unit."""
         unit = self._declared(key, Numbers).unit
         wanted = f"a list of numbers [{unit}]"
         values = self._get(key, _NEEDED, wanted)
@@ -186,7 +187,7 @@ class TomlTable:
         )
 
     def whole_numbers(self, key: str) -> int | tuple[int, ...]:
-        """Count, or list of whole numbers of zero or more."""
+        """Read a count of at least 1, or a list of whole numbers of zero or more."""
         wanted = "how many, or a list of whole numbers of zero or more"
         value = self._get(key, _NEEDED, wanted)
         values = value if isinstance(value, list) else [value]
@@ -197,19 +198,19 @@ class TomlTable:
         return tuple(values) if isinstance(value, list) else value
 
     def lines(self, key: str) -> tuple[str, ...]:
-        """List of texts of one line each; empty if it is not given."""
+        """Read a list of texts of one line each; an empty one if the key is not given."""
         values = self._get(key, [], "a list of texts")
         if not isinstance(values, list) or not all(isinstance(one, str) and one.isprintable() for one in values):
             raise StudyError(f"'{self.name(key)}' = {shown(values)}; give a list of texts of one line each")
         return tuple(values)
 
     def all(self) -> Mapping[str, Any]:
-        """Contents of the table with arbitrary keys."""
+        """Return all contents of a table with arbitrary keys; they count as requested."""
         self._asked.extend(self._data)
         return self._data
 
     def lengths(self, key: str) -> tuple[float, float, float]:
-        """Three positive lengths [m]."""
+        """Read a list of three positive lengths [m]."""
         wanted = 'three positive lengths [m], such as [0.01, 0.01, 0.04] or ["10 mm", "10 mm", "40 mm"]'
         values = self._get(key, _NEEDED, wanted)
         if not isinstance(values, list) or len(values) != 3:
@@ -220,7 +221,7 @@ class TomlTable:
         return a, b, c
 
     def unit(self, key: str) -> float | None:
-        """Unit of length in metres, by name or as a number; None if it is not given."""
+        """Read a unit of length, by name or as a number, in metres; None if the key is not given."""
         value = self._get(key, None, "a unit of length")
         if value is None:
             return None

@@ -38,9 +38,9 @@ from bondem.specimen.material import Material
 from bondem.specimen.regions import Face, Index, Region
 from bondem.statics.static import solve_static
 
-# Half the angle of the strips of a plain cylinder [rad], and at least so many mean edges of cells for half of one.
+# Half angle of the strips of a plain cylinder [rad], and lower limit of half their width in mean edges of cells.
 _STRIP, _CELLS = math.radians(5.0), 0.75
-# The motion at which a test ends at the latest, over that of the expected peak.
+# Limit of the motion of a test, over that at the expected peak.
 _REACH = 4.0
 
 
@@ -49,8 +49,8 @@ class BrazilianTest(OfOneTest):
     """Result of a Brazilian test.
 
     Attributes:
-        test: result of the test to failure. Its curve is 2 P / (π D t) over the approach of the platens over D, and
-            its work is that of the platens per area D t.
+        test: result of the test to failure. Its curve has the approach of the platens over D [-] and 2 P / (π D t)
+            [Pa]; its work is per area D t.
         centre: elastic stress across the loaded diameter at the centre over 2 P / (π D t) [-], to compare with
             `factor`; NaN for the non-local law.
         factor: theoretical value of `centre`, for platens that press on flats or strips [-].
@@ -73,7 +73,7 @@ class BrazilianTest(OfOneTest):
 
     @property
     def E(self) -> float:
-        """Young's modulus from the strains of the middle [Pa], with the ν of the law."""
+        """Young's modulus from the strains of the middle [Pa], for cells with the ν of the law."""
         return self.test.E
 
     @property
@@ -111,8 +111,8 @@ def brazilian(
     For a disc whose shape has flats "top" and "bottom", the platens constrain the flats, and the factor is that of
     Wang et al. (2004), 0.960 at 10°.
 
-    Of bonded spheres the strips are as deep as a mean radius. Planes press the flats of a disc; flats of 15° or more
-    split a disc whose narrower flats lose single spheres first.
+    Strips of bonded spheres are as deep as a mean radius. Planes press the flats of a disc. Flats with a half angle
+    below 15° may lose single spheres before the disc splits.
 
     `.peak` is 2 P / (π D t) without the factor, `.tension` includes it. E follows from Hooke's law and the strains
     within half the radius, where the mean of σ_yy + σ_zz equals its value at the centre, -4 P / (π D t). With the ν
@@ -133,21 +133,20 @@ def brazilian(
             and a friction of 0.4 between fragments.
         traverses: number of passes of sound along the diameter before the expected peak [-]; more is slower. None for
             100; bonded spheres have 50, and 100 or 200 if the forces of both platens do not balance.
-        ending: share of the peak load at which the test ends [-]: the disc has split. With a lower share, `peak` may
-            be that of the two halves, which can carry a higher load afterwards. None for 0.9, or 0.7 for bonded
-            spheres, of which single ones break off at the platens before.
-        out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was
-            killed or interrupted, and evaluates a complete one; None for no file.
+        ending: share of the peak load at which the test ends [-], as the disc has split. With a lower share, `peak`
+            may be that of the two halves, which can carry a higher load afterwards. None for 0.9, or 0.7 for bonded
+            spheres, where single ones break off at the platens before the peak.
+        out: run file (HDF5) from which the same call resumes a test or evaluates a complete one; None for no file.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
-        InputError: another shape, no criterion, or a criterion that this stress never reaches.
+        InputError: another shape, no criterion, a criterion that this stress never reaches, or a value out of range.
         UnstableRunError: the run became unstable.
         RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
 
     Warns:
-        NotQuasistaticWarning: the forces on both platens of bonded spheres do not balance:
-            `StrengthTest.unbalance` is above 0.02.
+        NotQuasistaticWarning: `StrengthTest.unbalance` of both platens is above 0.02, for bonded spheres.
+        StrengthWarning: the load of bonded spheres still rises at the limit of the motion.
 
     Reference: ISRM, Int. J. Rock Mech. Min. Sci. 15 (1978) 99–103; Wang et al., ibid. 41 (2004) 245–253.
     """
@@ -194,9 +193,10 @@ def brazilian(
 
 
 def splitting_strength(softening: Softening) -> float:
-    """Stress s at which the stress (0, -3 s, s) of the centre of a disc reaches a criterion [Pa]; inf if never.
+    """Return the stress s at which the principal stresses (0, -3 s, s) reach a criterion [Pa]; inf if they never do.
 
-    The result is the tensile strength or less: under Mohr–Coulomb cells yield there at c cos φ / (2 - sin φ).
+    This is the stress state at the centre of a disc. The result is at most the tensile strength; cells with
+    Mohr–Coulomb yield at c cos φ / (2 - sin φ).
     """
     found = softening.tension
     if softening.surface is not None:
@@ -211,7 +211,7 @@ def splitting_strength(softening: Softening) -> float:
 
 @dataclass(frozen=True, eq=False)
 class _Jaws:
-    """Areas on which the platens press."""
+    """Regions of a disc on which the platens press, half angle [rad], and theoretical `BrazilianTest.centre` [-]."""
 
     top: Region
     bottom: Region
@@ -221,10 +221,10 @@ class _Jaws:
 
     @classmethod
     def of(cls, body: Lattice, half_angle: float | None) -> "_Jaws":
-        """Flats of the shape, or strips of the side of a cylinder.
+        """Select the flats of a disc, or two strips of the side of a cylinder of a half angle [rad].
 
         Raises:
-            InputError: neither exists, or an angle is out of range.
+            InputError: the body is not such a disc, or the angle is out of range.
         """
         disc = require_disc(body)
         disc.refuse_angle(half_angle)
@@ -239,7 +239,7 @@ class _Jaws:
 
 
 def _strip(body: Lattice, middle: Floats, sign: float, half_angle: float) -> Region:
-    """Cells of the side whose mean facet position is within an angle from ±y."""
+    """Select the cells of the side whose mean facet position is within a half angle [rad] of sign · y."""
     free, on = body.elements.require_cells().cells.free, body.on_face("side")
     cell, area, count = free.cell[on], free.area[on], len(body.particles)
     total = np.bincount(cell, weights=area, minlength=count)
@@ -256,10 +256,10 @@ def _strip(body: Lattice, middle: Floats, sign: float, half_angle: float) -> Reg
 
 
 def _elastic(body: Lattice, law: CellAssignment, jaws: _Jaws) -> tuple[float, float]:
-    """Approach of the platens over 2 P / (π D t) [m/Pa], and the stress at the centre over 2 P / (π D t) [-]."""
+    """Solve the elastic problem for approach of the platens [m/Pa] and centre stress [-], over 2 P / (π D t)."""
     closing = 1e-6 * jaws.disc.diameter
     position = body.particles.position - jaws.disc.middle
-    # the platens leave motion along x and z and turning about y free, and nothing resists where that is held
+    # the platens leave rigid motion along x and z and about y free; fixing it at one cell needs no reaction
     inmost = Index([int(np.argmin(np.linalg.norm(position, axis=1)))])
     boundary = [
         Drive(jaws.top, y=-0.5 * closing), Drive(jaws.bottom, y=0.5 * closing),
@@ -274,7 +274,7 @@ def _elastic(body: Lattice, law: CellAssignment, jaws: _Jaws) -> tuple[float, fl
 
 
 def _strained(nu: float) -> Callable[[Floats], Floats]:
-    """Return the strain measure of the normal strains in the middle; E times it is 2 P / (π D t)."""
+    """Return a function of the normal strains in the middle, (k, 3), whose value times E is 2 P / (π D t)."""
 
     def measure(strains: Floats) -> Floats:
         volume = nu / ((1.0 + nu) * (1.0 - 2.0 * nu)) * strains.sum(axis=1)

@@ -29,7 +29,7 @@ def direct_tension(
 ) -> StrengthTest:
     """Pull a specimen apart along x, between platens that constrain its ends along x only.
 
-    The platens hold the ends of cells, and a layer of bonded spheres as deep as a mean radius at each end.
+    The platens constrain the end faces of cells, or a layer as deep as a mean radius at each end of bonded spheres.
 
     The work per area of the section is the fracture energy of the specimen if there is one crack: `cracking.single`.
     A bar longer than 2 E G_f / f_t² stores more energy than one crack dissipates. Its load snaps back, and several
@@ -45,8 +45,7 @@ def direct_tension(
             friction of 0.4.
         traverses: number of passes of sound along the specimen before the expected peak [-]; more is slower. None for
             60; bonded spheres have 50, and 100 or 200 if the forces of both ends do not balance.
-        out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was
-            killed or interrupted, and evaluates a complete one; None for no file.
+        out: run file (HDF5) from which the same call resumes a test or evaluates a complete one; None for no file.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
@@ -56,8 +55,8 @@ def direct_tension(
 
     Warns:
         FractureEnergyWarning: the work per section is not a fracture energy.
-        NotQuasistaticWarning: the forces on both ends of bonded spheres do not balance:
-            `StrengthTest.unbalance` is above 0.02.
+        NotQuasistaticWarning: `StrengthTest.unbalance` of both ends is above 0.02, for bonded spheres.
+        StrengthWarning: the load of bonded spheres still rises at the limit of the motion.
     """
     options = RunOptions.of(density, traverses, out, progress)
     options.check_traverses("direct_tension")

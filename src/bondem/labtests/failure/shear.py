@@ -39,9 +39,9 @@ from bondem.specimen.material import Material
 from bondem.specimen.regions import Face, Index, Region
 from bondem.statics.static import solve_static
 
-# The borings of the paper: mean diameter, width and depth [m].
+# Borings of Celigueta et al. (2020): mean diameter, width and depth [m].
 _RING, _WIDTH, _DEPTH = 45e-3, 4e-3, 10e-3
-# The motion at which a test ends at the latest, over that of the expected peak.
+# Limit of the motion of a test, over that at the expected peak.
 _REACH = 6.0
 
 
@@ -103,8 +103,7 @@ def shear(
     boring. The stress is the mean shear stress P / (π D h) on the cylinder of height h and mean diameter D between
     both borings. The strain is the motion of the piston over h. Cracks follow the stresses, so that the peak is a
     limit load of the specimen without a closed form, and not a strength of the material. E is the Young's modulus
-    with which an elastic model of these cells has the slope of the curve. Bonded spheres have no E in this
-    test (NaN).
+    with which an elastic model of these cells has the slope of the curve; it is NaN for bonded spheres.
 
     Args:
         body: cells or bonded spheres of a `punch_specimen`.
@@ -117,18 +116,17 @@ def shear(
         traverses: number of passes of sound along the diameter before the expected peak [-]; more is slower. None for
             60; bonded spheres have 50, and 100 or 200 if the forces of piston and plate do not balance.
         ending: share of the peak load at which the test ends [-].
-        out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was
-            killed or interrupted, and evaluates a complete one; None for no file.
+        out: run file (HDF5) from which the same call resumes a test or evaluates a complete one; None for no file.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
-        InputError: a body without such borings, no criterion, or a criterion without strength.
+        InputError: a body without such borings, no criterion, a criterion without strength, or a value out of range.
         UnstableRunError: the run became unstable.
         RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
 
     Warns:
-        NotQuasistaticWarning: the forces of piston and plate on bonded spheres do not balance:
-            `StrengthTest.unbalance` is above 0.02.
+        NotQuasistaticWarning: `StrengthTest.unbalance` of piston and plate is above 0.02, for bonded spheres.
+        StrengthWarning: the load of bonded spheres still rises at the limit of the motion.
     """
     owner, options = "labtests.shear", RunOptions.of(density, traverses, out, progress)
     options.check_traverses("shear")
@@ -162,7 +160,7 @@ def shear(
 
 
 def _shear_bonded(specimen: BondedSpecimen, ending: float, options: RunOptions) -> StrengthTest:
-    """Push the core of bonded spheres out of its ring by a disc, against a plate with a hole."""
+    """Push the core of bonded spheres out of its ring, by a piston against a plate with a hole."""
     core = _Core.of(specimen.lattice)
     lower, upper = specimen.bounds
     distance = np.hypot(*(specimen.lattice.centre - 0.5 * (lower + upper))[:, 1:].T)
@@ -186,7 +184,7 @@ def _shear_bonded(specimen: BondedSpecimen, ending: float, options: RunOptions) 
 
 @dataclass(frozen=True, eq=False)
 class _Core:
-    """Core between both borings.
+    """Dimensions of the core between both ring borings of a `punch_specimen`.
 
     Attributes:
         inside: radius of the core at x_max, under the piston [m].
@@ -202,10 +200,10 @@ class _Core:
 
     @classmethod
     def of(cls, body: Lattice) -> "_Core":
-        """Core of a body.
+        """Measure the core of a body.
 
         Raises:
-            InputError: an end has no ring boring.
+            InputError: an end has no ring boring, or the borings of both ends differ.
         """
         shape = body.particles.envelope
         lower, upper = shape.bounds
@@ -218,10 +216,10 @@ class _Core:
         return cls(above[0], below[1], below[0] + below[1], height)
 
     def loaded(self, body: Lattice) -> tuple[Region, Region]:
-        """Cells on the plate and under the piston.
+        """Select the cells on the plate, and those under the piston.
 
         Raises:
-            InputError: No cell lies on the plate, or none under the piston.
+            InputError: one of both selections is empty.
         """
         regions = []
         for name, keep_core, radius in (("x_min", False, self.outside), ("x_max", True, self.inside)):
@@ -234,7 +232,7 @@ class _Core:
 
 
 def _boring(shape: Shape, lower: Floats, upper: Floats, end: float) -> tuple[float, float, float]:
-    """Inner and outer radius of the ring boring in an end, and its depth [m]."""
+    """Measure the inner radius, outer radius and depth of the ring boring in the end at x = `end` [m]."""
     middle, length = 0.5 * (lower + upper), float(upper[0] - lower[0])
     way = 1.0 if end == lower[0] else -1.0
     start = np.array([end + way * 1e-6 * length, middle[1], middle[2]])
@@ -257,7 +255,7 @@ def _no_borings() -> InputError:
 
 
 def _on_face(body: Lattice, name: str) -> tuple[Ints, Floats]:
-    """Cells of an end and their distances from the axis [m]."""
+    """Return the indices of the cells of an end face, (k,), and their distances from the axis [m], (k,)."""
     lower, upper = body.particles.envelope.bounds
     free, on = body.elements.require_cells().cells.free, body.on_face(name)
     y, z = (free.centroid[on, axis] - 0.5 * (lower + upper)[axis] for axis in (1, 2))
@@ -269,7 +267,7 @@ def _on_face(body: Lattice, name: str) -> tuple[Ints, Floats]:
 
 
 def _expected(softening: Softening) -> float:
-    """Rough shear stress at the peak [Pa], from the cohesion or the tensile strength; it sets the loading rate."""
+    """Estimate the shear stress at the peak [Pa], which sets speed and limit of the motion only."""
     found = softening.tension
     for slip in softening.slips:
         found = 0.5 * math.sqrt(softening.tension * slip.compressive())
@@ -277,7 +275,7 @@ def _expected(softening: Softening) -> float:
 
 
 def _compliance(body: Lattice, law: CellAssignment, plate: Region, piston: Region) -> float:
-    """Elastic motion of the piston over its force [m/N]."""
+    """Solve for the elastic motion of the piston per force [m/N]."""
     lower, upper = body.particles.envelope.bounds
     distance = np.linalg.norm(body.particles.position - 0.5 * (lower + upper), axis=1)
     motion = 1e-6 * float(upper[0] - lower[0])

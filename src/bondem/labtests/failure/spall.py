@@ -27,13 +27,13 @@ from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material, constant
 from bondem.specimen.regions import Face
 
-# Largest mass share of crumbs; largest integrity of broken facets [-].
+# Largest mass share of fragments that are not counted; largest integrity of broken facets [-].
 _CRUMB, _BROKEN = 0.01, 0.1
-# Rise of the velocity that ends the pull-back, over 2 p / ρ c.
+# Rise of the velocity that ends the pull-back, over 2 p / ρ c [-].
 _REBOUND = 0.04
-# Bins of a profile at most.
+# Largest number of bins of a profile.
 _MOST_BINS = 1_000_000
-# Bins along the bar, over the mean edge of its cells.
+# Length of the bins along the bar, over the mean edge of its cells.
 _BIN = 1.0
 _EVERY = 2
 
@@ -70,11 +70,11 @@ class ThinBar:
         return 2.0 * tension / (self.rho * self.celerity)
 
     def strength(self, pull_back: float) -> float:
-        """Return the tensile strength for a pull-back velocity Δu [m/s], ½ ρ c Δu [Pa] (Novozhilov's estimate)."""
+        """Return the tensile strength ½ ρ c Δu [Pa] for a pull-back velocity Δu [m/s], Novozhilov's estimate."""
         return 0.5 * self.rho * self.celerity * pull_back
 
     def place(self, tension: float) -> float:
-        """Return the distance from the free end at which tension first reaches a strength, ½ c t_fall f_t / p [m].
+        """Return the distance ½ c t_fall f_t / p from the free end at which tension first reaches a strength f_t [m].
 
         At the distance d the reflected peak meets the incident pulse after 2 d / c, when its pressure has dropped by
         f_t. The result is infinite for a strength above the peak pressure.
@@ -92,9 +92,10 @@ class SpallTest(PlottedState):
         highest: largest velocity of the free end [m/s].
         pull_back: drop of the velocity from its maximum until it rises again, Δu [m/s]; None if it does not rise.
         first: time of the first failure of a facet [s]; None without failure.
-        lengths: lengths of the fragments by their mass, from the free end, without crumbs [m], (f,).
-        edges, profile: edges of bins from the free end [m], (b + 1,), and the broken area per bin over the section
-            [-], (b,).
+        lengths: lengths of the fragments by their mass, in the order from the free end [m], (f,); those of at most
+            1 % of the mass are left out.
+        edges, profile: edges of bins from the free end [m], (b + 1,), and broken area per bin, projected along x,
+            over the section [-], (b,).
         residual: error of the energy balance over its largest term [-].
         run: result of the explicit run.
     """
@@ -128,7 +129,7 @@ class SpallTest(PlottedState):
 
     @property
     def state(self) -> State:
-        """Final state of the bar."""
+        """State of the bar at the end of the run."""
         return self.run.state
 
 
@@ -160,12 +161,10 @@ def spall(
         density: density of the material [kg/m³], or a `bd.Material`.
         pressure: peak pressure p of the pulse [Pa].
         rise, fall: rise time of the pulse, and its fall time to zero [s].
-        duration: duration of the run [s]; None for three passes along the bar, after which the pulse is at x_max
-            again.
+        duration: duration of the run [s]; None for three passes along the bar, until the pulse is at x_max again.
         rebound: rise of the velocity that ends a pull-back [m/s]; None for 4 % of 2 p / ρ c.
         bins: number of bins of the profile; None for bins as long as the mean edge of cells.
-        out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was
-            killed or interrupted, and evaluates a complete one; None for no file.
+        out: run file (HDF5) from which the same call resumes a test or evaluates a complete one; None for no file.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
@@ -217,7 +216,7 @@ def spall(
 
 
 def pulled_back(velocity: Floats, rebound: float) -> tuple[float, float | None]:
-    """Compute the largest velocity of a free end and its pull-back [m/s]; the pull-back is None if it does not end.
+    """Compute the largest velocity of a free end and its pull-back [m/s]; the latter is None without a later rise.
 
     Args:
         velocity: velocity of the free end over time [m/s], (k,).
@@ -230,14 +229,17 @@ def pulled_back(velocity: Floats, rebound: float) -> tuple[float, float | None]:
 
 
 def lengths(pieces: Fragments, mass: float) -> Floats:
-    """Lengths of the fragments of a bar along x of given mass per length [kg/m], from x_max, without crumbs [m]."""
+    """Return the lengths of the fragments of a bar along x by their mass, in the order from x_max [m], (f,).
+
+    `mass` is that per length [kg/m]. Fragments of at most 1 % of the total mass are left out.
+    """
     whole = pieces.mass > _CRUMB * pieces.mass.sum()
     order = np.argsort(-pieces.position[whole, 0])
     return pieces.mass[whole][order] / mass
 
 
 def _measures(bar: Lattice) -> tuple[float, float]:
-    """Length [m] and section [m²] of a bar.
+    """Return the length [m] and the section [m²] of a bar.
 
     Raises:
         InputError: the shape is not a bar along x.

@@ -33,15 +33,15 @@ from bondem.specimen.material import Material, constant
 
 #: 2.8 / π: the tensile strength of Hiramatsu and Oka (1966) over F / D².
 TENSION = 2.8 / math.pi
-# Density of a test where none is given [kg/m³].
+# Default density of a test [kg/m³].
 _DENSITY = 2000.0
-# Share of the critical damping of the first axial vibration; records of a test; closing at which it ends at the
-# latest, over that of the expected peak; share of the time until that peak in which the plates gain speed.
+# Share of the critical damping of the first axial vibration; number of records; limit of the approach over that at
+# the expected peak; share of the time until that peak in which the plates accelerate.
 _DAMPING, _RECORDS, _REACH, _BEGIN = 0.05, 800, 4.0, 0.2
-# Largest closing that is expected at the peak, over the diameter: balls of brittle beams are ground down by the
-# plates at a small share of the strength of their bonds, and never bear what their section would.
+# Largest expected approach at the peak over the diameter. The plates grind balls of brittle beams down at a small
+# share of the strength of their bonds, so that an estimate from the section would be too large.
 _CLOSING = 0.0125
-# A peak above this share of the expected one may be that of the ball.
+# Least share of the expected force at which a drop of the load ends the test.
 _SURE = 0.3
 
 
@@ -117,7 +117,7 @@ def sphere_crushing(
     a closed form of f_t, as cells under the plates may crush before the ball splits. Before the peak the force rises
     in steps as further elements come into contact, so that it follows Hertz only approximately. Balls of brittle
     beams (`bd.PeripheralStress` without a fracture energy) lose one element after another at the plates. Their
-    largest force is that of grinding, within an approach of a twentieth of the diameter.
+    largest force is that of grinding, within an approach of at most a twentieth of the diameter.
 
     Args:
         ball: cells or bonded spheres of a `bd.Ball`.
@@ -131,8 +131,7 @@ def sphere_crushing(
         traverses: number of passes of sound along the diameter before the expected peak [-]; more is slower.
         ending: share of the peak load at which the test ends [-].
         fine: upper size limit of fines, as a share of the ball's diameter [-].
-        out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was
-            killed or interrupted, and evaluates a complete one; None for no file.
+        out: run file (HDF5) from which the same call resumes a test or evaluates a complete one; None for no file.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
@@ -171,12 +170,12 @@ def sphere_crushing(
 
 
 def _force(history: History) -> Floats:
-    """Mean force of both plates, positive in compression [N]."""
+    """Mean force of both plates at each record, positive in compression [N], (k,)."""
     return 0.5 * (history["far"][:, 0] - history["near"][:, 0])
 
 
 def _plates(ball: BallSpecimen, speed: float, begin: float, friction: float) -> tuple[PlaneWall, PlaneWall]:
-    """Smooth or rough plates at the outermost elements, below and above along x."""
+    """Create both plates, which touch the outermost elements at x_min and x_max and approach at 2 · speed [m/s]."""
     _, y, z = ball.middle
     axis = np.array([1.0, 0.0, 0.0])
     below, above = PlaneWall((-ball.reach(-axis), y, z), (1.0, 0.0, 0.0), friction=friction), ball.reach(axis)
@@ -187,13 +186,14 @@ def _plates(ball: BallSpecimen, speed: float, begin: float, friction: float) -> 
 
 
 def _expected(model: Model, ball: BallSpecimen) -> tuple[float, float, float]:
-    """Rough estimates of the peak force [N], the approach of the plates at the peak [m] and the speed of sound [m/s].
-    They set the speed of the plates only.
+    """Estimate the peak force [N], the approach of the plates at the peak [m] and the speed of sound [m/s].
+
+    They set the speed of the plates, the damping and the limits of the test only.
     """
     found = model.implied_fracture
     assert found is not None
     strength = found.weakest
-    if model.interaction.evaluated == "force":  # beams: what their sections make up of a section of the ball
+    if model.interaction.evaluated == "force":  # beams: their share of a section of the ball
         lattice = model.lattice
         solid = (math.pi * model.stiffness.radius**2 * lattice.length).sum() / lattice.particles.envelope.volume
         strength *= min(float(solid) / 3.0, 1.0)

@@ -27,12 +27,12 @@ from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material, constant
 
-# Steps between records; the impulse is their sum.
+# Steps between records, over which the impulse is integrated.
 _EVERY = 2
-# A test ends when the plane had no contact for so many diameters over the speed of sound, or after so many contact
+# Time without contact after which a test ends, in diameters over the speed of sound; limit of the duration in contact
 # times of a ball on a single element.
 _QUIET, _CONTACTS = 3.0, 8.0
-# How far elements may reach into a plane at first, over the diameter: rounding.
+# Largest initial overlap with the plane over the diameter, for rounding [-].
 _TOUCH = 1e-9
 
 
@@ -46,8 +46,7 @@ class SphereImpact(PlottedState):
         time, force: time [s] and force on the plane, positive in compression [N], of each record, (k,).
         broken: broken ball with `.pieces`, `.sizes`, `.damage`, `.fines` and `.largest`.
         restitution: normal speed of the heaviest fragment after the impact over that of the ball before [-].
-        momentum: |impulse of the plane - change of momentum| over the initial momentum of the ball [-], an error
-            measure.
+        momentum: |impulse of the plane - change of momentum| over the initial momentum, an error measure [-].
         residual: error of the energy balance over its largest term [-].
         run: result of the explicit run.
     """
@@ -112,10 +111,9 @@ def sphere_impact(
         contact: contact law of fragments and plane; None for the stiffness of the median bond and a friction of 0.4
             between fragments.
         duration: duration of the run [s]; None to end once the plane has had no contact for three diameters over the
-            speed of sound. The longest run then is eight times the contact time of a ball on a single element.
+            speed of sound. Its limit is then eight contact times of a ball on a single element after the approach.
         fine: upper size limit of fines, as a share of the ball's diameter [-].
-        out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was
-            killed or interrupted, and evaluates a complete one; None for no file.
+        out: run file (HDF5) from which the same call resumes a test or evaluates a complete one; None for no file.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
@@ -154,7 +152,7 @@ def sphere_impact(
 
 
 def _plane(ball: BallSpecimen, wall: PlaneWall | None, friction: float) -> PlaneWall:
-    """Given plane, or a plane across x at the outermost element.
+    """Return the given plane, or a plane across x that touches the outermost element at x_min.
 
     Raises:
         InputError: another kind of wall, or a moving plane.
@@ -169,10 +167,10 @@ def _plane(ball: BallSpecimen, wall: PlaneWall | None, friction: float) -> Plane
 
 
 def _gap(ball: BallSpecimen, plane: PlaneWall) -> float:
-    """Distance of the outermost element from the plane [m].
+    """Compute the distance of the nearest element from the plane [m].
 
     Raises:
-        InputError: the plane is inside the ball or far from it.
+        InputError: the plane is inside the ball, or more than a diameter away.
     """
     normal = np.array(plane.normal)
     gap = -ball.reach(-normal) - float(np.dot(plane.point, normal))
@@ -190,7 +188,7 @@ def _gap(ball: BallSpecimen, plane: PlaneWall) -> float:
 
 
 def _velocity(velocity: object, normal: Floats) -> Floats:
-    """Velocity of the ball [m/s], (3,).
+    """Return the initial velocity of the ball [m/s], (3,), from a speed or a vector.
 
     Raises:
         InputError: no velocity, or one away from the plane.
@@ -206,7 +204,7 @@ def _velocity(velocity: object, normal: Floats) -> Floats:
 
 
 def _modulus(ball: BallSpecimen) -> float:
-    """Rough Young's modulus [Pa], of bonds of a cubic lattice; for durations only."""
+    """Estimate Young's modulus as that of a cubic lattice of equal bonds [Pa], for durations only."""
     return ball.stiffness / (2.0 * float(np.median(ball.radius)))
 
 

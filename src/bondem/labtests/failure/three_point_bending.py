@@ -33,32 +33,31 @@ from bondem.specimen.regions import Face, Index, Region, Within
 from bondem.statics.quasistatic.load_response import MeasuringPoints
 from bondem.statics.quasistatic.quasistatic_run import QuasistaticResult, solve_quasistatic
 
-# Load at a factor of 1 [N]: nothing depends on it.
+# Load at a factor of 1 [N], on which no result depends.
 _LOAD = 1e3
-# Width of the strips that bear, over the depth of the beam, and at least so many mean edges of cells.
+# Width of the loaded strips over the depth of the beam, and its lower limit in mean edges of cells.
 _STRIP, _CELLS = 0.1, 1.5
-# Gauge of the opening of a notch, and how much of the normal of its sides is along x, at least.
+# Name of the gauge of the opening of a notch; least component along x of the normals of its sides [-].
 _MOUTH, _STEEP = "cmod", 0.5
 
 
 @dataclass(frozen=True, eq=False)
 class BendingTest(PlottedState):
-    """Result of a bending test, as a quasi-static path of failure events.
+    """Result of a bending test: for cells a quasi-static path of failure events, for bonded spheres a run over time.
 
     Attributes:
         peak: flexural strength 3 P L / (2 b h²) [Pa], with h the ligament above the notch or the whole depth.
         E: Young's modulus from the deflection of a plain beam, with shear [Pa]. For a notched beam it is a smaller,
             apparent modulus.
-        curve: deflection over the span [-] and 3 P L / (2 b h²) [Pa] at each event, starting at (0, 0), shape (k, 2).
+        curve: deflection over the span [-] and 3 P L / (2 b h²) [Pa] at each event or record, from 0, shape (k, 2).
         work: work of the rollers per area b h of the ligament [J/m²]: dissipated energy and final elastic energy.
         span: distance L of the supports [m].
         ligament: height h of the ligament [m].
-        path: quasi-static path of cells, with loads [N] and the displacement between the rollers as gauges "left" and
-            "right" [m]; `path.gauge` contains the requested gauges too. For bonded spheres the explicit run.
+        path: quasi-static path of cells, with loads [N]; `path.gauge` has the displacements between the rollers,
+            "left" and "right" [m], and the requested gauges. For bonded spheres the explicit run.
         load: load P at each row of the curve [N], shape (k,).
         deflection: deflection at each row of the curve [m], shape (k,).
-        cracking: cracks and pieces, and the dissipated energy; `cracking.single` is True where the work is that
-            of one crack.
+        cracking: cracks and pieces, and the dissipated energy; `cracking.single` is True if one crack dissipated it.
         cmod: opening of the notch mouth along x at each row of the curve [m], shape (k,): mean over the width, at the
             edges of the notch in the bottom, which move and rotate with their cells. None for a beam without a notch.
     """
@@ -77,12 +76,12 @@ class BendingTest(PlottedState):
 
     @property
     def state(self) -> State:
-        """State of the broken beam at its last equilibrium."""
+        """State of the broken beam at its last equilibrium, or at the end of the run of bonded spheres."""
         return self.path.state
 
     @property
     def table(self) -> dict[str, Floats]:
-        """Notch opening if there is a notch, load, deflection, strain and stress of the curve, by name and unit."""
+        """Notch opening if it was measured, load, deflection, strain and stress of the curve, by name and unit."""
         mouth = {} if self.cmod is None else {"CMOD [m]": self.cmod}
         others = {"load [N]": self.load, "deflection over span [-]": self.curve[:, 0]}
         deflection = {"deflection [m]": self.deflection}
@@ -112,9 +111,9 @@ def three_point_bending(
 ) -> BendingTest:
     """Bend a beam in three-point bending until it has failed.
 
-    The beam has the axis x, the depth along y and the width along z. The rollers are one above mid-span and two
-    supports below. Each roller is a traction along y on a strip of the surface, whose resultant passes through the
-    line of the roller. The rollers neither constrain the beam along x nor clamp it.
+    The beam has the axis x, the depth along y and the width along z, with one roller above mid-span and two supports
+    below. Each roller is a traction along y on a strip of the surface, whose resultant passes through the line of the
+    roller. The rollers neither constrain the beam along x nor clamp it.
 
     `bd.solve_quasistatic` follows the equilibrium path, also through snap-back, so that density and speed do not
     enter. Tension alone decides: from `bd.MohrCoulomb` only the tensile strength and the fracture energy are used,
@@ -125,8 +124,8 @@ def three_point_bending(
     ((L/D)³/4 + (0.6 + 0.375 ν) L/D - 0.21) (Timoshenko and Goodier §40). The last terms are the shear of beam theory
     less the local effect of the roller, 4 % of the total at L = 3 D.
 
-    Bonded spheres are bent in time, by rigid rods along z that the outermost spheres touch; the one above mid-span
-    moves. Their E has the ν of the law. They have no `cmod`.
+    Bonded spheres have a run over time, between rigid rods along z that touch the outermost spheres; the one above
+    mid-span moves. E uses the ν of the bond law, and `cmod` is None.
 
     Args:
         body: cells or bonded spheres of a box along x, plain or with a notch from below at mid-span,
@@ -145,8 +144,9 @@ def three_point_bending(
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
-        InputError: an unsuitable body, a span or strip that does not fit, an unsupported criterion, or the name of a
-            gauge used twice.
+        InputError: an unsuitable body, a span or strip that does not fit, an unsupported criterion or option, or the
+            name of a gauge used twice.
+        UnstableRunError: the run of bonded spheres became unstable.
         RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
     """
     if not is_cells(body, law):
@@ -219,7 +219,7 @@ def _bend_bonded(
     until: float,
     options: RunOptions,
 ) -> BendingTest:
-    """Bend bonded spheres between rods."""
+    """Bend bonded spheres between rods, over a span [m] or the default, until a share of the peak load [-]."""
     owner = "labtests.three_point_bending"
     number(owner, "roller_friction", friction, least=0.0)
     number(owner, "until", until, above=0.0, below=1.0)
@@ -240,10 +240,10 @@ def _bend_bonded(
 
 
 def _tensile(failure: FailureAssignment) -> FailureAssignment:
-    """Tensile part of a criterion, or of each criterion by region.
+    """Return the tensile part of a criterion, or of each criterion by region.
 
     Raises:
-        InputError: another criterion than those of the largest principal stress.
+        InputError: a criterion that does not limit the largest principal stress.
     """
     if isinstance(failure, Mapping):
         return {where: _of_tension(one) for where, one in failure.items()}
@@ -268,7 +268,7 @@ def _of_tension(failure: object) -> Rankine:
 
 @dataclass(frozen=True, eq=False)
 class _Beam:
-    """Supports and load of a beam."""
+    """Beam with its corners `lower` and `upper`, span, width of the loaded strips and height of the ligament [m]."""
 
     body: Lattice
     lower: Floats
@@ -279,7 +279,7 @@ class _Beam:
 
     @classmethod
     def of(cls, body: Lattice, span: float | None, strip: float | None) -> "_Beam":
-        """Supports and load of a body.
+        """Measure a beam, with given or default span and strip [m].
 
         Raises:
             InputError: the body is not a beam, or span or strip do not fit.
@@ -308,14 +308,12 @@ class _Beam:
         return 0.5 * (self.lower + self.upper)
 
     def compliance(self, nu: float) -> float:
-        """Deflection of a plain beam times E over the load [1/m], with bending, shear and the local effect of the
-        roller.
-        """
+        """Deflection of a plain beam times E over the load [1/m]: bending, shear and local effect of the roller."""
         slender = self.span / float(self.upper[1] - self.lower[1])
         return (0.25 * slender**3 + (0.6 + 0.375 * nu) * slender - 0.21) / self.width
 
     def _region(self, face: str, at: float) -> Region:
-        """Cells whose mean facet position is within half a strip of a line."""
+        """Select the cells of a face whose mean facet position is within half a strip of the line at x = `at` [m]."""
         free, on = self.body.elements.require_cells().cells.free, self.body.on_face(face)
         cell, area, count = free.cell[on], free.area[on], len(self.body.particles)
         total = np.bincount(cell, weights=area, minlength=count)
@@ -329,7 +327,7 @@ class _Beam:
         return Face(face) & Index(chosen)
 
     def _places(self) -> dict[str, tuple[str, float, float]]:
-        """Face, x and share of the load of each roller."""
+        """Face, x [m] and share of the load along y of each roller, by name."""
         x = float(self.middle[0])
         return {
             "top": ("y_max", x, -1.0), "left": ("y_min", x - 0.5 * self.span, 0.5),
@@ -337,7 +335,7 @@ class _Beam:
         }  # fmt: skip
 
     def rollers(self) -> tuple[Region, list[Load]]:
-        """Upper strip, and the loads of all three rollers, each through its line."""
+        """Create the region of the upper strip and the loads of all three rollers, each through its line."""
         loads = [self._load(*place) for place in self._places().values()]
         return loads[0].region, loads
 
@@ -348,7 +346,7 @@ class _Beam:
         return Load(region, force=(0.0, force, 0.0), moment=moment)
 
     def gauges(self) -> Mapping[str, tuple[Region, Region]]:
-        """Gauges from each support to the upper roller and to the middle of the section, and of the notch mouth."""
+        """Pairs of regions for gauges: each support with the upper roller and the ligament, and both notch edges."""
         region = {name: self._region(face, at) for name, (face, at, _) in self._places().items()}
         x, y = float(self.middle[0]), float(self.middle[1])
         inside = self._about(x, float(self.upper[1]) - 0.5 * self.ligament)
@@ -357,7 +355,7 @@ class _Beam:
         return found | {f"middle {name}": (end, inside) for name, end in ends.items()} | self._mouth()
 
     def _mouth(self) -> dict[str, tuple[Region, Region]]:
-        """Return the gauge between the edges of the notch at the bottom; none for a plain beam.
+        """Create the gauge between the edges of the notch at the bottom, by name; none for a plain beam.
 
         A cell at the mouth has a facet on a side of the notch and one on the bottom. Its edge is where the plane of
         the side meets the bottom, and its share of the width is the extent of the side facet along z.
@@ -381,7 +379,7 @@ class _Beam:
         return {_MOUTH: (first, second)}
 
     def _about(self, x: float, y: float) -> Region:
-        """Cells about a line along z, as wide and deep as a strip."""
+        """Select the cells about a line along z at x and y [m], within a square of the width of a strip."""
         size = (self.strip, self.strip, 2.0 * self.width)
         corner = (x - 0.5 * self.strip, y - 0.5 * self.strip, float(self.lower[2]) - 0.5 * self.width)
         return Within(Box(size).moved(corner))

@@ -40,7 +40,7 @@ class TriaxialTest(OfOneTest):
 
     @property
     def E(self) -> float:
-        """Young's modulus from the slope of the curve between a tenth and half of the peak [Pa]."""
+        """Slope of stress over strain from 0.1 to 0.5 of the peak [Pa]; for bonded spheres in the middle half."""
         return self.test.E
 
     @property
@@ -71,8 +71,8 @@ def triaxial(
 ) -> TriaxialTest:
     """Compress a specimen along x between platens, under a confining pressure.
 
-    Cells have a membrane that rotates with them. Bonded spheres have smooth walls with a servo: a cylinder around a
-    `bd.Cylinder`, planes around a `bd.Box`.
+    On cells the pressure acts on the side facets and rotates with them, like that of a membrane. On bonded spheres
+    smooth servo walls apply it: a cylinder around a `bd.Cylinder`, planes around a `bd.Box`.
 
     The pressure rises while the platens accelerate, in the first fifth of the time to the expected peak, and is
     constant afterwards. Call the function once for each confining pressure.
@@ -91,8 +91,7 @@ def triaxial(
         traverses: number of passes of sound along the specimen before the expected peak [-]; more is slower. None as
             in `uniaxial_compression`.
         reach: limit of the strain, over the strain at the expected peak [-]; None for 2, or 20 for bonded spheres.
-        out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was
-            killed or interrupted, and evaluates a complete one; None for no file.
+        out: run file (HDF5) from which the same call resumes a test or evaluates a complete one; None for no file.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
@@ -102,8 +101,8 @@ def triaxial(
         RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
 
     Warns:
-        NotQuasistaticWarning: the forces on both platens do not balance:
-            `StrengthTest.unbalance` is above 0.02.
+        NotQuasistaticWarning: `StrengthTest.unbalance` of both platens is above 0.02, for bonded spheres.
+        StrengthWarning: the load of bonded spheres still rises at the limit of the motion.
     """
     advice = "a positive pressure; without one it is labtests.uniaxial_compression"
     around = number("labtests.triaxial", "pressure", pressure, unit="Pa", above=0.0, advice=advice)

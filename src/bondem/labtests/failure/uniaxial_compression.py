@@ -37,16 +37,15 @@ def uniaxial_compression(
     Smooth platens leave the stress uniform, so that the peak is a strength of the material. Rough platens restrain
     the ends of the body: squat bodies are then stronger than slender ones.
 
-    Platens of bonded spheres are planes that the outermost spheres touch, and confining walls are a smooth cylinder
-    or smooth planes with a servo. E is that of the strain in the middle half of the length.
+    Platens of bonded spheres are planes that the outermost spheres touch, and smooth servo walls apply a pressure on
+    the sides. `.E` of bonded spheres uses the strain in the middle half of the length.
 
     Args:
         body: specimen of cells, of bonded spheres, or of the non-local law.
         law: cell law, bond law, or laws by region, or the non-local law.
         failure: for cells `bd.MohrCoulomb` or `bd.DruckerPrager` with a fracture energy; for bonded spheres a
             criterion of bonds such as `bd.PeripheralStress`; or criteria by region.
-        pressure: confining pressure on the sides [Pa], of cells that of a membrane that rotates with them; 0 for
-            uniaxial compression.
+        pressure: confining pressure on the sides [Pa]; 0 for uniaxial compression.
         platen_friction: coefficient of friction between platens and body [-]; 0 for smooth platens, as with grease or
             brushes, which leave the ends free to expand.
         density: density of the material [kg/m³], or a `bd.Material`; results do not depend on it.
@@ -55,13 +54,11 @@ def uniaxial_compression(
         traverses: number of passes of sound along the specimen before the expected peak [-]; more is slower. None for
             100; bonded spheres have 50, and 100 or 200 if the forces of both platens do not balance.
         reach: limit of the strain, over the strain at the expected peak [-]; None for 2, or 20 for bonded spheres.
-        out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was
-            killed or interrupted, and evaluates a complete one; None for no file.
+        out: run file (HDF5) from which the same call resumes a test or evaluates a complete one; None for no file.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Returns:
-        Result with a positive `.peak`. Under pressure, stress and peak are those of the platens, σ1 of rock
-        mechanics.
+        Result with a positive `.peak`; stress and peak are those of the platens, σ1 of rock mechanics.
 
     Raises:
         InputError: a criterion without yielding of cells, no criterion, or a shape without flat ends.
@@ -69,8 +66,8 @@ def uniaxial_compression(
         RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
 
     Warns:
-        NotQuasistaticWarning: the forces on both platens do not balance:
-            `StrengthTest.unbalance` is above 0.02.
+        NotQuasistaticWarning: `StrengthTest.unbalance` of both platens is above 0.02, for bonded spheres.
+        StrengthWarning: the load of bonded spheres still rises at the limit of the motion.
     """
     return compressed(
         "uniaxial_compression", body, law, failure, pressure=pressure, platen_friction=platen_friction,
@@ -90,7 +87,7 @@ def compressed(
     reach: float | None,
     options: RunOptions,
 ) -> StrengthTest:
-    """Compress a specimen in the test of a given name; see `uniaxial_compression`."""
+    """Compress a specimen, with the arguments of `uniaxial_compression`, in the test of a given name."""
     owner = f"labtests.{test}"
     number(owner, "pressure", pressure, unit="Pa", least=0.0)
     rough = number(owner, "platen_friction", platen_friction, least=0.0)
