@@ -56,7 +56,7 @@ def bend_bonded(
         span: distance of the supports [m].
         ligament: height of the section at mid-span [m].
         friction: coefficient of friction of the rollers [-].
-        ending: share of the peak at which the test ends [-].
+        ending: share of the peak load at which the test ends [-].
         options: options of the test.
     """
     lower, upper = specimen.bounds

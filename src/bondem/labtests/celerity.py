@@ -39,8 +39,8 @@ def impact(
     speed is L_M of eq (12) of André et al. (2012) over the arrival time.
 
     The refined theory uses the path from the mean centre of the driven elements to the face x_min. In a body of cells
-    this path is the whole length: the wall drives the face x_max itself, and the cells at x_min record the front and
-    its reflection at equal times before and after the front reaches the face.
+    this path is the whole length. The wall drives the face x_max itself, and the cells at x_min record the front and
+    its reflection symmetrically about the time at which the front reaches the face.
 
     Args:
         lattice: the specimen.

@@ -100,9 +100,9 @@ def free_vibration(
 ) -> FreeVibration:
     """Load a clamped specimen, release it and record its vibration.
 
-    The run starts at rest from the static equilibrium under an axial force, a transverse force and a moment about x,
-    the limit of the slow ramp of André et al. (2012). The loads are removed at t = 0. Amplitudes are so small that
-    the three motions do not interact.
+    The run starts at rest from the static equilibrium under an axial force, a transverse force and a moment about x.
+    This is the limit of the slow ramp of André et al. (2012). The loads are removed at t = 0. Amplitudes are so small
+    that the three motions do not interact.
 
     Args:
         lattice: the specimen.

@@ -253,7 +253,7 @@ def calibration_chart(lattice: Lattice, fit: Calibration) -> tuple[Trial, ...]:
 
 
 def keep_specimen(path: Path, lattice: Lattice, law: AnyLaw | None, density: float) -> None:
-    """Write an unconstrained specimen at rest as a run file, whose model and state later runs can use."""
+    """Write an unconstrained specimen of a density [kg/m³] at rest as a run file, from which later runs can start."""
     model = Model(lattice, law, density=density)
     with RunFile(path, model, settled(model, Plan(duration=0.0))) as file:
         file.checkpoint(State(model), History.empty(()))

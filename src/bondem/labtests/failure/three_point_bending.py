@@ -357,8 +357,8 @@ class _Beam:
     def _mouth(self) -> dict[str, tuple[Region, Region]]:
         """Create the gauge between the edges of the notch at the bottom, by name; none for a plain beam.
 
-        A cell at the mouth has a facet on a side of the notch and one on the bottom. Its edge is where the plane of
-        the side meets the bottom, and its share of the width is the extent of the side facet along z.
+        A cell at the mouth has a facet on a side of the notch and one on the bottom. Its edge is the intersection of
+        both planes. Its weight is the extent of the side facet along z.
         """
         free, names = self.body.elements.require_cells().cells.free, self.body.particles.envelope.faces
         low = float(self.lower[1])
