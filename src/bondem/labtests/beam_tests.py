@@ -75,7 +75,7 @@ class CrossSection:
         )
 
     def shear_coefficient(self, nu: float) -> float:
-        """Shear coefficient k of Timoshenko's beam after Cowper (1966) [-]."""
+        """Return the shear coefficient k of Timoshenko's beam for Poisson's ratio ν, after Cowper (1966) [-]."""
         if self.circular:
             return 6.0 * (1.0 + nu) / (7.0 + 6.0 * nu)
         return 10.0 * (1.0 + nu) / (12.0 + 11.0 * nu)
@@ -123,11 +123,11 @@ class Bar:
         return self.section.shear_coefficient(self.nu) * self.G * self.section.area
 
     def extension(self, force: float) -> float:
-        """Displacement of the end under an axial force [m]: F L / (E S)."""
+        """Return the axial displacement F L / (E S) of the end [m] under an axial force F [N]."""
         return force * self.length / (self.E * self.section.area)
 
     def deflection(self, force: float, *, overhang: float = 0.0, shear: bool = False) -> float:
-        """Displacement of the end under a transverse force [m]: F L³ / (3 E I), plus F L / (k G S) with shear.
+        """Return the transverse displacement of the end [m]: F L³ / (3 E I), plus F L / (k G S) with shear.
 
         Args:
             force: transverse force F [N].
@@ -138,7 +138,7 @@ class Bar:
         return bent + (force * self.length / self.kGS if shear else 0.0)
 
     def twist(self, moment: float) -> float:
-        """Rotation of the end about x under a moment [rad]: T L / (G J)."""
+        """Return the rotation T L / (G J) of the end about x [rad] under a moment T [N·m]."""
         return moment * self.length / (self.G * self.section.torsion_constant)
 
     @property

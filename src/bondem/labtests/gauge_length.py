@@ -71,7 +71,7 @@ def at_generators(
 
 
 def middle_half(lattice: Lattice) -> Ints:
-    """Select the connected elements whose centres lie in the middle half of the length, in the user's order.
+    """Select the connected elements whose centres lie in the middle half of the length, as indices, (k,).
 
     Raises:
         InputError: fewer than 12 elements, too few for a fit.

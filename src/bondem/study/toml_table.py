@@ -93,7 +93,7 @@ class TomlTable:
     def number(
         self, key: str, *, default: Any = _NEEDED, unit: str | None = None, below: float | None = None
     ) -> Any:
-        """Read a number, or a text with a unit, within its limits, in SI; `unit` and `below` replace the declared."""
+        """Read a number or a text with a unit, as a float in SI; `unit` and `below` replace those declared."""
         known = self._declared(key, Number)
         above, below, unit = known.above, known.below if below is None else below, unit or known.unit
         wanted = f"a number {_range(above, below)}[{unit}]"
@@ -126,7 +126,7 @@ class TomlTable:
         return all(isinstance(one, str) for item in given for one in (item if isinstance(item, list) else [item]))
 
     def count(self, key: str, *, default: Any = _NEEDED) -> int:
-        """Read a whole number, at least that declared."""
+        """Read a whole number that is not below the declared minimum."""
         least = self._declared(key, Count).least
         wanted = f"a whole number of at least {least}"
         value = self._get(key, default, wanted)

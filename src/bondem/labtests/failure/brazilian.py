@@ -256,7 +256,7 @@ def _strip(body: Lattice, middle: Floats, sign: float, half_angle: float) -> Reg
 
 
 def _elastic(body: Lattice, law: CellAssignment, jaws: _Jaws) -> tuple[float, float]:
-    """Solve the elastic problem for approach of the platens [m/Pa] and centre stress [-], over 2 P / (π D t)."""
+    """Solve the elastic problem for approach of the platens [m/Pa] and centre stress [-], both over 2 P / (π D t)."""
     closing = 1e-6 * jaws.disc.diameter
     position = body.particles.position - jaws.disc.middle
     # the platens leave rigid motion along x and z and about y free; fixing it at one cell needs no reaction
