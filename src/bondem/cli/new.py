@@ -16,9 +16,9 @@ from bondem.study.template_files import TEMPLATES, template
 def command(kind: str, file: Path | None) -> None:
     """Write a commented study file as a template.
 
-    The templates silica and rock have beam bonds, which are calibrated; rock breaks them in the laboratory. All
-    others have cells, which need no calibration. The template concrete is a test programme of several specimens;
-    ucs, brazilian, shear, crushing and impact are single tests to failure.
+    The templates silica and rock have beam bonds, which are calibrated; rock also has tests to failure. All others
+    have cells, which need no calibration. The templates concrete and mesoscale are test programmes of several
+    specimens; ucs, brazilian, shear, crushing and impact are single tests to failure.
     """
     path = file or Path(TEMPLATES[kind])
     if os.path.lexists(path):

@@ -28,7 +28,7 @@ def run_programme(
 ) -> dict[str, Any]:
     """Run a test programme and write `results.json`, `report.html` and a folder for each specimen.
 
-    Specimens finished in `out` with equal file, options and code of bondem are not run again.
+    Specimens finished in `out` with equal inputs, options and code of bondem are not run again.
 
     Args:
         programme: the test programme.
