@@ -8,9 +8,9 @@ from bondem._types import PerElement, PerElement3, Vector
 def balanced_forces(
     arms: PerElement3, force: Vector, moment: Vector, weight: PerElement | None = None
 ) -> PerElement3:
-    """Return the smallest forces (k, 3) at `arms` (k, 3) with a given resultant and, if possible, a given moment.
+    """Return the forces [N], (k, 3), of least Σ F² / weight with a given resultant and, if possible, a given moment.
 
-    With `weight` (k,), such as areas, they are the smallest tractions: Σ F² / weight is least.
+    They act at `arms` (k, 3) [m] from the point of `moment` [N·m]. The weights (k,), such as areas, are 1 by default.
     """
     share = np.full(len(arms), 1.0 / len(arms)) if weight is None else weight / weight.sum()
     centre = share @ arms

@@ -43,9 +43,9 @@ class Fix:
         region: constrained elements.
         translation: axes along which the centres are constrained, a part of "xyz".
         rotation: axes about which the orientations are constrained, a part of "xyz".
-        friction: coefficient of friction μ of a platen on a face of cells, constrained along one axis [-]: the facets
-            stick to it across this axis as long as their shear force is at most μ times their pressure, and slide on
-            it beyond. 0 and None are smooth platens. Static solutions let the facets stick.
+        friction: coefficient of friction μ [-] of a platen, on a face of cells constrained along one axis. Across this
+            axis facets stick up to a shear force of μ times their normal force, and slide beyond. None is a smooth
+            platen, as is 0 in explicit runs. Static solutions make the facets stick for any number, also for 0.
     """
 
     region: Region
@@ -66,7 +66,7 @@ class Fix:
 
     @property
     def components(self) -> tuple[int, ...]:
-        """Degrees of freedom that are held: 0, 1, 2 for translations and 3, 4, 5 for rotations."""
+        """Constrained degrees of freedom: 0, 1, 2 for translations and 3, 4, 5 for rotations."""
         turns = tuple(3 + axis for axis in _components("Fix", self.rotation))
         return _components("Fix", self.translation) + turns
 
@@ -126,7 +126,7 @@ def _check_friction(owner: str, region: Region, components: tuple[int, ...], fri
     """Check the friction of a platen.
 
     Raises:
-        InputError: Not a coefficient, or a condition that is no platen: not on a face, or along several axes.
+        InputError: The friction is negative, or the condition is not along a single axis on a face.
     """
     if friction is None:
         return
@@ -204,7 +204,7 @@ class Load:
         )
 
     def _tractions(self, body: Lattice) -> tuple[Ints, Floats]:
-        """Return the nodal forces of tractions on the facets that cells have on a face, in the form of `nodal`."""
+        """Return cells (k,) and their forces and torques [N, N·m], (k, 6), due to tractions on facets of a face."""
         chosen, owner, centre, area = patches_on("Load", self.region, body)
         size = np.linalg.norm(area, axis=1)
         arms = centre - self.region.anchor(body)

@@ -13,15 +13,17 @@ from bondem.geometry.rotations import turned_vectors
 
 @dataclass(frozen=True, eq=False)
 class Couple:
-    """A moment on k points of elements; it keeps its direction, and its forces rotate with the points.
+    """A moment on a region, applied by forces at k points of its elements.
+
+    The moment keeps its direction, while the forces rotate with the points.
 
     Attributes:
-        element: internal element of each point, shape (k,).
+        element: element of each point, internal order, shape (k,).
         centre: centre of that element, in the reference [m], shape (k, 3).
         arm: arm from its centre to the point, in the reference [m], shape (k, 3).
         share: share of each point, of sum 1, shape (k,).
         moment: moment at full load [N·m], shape (3,).
-        schedule: number of its schedule.
+        schedule: number of the schedule of the moment.
     """
 
     element: Ints
@@ -32,7 +34,7 @@ class Couple:
     schedule: int
 
     def places(self, pose: Floats | None) -> tuple[Floats, Floats]:
-        """Return arms in a pose, or in the reference, and the points relative to their centroid [m], (k, 3) each."""
+        """Return arms and points relative to their centroid [m], (k, 3) each, in a pose or, for None, the reference."""
         arm, centre = self.arm, self.centre
         if pose is not None:
             arm, centre = turned_vectors(pose[self.element, 4:], self.arm), pose[self.element, :3]
@@ -40,23 +42,23 @@ class Couple:
         return arm, place - self.share @ place
 
     def forces(self, pose: Floats | None) -> tuple[Floats, Floats, Floats]:
-        """Return force on each point [N], torque about it [N·m], and present arms [m], at full load, (k, 3) each."""
+        """Return force [N], torque [N·m] and arm [m] of each point in a pose, at full load, (k, 3) each."""
         arm, place = self.places(pose)
         force = balanced_forces(place, np.zeros(3), self.moment, self.share)
         rest = self.moment - np.cross(place, force).sum(axis=0)
         return force, self.share[:, None] * rest, arm
 
     def add_to(self, load: PerElement6, pose: Floats | None, amplitude: float) -> None:
-        """Add forces and torques of the moment to those on all elements, internal order, (n, 6)."""
+        """Add the moment times `amplitude` [-] to the forces and torques on all elements, internal order, (n, 6)."""
         force, torque, arm = self.forces(pose)
         np.add.at(load, self.element, amplitude * np.hstack([force, torque + np.cross(arm, force)]))
 
     def turning(self, pose: Floats) -> tuple[Floats, Floats]:
-        """Return the change of the forces with the rotation of their region, considered rigid, at full load.
+        """Linearise the forces at full load in the rotation of their region, which is considered rigid.
 
         Returns:
-            Forces and torques on the elements by the rotation of the region, (k, 6, 3), and the rotation by their
-            motion, (3, k, 6).
+            Derivatives of forces and torques with respect to the rotation of the region, (k, 6, 3), and of this
+            rotation with respect to the motions of the elements, (3, k, 6).
         """
         force, _, arm = self.forces(pose)
         _, place = self.places(pose)
@@ -73,7 +75,7 @@ class Couple:
 
 
 def couple_table(couples: Sequence[Couple], row_of: Ints) -> CoupleTable:
-    """Return couples in the layout of the core."""
+    """Return couples as the table of the core; `row_of` is the boundary row of each element, internal order, (n,)."""
     element = np.concatenate([np.zeros(0, dtype=np.int64), *(one.element for one in couples)])
     return CoupleTable(
         start=np.cumsum([0, *(len(one.element) for one in couples)]).astype(np.int64),
@@ -86,7 +88,7 @@ def couple_table(couples: Sequence[Couple], row_of: Ints) -> CoupleTable:
 
 
 def _cross(vectors: Floats) -> Floats:
-    """Return the matrices of v × …, (k, 3, 3)."""
+    """Return the matrices [v]× of vectors (k, 3), for which [v]× b = v × b, (k, 3, 3)."""
     matrix = np.zeros((len(vectors), 3, 3))
     for row, column, axis in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
         matrix[:, row, column], matrix[:, column, row] = -vectors[:, axis], vectors[:, axis]

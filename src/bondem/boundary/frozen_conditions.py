@@ -1,4 +1,4 @@
-"""Conditions at a share of the end of their schedules, kept at all times: those of an equilibrium."""
+"""Boundary conditions frozen at the final values of their schedules, times a factor, for an equilibrium."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -7,7 +7,7 @@ from bondem.boundary.conditions import BoundaryCondition, Drive, Load
 from bondem.boundary.loads import BodyForce, Eigenstrain, Pressure
 from bondem.boundary.schedules import Constant
 
-#: Conditions that act by a factor over time.
+#: Conditions whose load or strain is multiplied by a schedule.
 Scheduled = Load | Pressure | BodyForce | Eigenstrain
 
 

@@ -15,7 +15,7 @@ Reduction = Literal["", "mean", "sum", "max_abs"]
 
 @dataclass(frozen=True)
 class Gauge:
-    """Three components over time, sampled within the steps.
+    """Three components of a quantity of a region over time, sampled within the steps.
 
     Attributes:
         region: elements to sample.
@@ -39,16 +39,16 @@ class Gauge:
 
 @dataclass(frozen=True)
 class WallGauge:
-    """Three components of a wall over time, sampled within the steps.
+    """Three components of a quantity of a wall over time, sampled within the steps.
 
     Attributes:
         wall: index of the wall among the walls of the model.
-        quantity: "displacement" [m], "velocity" [m/s] (of a driven wall: that of the last step), "force" of the
-            elements on the wall [N], or "growth". The components of "growth" are the change of the radius [m], the
-            force that would change it [N], and the sum of the normal forces [N]. Of the turn of a wall: "rotation",
-            a vector of at most π [rad], "angular_velocity" [rad/s], and the "torque" of the elements about the point
-            about which the wall turns [N·m]. The components of "power" are that of the wall on the elements [W] by
-            its velocity and growth, that by its turn, and their sum.
+        quantity: "displacement" [m]; "velocity" [m/s], for a driven wall that of the last step; "force" of the
+            elements on the wall [N]; "growth", whose components are the change of the radius [m], the force that
+            would change it [N], and the sum of the normal forces [N]; "rotation", a vector of at most π [rad];
+            "angular_velocity" [rad/s]; "torque" of the elements about the point about which the wall turns [N·m]; or
+            "power" of the wall on the elements [W], whose components are the power of its velocity and growth, that
+            of its turn, and their sum.
     """
 
     wall: int
@@ -63,7 +63,7 @@ class WallGauge:
 class StrainGauge:
     """Normal strains along x, y and z over time [-], of the affine field closest to the displacements of a region.
 
-    A run that has one stops at each record to evaluate it.
+    A run with such a gauge stops at each record to evaluate it.
 
     Attributes:
         region: elements whose centres the field fits, at least four that do not lie in a plane.

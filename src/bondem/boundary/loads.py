@@ -22,9 +22,8 @@ from bondem.specimen.regions import Difference, Everything, Face, Intersection, 
 class BodyForce:
     """A force on every element in proportion to its mass, such as weight.
 
-    In explicit runs it also acts on loose elements of the region; a static solution has no loose elements. A force
-    that varies in space, such as that of a spinning body, keeps its value in the reference configuration for each
-    element.
+    In explicit runs it also acts on loose elements of the region; a static solution has no loose elements. Where the
+    acceleration varies in space, as in a spinning body, each element keeps the value of its reference position.
 
     Attributes:
         acceleration: force over mass [m/s²]. Give (3,) for a uniform field, or (n, 3), one row per element in the
@@ -55,7 +54,7 @@ class BodyForce:
         Elements are in the user's order.
 
         Raises:
-            InputError: The acceleration, or the value of the function, has another number of elements.
+            InputError: The acceleration, or the value of the function, has another shape or is not finite.
         """
         inside, n = self.region.mask(lattice).astype(float), len(lattice.particles)
         given = self.acceleration
@@ -72,7 +71,7 @@ class BodyForce:
 
 
 def _accelerations(given: object) -> tuple[float, float, float] | tuple[tuple[float, float, float], ...]:
-    """Return three components, or one row per element."""
+    """Return an acceleration [m/s²] as a tuple of three components, or of one row of three per element."""
     values = array("BodyForce", "acceleration", given, wanted="(3,), or (n, 3) [m/s²], or a function of centres")
     if values.ndim < 2:
         return vector("BodyForce", "acceleration", given, unit="m/s²")
@@ -113,8 +112,8 @@ class Pressure:
     The face is cut into patches of a quarter of the mean radius. Each patch passes its force to the nearest element
     of the face. The resultant and the moment are those of the patches: the smallest correcting forces remove the
     moment that arises when the forces move to the centres of the elements. In a body of cells the pressure acts on
-    the facets. The normals are those of the reference, or rotate with the cells like those of a membrane, also around
-    detached pieces. Static solutions are linear and use the normals of the reference.
+    the facets. The normals are those of the reference, unless `follows`: then they rotate with the cells, as under a
+    membrane, also those of detached pieces. Static solutions are linear and use the normals of the reference.
 
     Attributes:
         region: a face, or part of one: `Face("side") & Within(...)`, `Face("x_max") - Index(...)`.
@@ -207,7 +206,7 @@ class Absorbing:
         """Return elements (k,) and their dashpot coefficients xx, yy, zz, xy, xz, yz [N·s/m], (k, 6).
 
         Raises:
-            InputError: the region is not on a face, or has no patches.
+            InputError: The region is not on a face, or has no patches.
         """
         chosen, owner, _, area = patches_on("Absorbing", self.region, lattice)
         along, across = (self.density * c for c in self.celerities)
@@ -222,12 +221,12 @@ class Absorbing:
 
 @dataclass(frozen=True)
 class Eigenstrain:
-    """A stress-free strain of the bonds: heat, shrinkage, swelling or initial stress.
+    """A stress-free strain of the bonds, such as that of heat, shrinkage, swelling or initial stress.
 
     Rest lengths become L (1 + ε*(t)). Each bond gets the mean of the strains of its two elements, because half of its
     length lies inside each; outside the region the strain is 0. A free specimen grows by a uniform ε* without stress;
-    a specimen held between two walls carries -E ε*. Strains on the same bond add up. For a
-    field whose pattern changes with time, give several strains, each with its own schedule.
+    a bar fixed at both ends carries -E ε*. Strains on the same bond add up. For a field whose pattern changes with
+    time, give several strains, each with its own schedule.
 
     Attributes:
         strain: ε* at factor 1 [-], such as α ΔT: a number, the same everywhere; or (n,), one per element in the
@@ -237,7 +236,7 @@ class Eigenstrain:
         schedule: factor over time [-].
 
     Raises:
-        InputError: another shape, or values that are not finite or reach -1; of a function, when a model is made.
+        InputError: The strain has another shape, is not finite, or reaches -1. A function is checked by the model.
     """
 
     strain: float | Sequence[float] | Callable[[PerElement3], PerElement]
@@ -269,7 +268,7 @@ class Eigenstrain:
         """Return the strain of each bond at factor 1 [-], user's order, (m,).
 
         Raises:
-            InputError: an array or a result of the function of another length, or values at or below -1.
+            InputError: The array or the result of the function has another length, or values at or below -1.
         """
         inside, given = np.zeros(len(lattice.particles)), self.strain
         inside[self.region.select(lattice)] = 1.0
@@ -302,7 +301,7 @@ def acts_on_facets(region: Region, lattice: Lattice) -> bool:
 
 
 def face_of(owner: str, region: Region) -> Face:
-    """Return the face that a region is, or is part of.
+    """Return the face that a region equals or is part of.
 
     Raises:
         InputError: The region is not on a face.
@@ -333,8 +332,8 @@ def patches_on(owner: str, region: Region, lattice: Lattice) -> tuple[Ints, Ints
     """Return the elements on a face or on a part of one, and their patches, which are facets for cells.
 
     Returns:
-        The elements, and for each patch the place of its element among them, its centroid [m], and its area times
-        normal [m²].
+        The elements (k,), and for each of p patches the index of its element among these, (p,), its centroid [m],
+        (p, 3), and its area times normal [m²], (p, 3).
 
     Raises:
         InputError: The region is not on a face, or no patch is nearest to its elements.
@@ -348,7 +347,7 @@ def patches_on(owner: str, region: Region, lattice: Lattice) -> tuple[Ints, Ints
 
 
 def on_nodes(body: Lattice, chosen: Ints, owner: Ints, centre: Floats, force: Floats) -> Floats:
-    """Return force and torque on chosen cells [N, N·m], (k, 6), of forces (p, 3) at points (p, 3) of those cells."""
+    """Return forces and torques on cells (k,) [N, N·m], (k, 6), of forces at `centre` on the cells chosen[owner]."""
     torque = np.cross(centre - body.centre[chosen][owner], force)
     columns = np.hstack([force, torque]).T
     parts = [np.bincount(owner, weights=column, minlength=len(chosen)) for column in columns]

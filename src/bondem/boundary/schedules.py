@@ -1,4 +1,4 @@
-"""Schedules: values over time. Every schedule is piecewise linear, so that passes need only one kind."""
+"""Schedules: values over time. Every schedule is piecewise linear, so that the core needs only one kind."""
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass

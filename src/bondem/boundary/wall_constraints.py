@@ -1,8 +1,8 @@
-"""Facets of cells that a wall holds, where a body of cells is clamped, driven or pressed between platens.
+"""Constraints on facets of cells, where a face of a body is clamped, driven or pressed by a platen.
 
-A condition on a face holds the surface, not the centres of the cells behind it, which are half a cell away. The wall
-is joined to each of its facets by the half facet of the cell, in the prescribed directions. In the other directions
-the facet stays free.
+A condition on a face constrains the surface, not the centres of the cells, which lie half a cell behind it. A half
+facet, the spring between facet and centre of the cell, joins each cell to a rigid wall in the prescribed directions.
+In the other directions the facet stays free.
 """
 
 from collections.abc import Sequence
@@ -19,22 +19,22 @@ from bondem.geometry.rotations import turned_vectors
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.ordering import Layout
 
-#: Columns of where walls come from, `State.grips`: offset [m], 3, and the orientation of the cell there, w x y z.
+#: Columns of `State.grips`, the origin of each wall's motion: offset [m] (3), quaternion w x y z of its cell (4).
 BASE = 7
 
 
 @dataclass(frozen=True, eq=False)
 class FixedFacets:
-    """Free facets of a body that walls hold, with the fixed axes and the motion of their walls.
+    """Boundary facets that walls constrain, g of them, with their fixed axes and the motion of the walls.
 
     Attributes:
         facet: indices into `cells.free`, ascending, shape (g,).
         axes: mask of fixed axes x, y, z of each facet, shape (g, 3).
         drives: schedules of walls that move.
-        drive: schedule that each facet follows along x, y, z, or -1, shape (g, 3).
-        rate: mask of the schedules that are velocities.
-        friction: μ of the platen on which a facet may slide across the direction in which it is held, NaN for walls
-            that hold it, shape (g,). Such facets are held along all axes.
+        drive: index in `drives` that each facet follows along x, y, z, or -1, shape (g, 3).
+        rate: True for each schedule that is a velocity.
+        friction: μ of the platen on which a facet may slide across `across` [-], shape (g,); NaN where it cannot
+            slide. All axes of a facet that may slide are fixed.
         across: axis along which a platen presses, 0, 1 or 2, shape (g,).
     """
 
@@ -48,18 +48,18 @@ class FixedFacets:
 
     @classmethod
     def none(cls) -> "FixedFacets":
-        """Return the table of no facets."""
+        """Return an empty table of facets."""
         no, none = np.zeros((0, 3)), np.zeros(0, dtype=np.int64)
         return cls(none, no > 0.0, (), no.astype(np.int64), (), no[:, 0], none)
 
     @property
     def clamped(self) -> Mask:
-        """Mask of the facets that are held along all axes without sliding, shape (g,)."""
+        """Mask of the facets that are fixed along all axes and cannot slide, shape (g,)."""
         return self.axes.all(axis=1) & np.isnan(self.friction)
 
     @classmethod
     def of(cls, body: Lattice, boundary: Sequence[BoundaryCondition]) -> "FixedFacets":
-        """Return the facets held by the conditions on faces."""
+        """Return the facets of a body that its conditions on faces constrain."""
         count = len(body.elements.require_cells().cells.free.cell)
         axes, drive = np.zeros((count, 3), dtype=bool), np.full((count, 3), -1)
         friction, across = np.full(count, np.nan), np.zeros(count, dtype=np.int64)
@@ -85,11 +85,11 @@ class FixedFacets:
         return cls(facet, axes[facet], tuple(drives), drive[facet], tuple(rate), friction[facet], across[facet])
 
     def flat(self, normal: Floats) -> Ints:
-        """Return the facets whose normal is held, as indices into `cells.free`; `normal` is of all these, (k, 3)."""
+        """Return the facets fixed mainly along their normal; `normal` (k, 3) are those of all of `cells.free`."""
         return self.facet[((self.axes * normal[self.facet]) ** 2).sum(axis=1) > 0.5]
 
     def same(self, other: "FixedFacets") -> bool:
-        """Return True if the same facets are held and moved in the same way."""
+        """Return True if both tables fix and move the same facets in the same way, with the same friction."""
         arrays = ((self.facet, other.facet), (self.axes, other.axes), (self.drive, other.drive))
         moved = self.drives == other.drives and self.rate == other.rate
         same_friction = np.array_equal(self.friction, other.friction, equal_nan=True)
@@ -102,29 +102,29 @@ class FixedFacets:
 
 
 def supports_facets(condition: Fix | Drive) -> bool:
-    """Return True if a condition holds facets by a wall: one on a face that prescribes translations."""
+    """Return True if a condition constrains facets by a wall: if it prescribes translations on a face."""
     first = condition.components if isinstance(condition, Fix) else [dof for dof, *_ in condition.motion]
     return is_face(condition.region) and min(first) < 3
 
 
 @dataclass(frozen=True, eq=False)
 class Supports:
-    """The half facets between cells and the walls that hold them, g of them; elements in the user's order.
+    """Half facets that join cells to the walls that constrain them, g of them; elements in the user's order.
 
     Attributes:
         cell: cell of each, shape (g,).
-        k: 2 G A / d [N/m], shape (g,).
+        k: stiffness 2 G A / d, d the distance of the facet from the centre of its cell [N/m], shape (g,).
         lever: lever from the centre of mass of the cell to the centroid of the facet [m], shape (g, 3).
         arm: lever without stress, longer for cells with a stress-free strain [m], shape (g, 3).
         share: A m along the fixed axes: V θ of the cell is Σ share·δ [m²], shape (g, 3).
-        H: resistance to rotation if the normal is held [N·m], shape (g, 3, 3).
+        H: resistance to rotation, times the share of the normal that is fixed [N·m], shape (g, 3, 3).
         axes: 1 for fixed and 0 for free axes x, y, z, shape (g, 3).
         motion: displacement of the wall at the end of all schedules [m], shape (g, 3).
-        fixed: facets that walls hold, and the motion of the walls.
+        fixed: facets that walls constrain, and the motion of the walls.
         area: areas of the facets [m²], shape (g,).
         normal: normals of the facets [-], shape (g, 3).
-        way: m [-], shape (g, 3).
-        bend: H if the whole normal is held [N·m], shape (g, 3, 3).
+        way: vector m by which a jump across the facet enters the dilatation, near the normal [-], shape (g, 3).
+        bend: H for a normal that is wholly fixed [N·m], shape (g, 3, 3).
     """
 
     cell: Ints
@@ -143,16 +143,16 @@ class Supports:
 
     @classmethod
     def none(cls) -> "Supports":
-        """Return the table of no half facets."""
+        """Return an empty table of half facets."""
         no, square, fixed = np.zeros((0, 3)), np.zeros((0, 3, 3)), FixedFacets.none()
         return cls(fixed.facet, no[:, 0], no, no, no, square, no, no, fixed, no[:, 0], no, no, square)
 
     def flatness(self, orientation: Floats) -> Floats:
-        """Return the fixed share of the normal of each facet, 0 … 1, with cells of these quaternions (g, 4), (g,)."""
+        """Return the fixed share of each normal, 0 … 1, (g,), in cells with orientations as quaternions, (g, 4)."""
         return ((self.axes * turned_vectors(orientation, self.normal)) ** 2).sum(axis=1)
 
     def taken(self, base: Floats) -> "Supports":
-        """Return fixed facets with rotated shares and H, for walls that hold cells since the poses `base`, (g, 7)."""
+        """Return the half facets with `share` and `H` rotated to the orientations in `base`, (g, 7)."""
         other = (base[:, 4:] != 0.0).any(axis=1)
         if not other.any():
             return self
@@ -164,7 +164,7 @@ class Supports:
         return replace(self, share=share, H=H)
 
     def grown(self, strain: PerElement) -> "Supports":
-        """Return the fixed facets of cells with a stress-free strain [-], user's order, (n,)."""
+        """Return the half facets with arms stretched by a stress-free strain of the cells [-], user's order, (n,)."""
         return replace(self, arm=self.lever * (1.0 + strain[self.cell, None]))
 
     def gap(self, displacement: PerElement3, rotation: PerElement3, wall: Floats | None = None) -> Floats:
@@ -192,8 +192,8 @@ class Supports:
     def constraint(self, motion: Floats) -> Floats:
         """Return the constrained motions for motions (n, 6, k) of the elements [m], (6 g, k).
 
-        These are the motion of the fixed points along the fixed axes, and √(H/k) θ: a wall that holds the normal of a
-        facet holds a plane, which resists a rotation even if no other facet is held.
+        These are the displacements of the facets along fixed axes, and their rotations times √(H/k). A facet whose
+        normal is fixed stays in the plane of its wall, so that it resists rotation even if it is the only one.
         """
         own = motion[self.cell]
         moved = own[:, :3] + np.cross(own[:, 3:], self.lever[:, :, None], axis=1)
@@ -204,7 +204,7 @@ class Supports:
         return np.concatenate([fixed, turned]).reshape(-1, motion.shape[-1])
 
     def blocks(self, lever: Floats | None = None) -> tuple[Floats, Floats]:
-        """Return parts of fixed facets in diagonal blocks [N/m, N, N·m], (g, 6, 6), and in V θ of cells, (g, 6).
+        """Return the shares of half facets in the diagonal blocks of stiffness, (g, 6, 6), and in V θ, (g, 6).
 
         Args:
             lever: levers as rotated by the cells [m], (g, 3); None for those of the reference.
@@ -219,12 +219,12 @@ class Supports:
         return own, -np.hstack([self.share, np.cross(b, self.share)])
 
     def table(self, layout: Layout, row_of: Ints, base: Floats | None = None) -> WallConstraints:
-        """Return the fixed facets in the layout of the core; arrays that change are those of the table.
+        """Return the half facets as the table of the core, with new arrays for all that changes in a run.
 
         Args:
             layout: order of the elements.
             row_of: row of the boundary of each element, internal order.
-            base: initial places of the walls, (g, 7); the reference if None, or of another number of facets.
+            base: origins of the motions of the walls, (g, 7); the reference if None, or if not of g facets.
         """
         if base is not None and len(base) == len(self.cell):
             return self.taken(base)._table(layout, row_of, base)
@@ -249,7 +249,7 @@ class Supports:
 
 
 def reference_base(count: int) -> Floats:
-    """Return the initial places of walls that are measured from the reference, (g, 7)."""
+    """Return the origins of the motions of `count` walls that are measured from the reference, (g, 7)."""
     base = np.zeros((count, BASE))
     base[:, 3] = 1.0
     return base

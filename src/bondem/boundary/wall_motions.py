@@ -10,13 +10,13 @@ from bondem.boundary.schedules import Schedule, as_schedule
 from bondem.errors import InputError
 
 _COMPONENTS = ("x", "y", "z", "growth")
-# Number of the component that is a turn, and its names as an angle and as an angular velocity.
+# Number of the component that is a turn, and the names of its angle and angular velocity.
 TURN = 4
 _TURNS = {"angle": (TURN, False), "spin": (TURN, True)}
 
 
 def direction(owner: str, value: object) -> Triple:
-    """Return a unit vector along a given one."""
+    """Return the unit vector along a given vector; raise InputError if it has no length."""
     wanted = "three finite components, not all zero"
     components = np.array(vector("", owner, value, advice=wanted))
     size = np.linalg.norm(components)
@@ -30,16 +30,16 @@ def direction(owner: str, value: object) -> Triple:
 class Driven:
     """Prescribed motion of a wall, such as `Driven(x=bd.Ramp(0, -1e-4, 1e-3))` or `Driven(spin=2.0, axis=(0, 1, 0))`.
 
-    Other components are held at rest. Several walls with the same turn about the same point move as one rigid body.
+    Other components stay at rest. Several walls with the same turn about the same point move as one rigid body.
 
     Attributes:
-        motion: triples of component 0 … 4, schedule, and True for a velocity.
+        motion: triples of component (0 … 4 for x, y, z, growth, angle), schedule, and True for a velocity.
         axis: unit vector about which the wall turns, (3,).
         about: point about which it turns in the reference [m], (3,); it moves with x, y and z.
 
     Args:
         x, y, z: displacements [m].
-        growth: change of a cylinder's radius [m].
+        growth: change of the radius of a cylinder or sphere [m].
         vx, vy, vz, vgrowth: velocities [m/s].
         angle: angle about `axis` [rad].
         spin: angular velocity about `axis` [rad/s], in place of the angle.
@@ -80,7 +80,7 @@ class Driven:
 
     @property
     def components(self) -> dict[str, Schedule]:
-        """Schedules by the names by which they are given."""
+        """Schedules by the names of their arguments."""
         names = {place: name for name, place in _TURNS.items()}
         names |= {(k, False): name for k, name in enumerate(_COMPONENTS)}
         names |= {(k, True): "v" + name for k, name in enumerate(_COMPONENTS)}
@@ -92,12 +92,12 @@ class Servo:
     """A platen pushed along its normal by a prescribed force, against the force of the elements.
 
     Many codes move a platen without mass in proportion to the missing force; that is unstable where grains are little
-    damped. This platen has a mass: it follows fast flow and its energy is accounted for. Local damping brings it to
-    rest: a share of the missing force resists its motion, so that an oscillation about the prescribed force loses the
-    factor √((1 - damping) / (1 + damping)) of its amplitude every half period, 0.42 by default.
+    damped. This platen has a mass, so that it follows fast flow and its energy is accounted for. Local damping brings
+    it to rest: a share of the missing force resists its motion. Every half period multiplies the amplitude of an
+    oscillation about the prescribed force by √((1 - damping) / (1 + damping)), 0.42 by default.
 
-    Dashpots of its contacts take the mass m of the element alone, as at a driven wall: with a platen of mass M, they
-    are √(1 + m / M) times those of the contact law. `Free` takes the reduced mass.
+    Dashpots of its contacts use the mass m of the element alone, as at a driven wall. With a platen of mass M they
+    are √(1 + m / M) times those of the contact law, which uses the reduced mass, as `Free` does.
 
     Attributes:
         force: sum of the normal forces on the wall [N], a number or a schedule; for a pressure, multiply by the area.
@@ -137,7 +137,7 @@ class Free:
 
     The energy balance counts the work of the body on the elements as "work", and not the kinetic energy of the body;
     `bd.WallGauge(..., "velocity")` and `"angular_velocity"` record its motion. In a later stage the body continues
-    at its velocities.
+    with its velocities.
 
     Attributes:
         mass: mass of the body [kg].
@@ -172,13 +172,13 @@ class Free:
 
     @property
     def matrix(self) -> Floats:
-        """Matrix of inertia in the reference [kg·m²], (3, 3), zero of a body that does not turn."""
+        """Matrix of inertia in the reference [kg·m²], (3, 3); zero for a body that does not turn."""
         given = np.zeros(3) if self.inertia is None else np.array(self.inertia)
         return np.diag(given) if given.ndim == 1 else given
 
 
 def _inertia(given: object) -> Triple | tuple[Triple, Triple, Triple]:
-    """Return moments or a matrix of inertia that a body can have."""
+    """Return moments (3,) or a matrix (3, 3) of inertia [kg·m²]; raise InputError if no body can have them."""
     wanted = "three positive moments or a symmetric matrix of 3 x 3 [kg·m²]"
     values = array("Free", "inertia", given, wanted=wanted)
     matrix = np.diag(values) if values.shape == (3,) else values

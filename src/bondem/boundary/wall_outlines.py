@@ -1,4 +1,4 @@
-"""Polygons that stand for walls in pictures and files: infinite walls end a little beyond the specimen."""
+"""Polygons that represent walls in pictures and files; infinite walls end a little beyond the specimen."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -10,15 +10,15 @@ from bondem.boundary.wall_rows import wall_rows
 from bondem.boundary.walls import CylinderWall, PlaneWall, SphereWall, Wall, pivot
 from bondem.geometry.rotations import turned_vectors
 
-# Sides of what is round, and rows of a sphere from pole to pole.
+# Sides of circles and cylinders, and rows of a sphere from pole to pole.
 _SIDES, _ROWS = 48, 16
-# Infinite walls reach this far beyond the specimen, over its diagonal.
+# Distance by which infinite walls end beyond the specimen, over its diagonal.
 _BEYOND = 0.08
 
 
 @dataclass(frozen=True, eq=False)
 class WallOutlines:
-    """Polygons of walls, q of them, at rest.
+    """Polygons of w walls in the reference, q of them.
 
     Attributes:
         vertex: corners, polygon by polygon [m], shape (v, 3).
@@ -35,7 +35,7 @@ class WallOutlines:
     about: Floats
 
     def moved(self, walls: Floats) -> Floats:
-        """Corners of walls that have moved and turned, given `State.walls`, shape (w, 27)."""
+        """Return the corners [m], (v, 3), moved, turned and grown with the walls of `State.walls`, (w, 27)."""
         row = wall_rows(walls)[np.repeat(self.wall, np.diff(self.start))]
         about = self.about[np.repeat(self.wall, np.diff(self.start))]
         arm = self.vertex + row["growth"][:, None] * self.outward - about
@@ -43,7 +43,7 @@ class WallOutlines:
 
 
 def wall_outlines(walls: Sequence[Wall], lower: Floats, upper: Floats) -> WallOutlines:
-    """Polygons of walls about a specimen.
+    """Return the polygons of walls about a specimen.
 
     Args:
         walls: walls of the model.
@@ -64,7 +64,7 @@ def wall_outlines(walls: Sequence[Wall], lower: Floats, upper: Floats) -> WallOu
 
 
 def _polygons(wall: Wall, box: Floats) -> tuple[list[Floats], list[Floats]]:
-    """Corners of each polygon of a wall, and how they move where its radius grows."""
+    """Return the corners of each polygon of a wall [m], and their motions per growth of its radius [-]."""
     margin = _BEYOND * float(np.linalg.norm(box[-1] - box[0]))
     match wall:
         case PlaneWall(outer=None, inner=0.0):
@@ -80,7 +80,7 @@ def _polygons(wall: Wall, box: Floats) -> tuple[list[Floats], list[Floats]]:
 
 
 def _across(axis: Floats) -> tuple[Floats, Floats]:
-    """Two unit vectors that make a right-handed frame with an axis."""
+    """Return two unit vectors that form a right-handed frame with an axis."""
     u = np.cross(axis, np.eye(3)[np.abs(axis).argmin()]).astype(float)
     u /= np.linalg.norm(u)
     return u, np.cross(axis, u).astype(float)
@@ -95,7 +95,7 @@ def _rectangle(point: Floats, normal: Floats, box: Floats, margin: float) -> lis
 
 
 def _circle(axis: Floats) -> Floats:
-    """Unit vectors around an axis, the first one again at the end, (s + 1, 3)."""
+    """Return unit vectors around an axis, the first one again at the end, (s + 1, 3)."""
     u, v = _across(axis)
     angle = np.linspace(0.0, 2.0 * np.pi, _SIDES + 1)[:, None]
     return np.cos(angle) * u + np.sin(angle) * v

@@ -1,4 +1,4 @@
-"""The side of a wall on which elements begin: a wall touches those in front of it only."""
+"""Check of the side of a wall on which elements begin, because a wall touches only elements in front of it."""
 
 from collections.abc import Iterable
 
@@ -7,12 +7,12 @@ import numpy as np
 from bondem._types import Floats, PerElement, PerElement3
 from bondem.boundary.walls import CylinderWall, PlaneWall, SphereWall, Wall
 
-# Share of its radius by which the centre of an element is behind a wall, so that it does not merely press on it.
+# Depth of a centre behind a wall, over its radius, from which the element does not merely press on the wall.
 _BEHIND = 0.1
 
 
 def doubts(walls: Iterable[tuple[int, Wall]], position: PerElement3, radius: PerElement) -> list[str]:
-    """Return a sentence about each wall that no element can touch, or behind which elements begin.
+    """Return a warning for each wall that no element can touch, or behind which elements begin, discs excepted.
 
     Args:
         walls: walls at their reference places, with their numbers in the model.
@@ -48,7 +48,7 @@ def _in_front(wall: Wall, position: PerElement3) -> Floats:
 
 
 def _turned(wall: Wall) -> str:
-    """Return advice on a wall that faces away."""
+    """Return advice on how to turn a wall that faces away from all elements."""
     if isinstance(wall, PlaneWall):
         a, b, c = (0.0 - one for one in wall.normal)
         return f"its normal points towards the elements: give normal=({a:.4g}, {b:.4g}, {c:.4g}), or move it"

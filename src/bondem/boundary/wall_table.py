@@ -1,4 +1,4 @@
-"""Walls in the form of the core."""
+"""Walls of a model as the tables of numbers that the compiled core reads."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -15,12 +15,12 @@ from bondem.boundary.walls import PlaneWall, SphereWall, Wall, pivot
 
 @dataclass(frozen=True, eq=False)
 class WallTable:
-    """Walls in the form of the core.
+    """Walls of a model as the tables of numbers that the compiled core reads.
 
     Attributes:
         shape: rows of `WallShape`, (w, 12).
         inertia: rows of `WallInertia`, (w, 8).
-        start, times, values: schedules one after the other.
+        start, times, values: times [s] and values of all schedules; schedule k has rows start[k] … start[k + 1] - 1.
         drive_wall, drive_component, drive_schedule, drive_rate, drive_axis: prescribed motions, (d,) and (d, 3).
         servo_wall, servo_schedule, servo_speed, servo_mass, servo_damping: servo-controlled walls, (s,).
         free_wall, free_mass, free_force, free_torque: free walls, (f,) and (f, 3).
@@ -56,9 +56,9 @@ class WallTable:
 
     @property
     def platens(self) -> Floats:
-        """Masses with which the walls moved by a force resist a contact [kg], (s + f,).
+        """Effective masses at a contact of the walls moved by forces, first servos, then free walls [kg], (s + f,).
 
-        A wall that turns resists at its largest lever with 1 / (1/M + lever² / I), I the least principal moment.
+        A turning wall of mass M has 1 / (1/M + lever² / I) at its largest lever, with I the least principal moment.
         """
         softest = named_rows("WallInertia", self.inertia)["inverse_moment"][self.free_wall].max(axis=1)
         eased = self.free_mass / (1.0 + self.free_mass * self.free_lever**2 * softest)
@@ -69,12 +69,12 @@ class WallTable:
         cls, walls: Sequence[Wall], mass: float, origin: Floats,
         position: PerElement3, radius: PerElement,
     ) -> "WallTable":  # fmt: skip
-        """Return the walls of a model.
+        """Build the tables of the walls of a model.
 
         Args:
             walls: walls of the model.
             mass: mass of all elements [kg].
-            origin: place to which the places of walls are relative [m], (3,), as those of the elements are.
+            origin: local origin of the elements, to which the walls are shifted too [m], (3,).
             position: centres of the elements [m], (n, 3).
             radius: contact radii of the elements [m], (n,).
         """
@@ -120,7 +120,7 @@ class WallTable:
 
 
 def _shapes(walls: Sequence[Wall], origin: Floats) -> Floats:
-    """Return the shapes of walls relative to an origin; the point of a plane becomes the one nearest to it."""
+    """Return rows of `WallShape` relative to an origin; the point of a plane becomes the nearest to the origin."""
     numbers = no_rows("WallShape", len(walls))
     if not len(walls):
         return numbers
@@ -137,7 +137,7 @@ def _shapes(walls: Sequence[Wall], origin: Floats) -> Floats:
 
 
 def _inertias(walls: Sequence[Wall]) -> Floats:
-    """Return inverse masses and inertias of free walls, with principal axes if an inertia is a matrix."""
+    """Return rows of `WallInertia`: inverse masses, inverse principal moments and principal axes of free walls."""
     numbers = no_rows("WallInertia", len(walls))
     rows = named_rows("WallInertia", numbers)
     rows["principal"][:, 0] = 1.0

@@ -25,7 +25,7 @@ def _check_motion(owner: str, motion: object, friction: object) -> None:
 
 @dataclass(frozen=True)
 class PlaneWall:
-    """A plane, infinite or a disc, with or without a hole; elements are on the side its normal points to.
+    """A plane or a disc, with or without a hole; elements are on the side to which its normal points.
 
     A disc models a piston, and a disc with a hole the plate around it. Elements beside a disc touch its rim.
 
@@ -35,7 +35,7 @@ class PlaneWall:
         motion: motion of the wall; None for a fixed wall.
         friction: μ against the elements [-]; None for that of the contact law.
         outer: radius of a disc [m]; None for an infinite plane.
-        inner: radius of its hole [m].
+        inner: radius of the hole [m].
     """
 
     point: Triple
@@ -142,7 +142,7 @@ Wall = PlaneWall | CylinderWall | SphereWall
 
 
 def pivot(wall: Wall) -> Triple:
-    """Return the point about which a wall turns in the reference [m]: its own, or that of its prescribed motion."""
+    """Return the reference point about which a wall turns [m]: its own, or that of a prescribed turn."""
     if isinstance(wall.motion, Driven) and wall.motion.turns:
         return wall.motion.about
     return wall.centre if isinstance(wall, SphereWall) else wall.point

@@ -1,4 +1,4 @@
-"""The two faces of facets or beams: their places in a state, and the gap between them."""
+"""The two faces of facets or beams: their places in a state, and the opening and sliding between them."""
 
 from dataclasses import dataclass
 
@@ -13,16 +13,16 @@ from bondem.specimen.lattice import Lattice
 
 @dataclass(frozen=True, eq=False)
 class Faces:
-    """Some facets of a state, k of them.
+    """Geometry of k facets, or of the middle sections of k beams, in a state.
 
     Attributes:
         area: area in the reference, or of the section of a beam [m²], shape (k,).
-        reference: centroids, or contact points of beams, in the reference, next to element i [m], shape (k, 3).
+        reference: centroids, or contact points of beams, in the reference; periodic image at element i [m], (k, 3).
         straight: normals in the reference, from element i to j [-], shape (k, 3).
         centroid: points half-way between both faces [m], shape (k, 3).
         normal: mean of the normals of both faces [-], shape (k, 3).
         opening: gap along the normal [m], shape (k,).
-        sliding: displacement across it [m], shape (k,).
+        sliding: displacement between the faces across the normal [m], shape (k,).
     """
 
     area: Floats
@@ -35,7 +35,7 @@ class Faces:
 
 
 def faces_of(lattice: Lattice, state: State, chosen: Ints) -> Faces:
-    """Return the faces of some facets, given by their numbers in the user's order."""
+    """Compute the geometry of the facets or beams numbered `chosen`, user's order, in a state."""
     i, j = lattice.pairs[chosen].T
     area = areas_of(lattice, state.model.interaction.bonds)[chosen]
     straight = lattice.elements.bond_normal[chosen]
@@ -53,13 +53,13 @@ def faces_of(lattice: Lattice, state: State, chosen: Ints) -> Faces:
 
 
 def moved_points(lattice: Lattice, state: State, facet: Ints, points: Floats) -> tuple[Floats, Floats]:
-    """Move points on facets, given in the reference next to element i, with both elements.
+    """Move points on facets with each of the two elements that share the facet.
 
     Args:
         lattice: lattice of the state.
         state: state with the pose of the elements.
         facet: facet of each point, user's numbers, shape (k,).
-        points: places in the reference [m], shape (k, 3).
+        points: places in the reference, periodic image at element i [m], shape (k, 3).
 
     Returns:
         Places on element i, and vectors from there to the places on element j [m], shape (k, 3) each.

@@ -12,7 +12,7 @@ from bondem.errors import InputError
 from bondem.fracture.directions import unit_vector
 from bondem.observables.breakage import BrokenBonds
 
-# Theil–Sen computes a slope for every pair: of more advances than this, so many are evenly chosen.
+# Largest number of advances for Theil–Sen, which computes a slope for every pair; of more, an even sample is used.
 _MOST = 1500
 
 
@@ -72,7 +72,7 @@ def crack_speed(
     first, last = _window(between)
     order = np.argsort(events.time, kind="stable")
     time, reach = events.time[order], np.maximum.accumulate(ahead[order], axis=0)
-    # of what breaks in one instant only the farthest is an advance
+    # of several breakages at one time only the farthest counts as an advance
     ends = np.append(time[1:] > time[:-1], True) if len(time) else np.zeros(0, dtype=bool)
     time, reach = time[ends], reach[ends]
     rising = np.diff(reach, prepend=-np.inf) > 0.0

@@ -1,4 +1,4 @@
-"""Outlines of broken facets, which move with their cells; for broken beams, discs."""
+"""Outlines of broken facets, which move with their cells; discs for broken beams."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -24,7 +24,7 @@ class CrackPolygons:
         vertex: corners, polygon by polygon, half-way between both faces of the facet [m], shape (v, 3).
         start: corners of polygon q are start[q] … start[q + 1] - 1, shape (p + 1,).
         facet: row in `Cracks.facets` of each polygon, shape (p,).
-        reference: corners in the reference, next to element i [m], shape (v, 3).
+        reference: corners in the reference, periodic image at element i [m], shape (v, 3).
     """
 
     vertex: Floats
@@ -39,9 +39,9 @@ class CrackPolygons:
 def crack_polygons(
     lattice: Lattice, state: State, chosen: Ints, faces: Faces, solid: Callable[[], Polyhedra]
 ) -> CrackPolygons:
-    """Return polygons of facets, given by numbers in user's order; of beams regular ones of the area of the section.
+    """Return the outlines of the facets numbered `chosen`, user's order; for beams, discs of the area of the section.
 
-    `solid` returns the polygons of all cells; it is called only where there are cells.
+    `solid` computes the polygons of all cells; it is called only for a body of cells.
     """
     reference, start, facet = _discs(faces) if lattice.facets is None else _outlines(lattice, chosen, solid)
     number = chosen[np.repeat(facet, np.diff(start))]

@@ -20,7 +20,7 @@ class CrackSurfaces:
         normal: normal m of the mean plane, the direction along which Σ A (n·m)² is largest; its largest component is
             positive [-], shape (s, 3).
         roughness: area over projected area [-], at least 1, shape (s,).
-        deviation: root mean square distance of the centroids of its facets from the mean plane, by area [m], (s,).
+        deviation: area-weighted root mean square distance of the facets' centroids from the mean plane [m], (s,).
         position: centroid [m], shape (s, 3).
         extent: extent of the corners of its facets along x, y and z [m], shape (s, 3).
     """
@@ -39,13 +39,13 @@ class CrackSurfaces:
 
 
 def crack_surfaces(faces: Faces, polygons: CrackPolygons, label: Ints, shift: Floats) -> CrackSurfaces:
-    """Compute the surfaces of labelled facets.
+    """Compute size, orientation and roughness of the surface formed by the facets of each label.
 
     Args:
-        faces: the facets, k of them.
+        faces: geometry of k facets.
         polygons: outlines of the facets.
-        label: surface of each facet, shape (k,).
-        shift: shift that brings the facets of a surface side by side [m], shape (k, 3).
+        label: number of the surface of each facet, shape (k,).
+        shift: shift that brings the facets of a periodic surface side by side [m], shape (k, 3).
     """
     s = int(label.max(initial=-1)) + 1
     A, n, place = faces.area, faces.normal, faces.centroid + shift

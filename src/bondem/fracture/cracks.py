@@ -22,7 +22,7 @@ from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.tessellation.polyhedra import polyhedra
 
-# Corners of facets that are nearer than this, in mean radii, are one.
+# Corners of facets nearer to each other than this, in mean radii, are the same corner.
 _SAME = 1e-6
 # Broken beams whose middles lie within this many mean diameters belong to one surface.
 _NEAR = 1.5
@@ -32,7 +32,7 @@ _NEAR = 1.5
 class Cracks:
     """Broken facets of cells, or broken beams as discs of their sections, k of them, in the pose of a state.
 
-    Each lies half-way between its two faces, which move with their cells.
+    Each facet is shown half-way between its two faces, which move with their cells.
 
     Attributes:
         facets: user's numbers, ascending, shape (k,).
@@ -99,8 +99,8 @@ def cracks(lattice: Lattice, state: State, *, integrity: float = 0.0) -> Cracks:
     Args:
         lattice: lattice of the state.
         state: state of an explicit run, such as `run.state`.
-        integrity: largest integrity of the facets that count, in [0, 1): 0 for broken facets only, more to include
-            facets that soften.
+        integrity: largest integrity of the facets that count as cracked [-], in [0, 1): 0 for broken facets only,
+            more to include softening facets.
 
     Raises:
         InputError: The state belongs to another lattice, or the integrity is outside [0, 1).
@@ -143,7 +143,7 @@ def _edges(lattice: Lattice, polygons: CrackPolygons, k: int) -> tuple[Ints, Int
     same = coo_array((np.ones(len(near), dtype=bool), near.T), shape=(count, count))
     points, spot = connected_components(same, directed=False)
     at = coo_array((np.ones(count, dtype=np.int32), (facet, spot)), shape=(k, points)).tocsr()
-    at.data[:] = 1  # of several polygons of one facet
+    at.data[:] = 1  # a corner counts once for a facet of several polygons
     shared = (at @ at.T).tocoo()
     pairs = (shared.data >= 2) & (shared.row < shared.col)
     return shared.row[pairs], shared.col[pairs]

@@ -1,4 +1,4 @@
-"""Directions given by users."""
+"""Unit vectors of directions that users give."""
 
 import numpy as np
 

@@ -15,8 +15,7 @@ from bondem.fracture.magnitudes import BValue, b_value_of, magnitude_of
 from bondem.model.model import Model
 from bondem.observables.breakage import BrokenBonds
 
-# Bonds or facets that break within this many of their mean lengths belong to one emission, if no time or distance is
-# given.
+# Default distance within which breakages belong to one emission, in mean lengths of the bonds.
 _REACH = 2.0
 
 
@@ -30,7 +29,7 @@ class AcousticEmission:
     Attributes:
         time: beginning of each emission [s], shape (c,).
         duration: time from its first to its last breakage [s], shape (c,).
-        position: mean position by energy [m], shape (c, 3); in a periodic cell next to where it began.
+        position: energy-weighted mean position [m], shape (c, 3); in a periodic cell, the image near its beginning.
         energy: energy released [J], shape (c,).
         magnitude: 2/3 log10(E / J) - 3.2, from log10(E / J) = 1.5 M + 4.8; -inf for zero energy, shape (c,).
         count: number of breakages, shape (c,).
@@ -65,7 +64,7 @@ class AcousticEmission:
             width: width of these bins [-].
 
         Raises:
-            InputError: There are fewer than 10 emissions above M_c, or all have one magnitude.
+            InputError: There are fewer than 10 emissions above M_c, all of one magnitude, or the width is too small.
 
         Reference: Aki (1965); Utsu (1965); error by Shi and Bolt (1982); M_c by Wiemer and Wyss (2000).
         """
@@ -121,7 +120,7 @@ def _clusters(events: BrokenBonds, reach: float, span: float, period: Floats | N
             edge = period / reach
             place = np.mod(place, edge)
             place, box = np.where(place >= edge, 0.0, place), np.append(edge, 0.0)
-        # cubes first, so that time is no length; then distances
+        # pairs near in time and in each coordinate, then those among them within the distance
         tree = KDTree(np.column_stack([place, (events.time - events.time.min()) / span]), boxsize=box)
         near = tree.query_pairs(1.0, p=np.inf, output_type="ndarray")
         apart = place[near[:, 1]] - place[near[:, 0]]
@@ -144,7 +143,7 @@ def _emissions(events: BrokenBonds, label: Ints, period: Floats | None) -> Acous
     last = np.full(c, -np.inf)
     np.maximum.at(last, label, events.time)
     energy = np.bincount(label, events.energy, c).astype(float)
-    # where nothing was released all count alike
+    # breakages of an emission without released energy have equal weights
     weight = np.where(energy[label] > 0.0, events.energy, 1.0)
     origin = events.position[first]
     way = events.position - origin[label]

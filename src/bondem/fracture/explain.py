@@ -14,7 +14,7 @@ from bondem.model.state import State
 from bondem.observables.breakage import failure_index
 from bondem.observables.crack_index import yield_index
 
-# Fewer elements than this in a process zone do not resolve it.
+# Number of elements along a process zone that resolves it.
 _RESOLVED = 2.0
 # Approximate energy that separates the atoms of a solid, twice the energy of a surface [J/m²].
 _SURFACE = 1.0
@@ -26,13 +26,13 @@ class Explanation:
 
     Attributes:
         implied: strength, fracture energy and toughness, as medians of bonds or facets.
-        doubts: properties that are hardly intended or not resolved, one text each.
+        doubts: one text for each property that is hardly intended or not resolved.
         nearest: user's numbers of the bonds or facets nearest to failure, the nearest first; empty without a state.
         index: failure index of these, 1 at breakage or onset of softening [-].
         position: middle of these in the reference [m], shape (k, 3).
         broken: number of broken bonds or facets.
         softening: number of softening bonds or facets.
-        yielding: index of the cell nearest to yielding, 1 where it yields [-]; 0 if no cell can yield.
+        yielding: largest yield index of the cells, 1 where a cell yields [-]; 0 if no cell can yield.
         text: the whole explanation.
     """
 

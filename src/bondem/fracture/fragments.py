@@ -48,8 +48,8 @@ def fragments(lattice: Lattice, state: State, *, integrity: float = 0.0) -> Frag
     Args:
         lattice: lattice of the state.
         state: state of an explicit run, such as `run.state`.
-        integrity: largest integrity of the bonds that join nothing, in [0, 1): 0 for broken bonds only, more to
-            include bonds that soften.
+        integrity: largest integrity of the bonds that count as broken [-], in [0, 1): 0 for broken bonds only, more
+            to include softening bonds.
 
     Raises:
         InputError: The state belongs to another lattice, or the integrity is outside [0, 1).
@@ -88,5 +88,5 @@ def fragments(lattice: Lattice, state: State, *, integrity: float = 0.0) -> Frag
 
 
 def _sums(label: Ints, values: Floats) -> Floats:
-    """Return sums of the rows of each piece."""
+    """Return the sum of `values` (n, d) over the elements of each piece, (f, d)."""
     return np.column_stack([np.bincount(label, column) for column in values.T]).astype(float)

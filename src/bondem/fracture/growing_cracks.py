@@ -1,4 +1,4 @@
-"""Outlines of cracks in successive states of the same body, for files that grow."""
+"""Outlines of cracks in successive states of the same body, for files to which states are appended."""
 
 from dataclasses import dataclass
 from functools import cache, partial
@@ -29,7 +29,7 @@ class CrackOutlines:
 
 
 class GrowingCracks:
-    """Finder of the outlines in a state; the cells are cut into polygons once.
+    """Callable that returns the crack outlines of a state; it cuts the cells into polygons only once.
 
     Args:
         lattice: lattice of the model.
@@ -40,7 +40,7 @@ class GrowingCracks:
         self._solid = cache(partial(polyhedra, lattice))
 
     def __call__(self, state: State) -> CrackOutlines:
-        """Return the outlines of a state."""
+        """Return the outlines of all facets and beams with an integrity below 1."""
         whole = state.bond_integrity
         chosen = np.flatnonzero(whole < 1.0)
         if not len(chosen):

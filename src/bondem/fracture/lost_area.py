@@ -6,12 +6,12 @@ from bondem.model.state import State
 from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.lattice import Lattice
 
-#: Of a facet whose cells lie in no, one and two aggregates.
+#: Parts of a body, by the number of the two cells of a facet that lie in aggregates: none, one and two.
 PARTS = "matrix", "interface", "aggregate"
 
 
 def lost_area(body: Lattice, state: State, aggregates: Aggregates) -> dict[str, float]:
-    """Return the area of facets lost to cracks, each times 1 - s, by `PARTS` [m²].
+    """Return the cracked area Σ A (1 - integrity) of the facets of each of `PARTS` [m²].
 
     Args:
         body: body cut into cells.

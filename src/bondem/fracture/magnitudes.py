@@ -1,4 +1,4 @@
-"""Magnitudes of emissions, and the ratio of large to small ones."""
+"""Magnitudes of acoustic emissions, and the slope (b-value) of their distribution."""
 
 import math
 from dataclasses import dataclass
@@ -9,11 +9,11 @@ from bondem._checks import number
 from bondem._types import Floats
 from bondem.errors import InputError
 
-# A slope of fewer is meaningless: its error is b / √n.
+# Fewest emissions for a slope, whose standard error is about b / √n.
 _FEWEST = 10
 # Normal quantile of an interval of 95 %.
 _CONFIDENCE = 1.96
-# More bins than this in the range of magnitudes is a width in another unit.
+# Largest number of bins over the range of magnitudes; more indicate a width in another unit.
 _BINS = 1_000_000
 
 
@@ -25,7 +25,7 @@ class BValue:
         b: maximum-likelihood estimate [-].
         error: standard error of b, ln(10) b² s / √n with s² = Σ (M - mean)² / (n - 1) [-].
         interval: 95 % confidence interval of b, b ± 1.96 standard errors [-].
-        completeness: magnitude M_c from which emissions were counted.
+        completeness: magnitude M_c from which emissions were counted [-].
         count: number n of these emissions.
     """
 
@@ -37,13 +37,13 @@ class BValue:
 
 
 def magnitude_of(energy: Floats) -> Floats:
-    """Return 2/3 log10(E / J) - 3.2; -inf for zero energy."""
+    """Return the magnitudes 2/3 log10(E / J) - 3.2 [-] of energies [J]; -inf for zero energy."""
     with np.errstate(divide="ignore"):
         return 2.0 / 3.0 * np.log10(energy) - 3.2
 
 
 def b_value_of(magnitude: Floats, completeness: float | None, width: float) -> BValue:
-    """See `AcousticEmission.b_value`."""
+    """Estimate the slope b from magnitudes, as `AcousticEmission.b_value` documents."""
     bin_width = number("b_value", "width", width, above=0.0)
     known = magnitude[np.isfinite(magnitude)]
     if completeness is None:
@@ -72,7 +72,7 @@ def _enough(count: int, which: str) -> None:
 
 
 def _fullest(magnitude: Floats, width: float) -> float:
-    """Return the middle of the fullest bin; the lowest of equally full bins."""
+    """Return the middle of the bin of magnitudes with most entries; the lowest of equally full bins."""
     if float(np.ptp(magnitude)) / width > _BINS:
         raise InputError(f"b_value: width = {width:g} gives too many bins; use a width of about 0.1")
     number_of = np.floor(magnitude / width).astype(np.int64)

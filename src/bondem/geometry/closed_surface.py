@@ -1,10 +1,10 @@
-"""Conditions for triangles to enclose a body: closed, facing outwards, of solids that do not touch.
+"""Check and repair of triangles that shall enclose a body: closed, facing outwards, of solids that do not touch.
 
-Files of CAD programs are mended where the result is unique: corners that several solids name are made one, and
-triangles that are there twice, or once each way as between two bodies that share a face, are taken out.
+Files of CAD programs are repaired where the result is unique. Equal corners of several solids are merged. Duplicate
+triangles are removed, and so are opposite ones, as between two bodies that share a face.
 
-Which solid lies within which is decided by the winding number (Jacobson et al., ACM Trans. Graph. 32, 2013): the
-solid angle of a solid seen from points of another, over 4π. It is a whole number where the surfaces keep apart.
+The winding number decides which solid lies within which (Jacobson et al., ACM Trans. Graph. 32, 2013). It is the
+solid angle of a solid seen from points of another, over 4π, and an integer where the surfaces do not touch.
 """
 
 import numpy as np
@@ -13,25 +13,26 @@ from bondem._types import Floats, Ints, PerElement, PerElement3
 from bondem.errors import InputError
 from bondem.geometry.smooth_patches import components, joined_sides
 
-_FARTHEST = 1e30  # of a vertex [m]: beyond, volumes are no numbers any more
-# Corners nearer than this, over the size of the surface, are one where the surface is open otherwise: files keep
-# seven digits.
+_FARTHEST = 1e30  # largest coordinate of a vertex [m]; volumes of larger ones overflow
+# Distance of corners, over the size of the surface, that are merged if this closes an open surface: files keep seven
+# digits.
 _SAME = 2e-6
-# Pairs of a sample and a triangle that winding numbers are computed of in all, and samples of a solid at most.
+# Largest number of pairs of sample and triangle in all winding numbers together, and of samples of a solid.
 _PAIRS, _SAMPLES = 4_000_000, 400
-# Of a winding number from a whole one, at points whose surfaces keep apart.
+# Largest deviation of a winding number from an integer for surfaces that do not touch.
 _OFF = 0.1
 
 
 def closed_surface(name: str, vertices: Floats, triangles: Ints) -> tuple[Floats, Ints, Ints]:
-    """Return corners and triangles of a closed surface, facing outwards, without duplicates or ones without area.
-
-    The third result has the remaining rows of `triangles`.
+    """Check and repair a closed surface: merge corners, remove duplicate and flat triangles, turn the rest outwards.
 
     Args:
         name: name of the surface, for messages.
         vertices: corners, (v, 3).
         triangles: three corners each, (t, 3).
+
+    Returns:
+        Corners and triangles of the repaired surface, and the rows of `triangles` that remain.
 
     Raises:
         InputError: The surface is not closed, encloses nothing, or has solids that overlap, touch or contain others.
@@ -65,7 +66,7 @@ def closed_surface(name: str, vertices: Floats, triangles: Ints) -> tuple[Floats
 
 
 def _merged(vertices: Floats, triangles: Ints, tolerance: float) -> tuple[Floats, Ints, Ints]:
-    """Merge coincident corners and remove triangles without area and duplicates; also return the kept rows."""
+    """Merge coincident corners and remove flat and duplicate triangles; also return the rows that remain."""
     place = vertices + 0.0 if tolerance == 0.0 else np.rint(vertices / tolerance)
     _, first, number = np.unique(place, axis=0, return_index=True, return_inverse=True)
     if len(first) < len(vertices):
@@ -79,13 +80,13 @@ def _merged(vertices: Floats, triangles: Ints, tolerance: float) -> tuple[Floats
 
 
 def _once(triangles: Ints) -> np.ndarray:
-    """Return a mask with each triangle once; two of opposite directions cancel each other."""
+    """Return a mask that keeps one of each set of equal triangles, or none if as many face either way."""
     corners = np.sort(triangles, axis=1)
     _, number, count = np.unique(corners, axis=0, return_inverse=True, return_counts=True)
     if not len(triangles) or count.max() == 1:
         return np.ones(len(triangles), dtype=bool)
     number = number.ravel()
-    # the way round: that of the sorted corners or the other
+    # direction of circulation: 1 for that of the sorted corners, else -1
     turn = np.argmin(triangles, axis=1)[:, None]
     second = np.take_along_axis(triangles, (turn + 1) % 3, axis=1)[:, 0]
     way = np.where(second == corners[:, 1], 1, -1)
@@ -99,7 +100,7 @@ def _once(triangles: Ints) -> np.ndarray:
 
 
 def _edges(triangles: Ints) -> tuple[Ints, Ints]:
-    """Count the triangles of each edge, and the excess of one direction over the other."""
+    """Count the triangles at each edge, and the excess of those that run along it over those against it."""
     edge = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2)
     way = np.where(edge[:, 0] < edge[:, 1], 1, -1)
     _, number, count = np.unique(np.sort(edge, axis=1), axis=0, return_inverse=True, return_counts=True)
@@ -128,21 +129,21 @@ def _require_closed(name: str, triangles: Ints) -> None:
 
 
 def _parts(triangles: Ints) -> Ints:
-    """Number of the solid of each triangle; edges of two triangles join them."""
+    """Return the number of the solid of each triangle; an edge of exactly two triangles joins them."""
     return components(joined_sides(triangles) // 3, len(triangles))
 
 
 def _cones(vertices: Floats, triangles: Ints) -> PerElement:
-    """Volumes of the cones from a point in the middle to each triangle, (t,)."""
+    """Return the signed volumes of the tetrahedra from the mean vertex to each triangle [m³], (t,)."""
     a, b, c = np.moveaxis(vertices[triangles] - vertices.mean(axis=0), 1, 0)
     return np.einsum("ni,ni->n", a, np.cross(b, c)) / 6.0
 
 
 def _inside_out(name: str, vertices: Floats, triangles: Ints, part: Ints, volume: Floats) -> np.ndarray:
-    """Find the solids that face inwards and are not cavities.
+    """Return a mask of the solids whose triangles face inwards although they are no cavities.
 
     Raises:
-        InputError: solids overlap or touch, or one that faces outwards lies within another.
+        InputError: Solids overlap or touch, or one that faces outwards lies within another.
     """
     corner = vertices[triangles]
     turned = np.zeros(len(volume), dtype=bool)
@@ -168,7 +169,7 @@ def _inside_out(name: str, vertices: Floats, triangles: Ints, part: Ints, volume
 
 
 def _samples(corner: Floats, pairs: int) -> PerElement3:
-    """Points spread over triangles (t, 3, 3), at most as many as a limit of work allows, (k, 3)."""
+    """Return points spread over triangles (t, 3, 3), as many as the work for `pairs` per point allows, (k, 3)."""
     count = int(np.clip(_PAIRS // pairs, 2, _SAMPLES))
     area = np.linalg.norm(np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]), axis=1)
     share = np.cumsum(area) / area.sum()
@@ -181,7 +182,7 @@ def _samples(corner: Floats, pairs: int) -> PerElement3:
 
 
 def _winding(points: PerElement3, corner: Floats) -> PerElement:
-    """Winding number of triangles (t, 3, 3) about points (k, 3) [-], by the solid angle of each, (k,)."""
+    """Return the winding number of triangles (t, 3, 3) about points (k, 3), from their solid angles [-], (k,)."""
     found = np.zeros(len(points))
     for k, point in enumerate(points):
         a, b, c = np.moveaxis(corner - point, 1, 0)

@@ -16,7 +16,7 @@ from bondem.geometry.shape_boundary import BOX_FACES
 __all__ = ["Ball", "BoundingBox", "Box", "Cell", "Cylinder", "Shape"]
 
 
-# Beyond these, volumes and moments of inertia are no numbers any more [m].
+# Limits of lengths [m], beyond which volumes and moments of inertia overflow or vanish.
 _SMALLEST, _LARGEST = 1e-30, 1e30
 
 
@@ -135,7 +135,7 @@ class Box(Shape):
 
 @dataclass(frozen=True)
 class Cell(Shape):
-    """A periodic cell from the origin to `size`, without walls and faces; the reference for bulk moduli.
+    """A periodic box from the origin to `size`, without walls and faces, for properties of the bulk.
 
     Attributes:
         size: edge lengths [m], (3,).

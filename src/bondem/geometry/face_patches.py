@@ -11,23 +11,23 @@ from bondem.geometry.elementary_shapes import Ball, BoundingBox, Box, Cylinder
 from bondem.geometry.shape import Cut, Joined, Overlap, Placed, Shape
 from bondem.geometry.surface import Surface
 
-# How far from a wall points are tested for being in or out, over the size of the shape.
+# Distance from a wall, over the size of the shape, at which points on both sides are tested for inside and outside.
 _NEAR = 1e-6
 
 
 def face_patches(shape: Shape, face: str, size: float) -> tuple[Floats, Floats]:
     """Cut a face into patches of about `size` [m].
 
-    Plain shapes and surfaces are cut directly. For a combined shape the patches of its parts are used where they are
-    still walls: inside on one side and outside on the other.
+    Elementary shapes and surfaces are cut directly. A combined shape has those patches of its parts that are walls
+    of it too, with the shape on one side and the outside on the other.
 
     Returns:
         Centres [m] and areas times outward normals [m²], (k, 3) each.
 
     Raises:
-        InputError: The shape has no such face.
+        InputError: The shape has no such face, or is of a kind that cannot be cut into patches.
     """
-    shape.face_depth(face, np.zeros((1, 3)))  # refuses a face that is not there
+    shape.face_depth(face, np.zeros((1, 3)))  # raises InputError for an unknown face
     match shape:
         case Box() | BoundingBox():
             return _plane(*shape.bounds, face, size)
@@ -107,7 +107,7 @@ def _sphere(radius: float, size: float) -> tuple[Floats, Floats]:
 
 
 def _facets(surface: Surface, face: str, size: float) -> tuple[Floats, Floats]:
-    """Divide each triangle into n² equal triangles."""
+    """Divide each triangle of a face into n² equal triangles with sides of at most `size` [m]."""
     corner = surface.vertices[surface.triangles[surface.face_triangles(face)]]
     longest = np.linalg.norm(corner - np.roll(corner, 1, axis=1), axis=2).max(axis=1)
     cuts = np.maximum(1, np.ceil(longest / size)).astype(int)
@@ -136,7 +136,7 @@ def _remaining(shape: Overlap | Cut | Joined, face: str, size: float) -> tuple[F
             area = flip * area
             step = near * area / np.linalg.norm(area, axis=1, keepdims=True)
             wall = (shape.depth(centre - step) > 0.0) & (shape.depth(centre + step) < 0.0)
-            if part is shape.second:  # where both have a wall it is that of the first
+            if part is shape.second:  # a wall of both parts belongs to the first
                 wall &= np.abs(shape.first.depth(centre)) > 0.1 * near
             centre, area = centre[wall], area[wall]
             own = np.abs(shape.face_depth(face, centre)) <= near if len(centre) else np.zeros(0, dtype=bool)

@@ -41,14 +41,14 @@ class Moments:
 def moments(shape: Shape) -> Moments:
     """Compute volume, centre and second moments of a shape.
 
-    They are exact for cylinder, box, ball and triangulated surface, also if moved or rotated. Intersections of shapes
-    are measured by refinement, to about 1e-3.
+    They are exact for cylinder, box, ball and triangulated surface, also if moved or rotated. Intersections of
+    shapes, which cuts and unions subtract, are measured by refinement, to about 1e-3.
 
     Args:
         shape: any shape but a periodic cell.
 
     Raises:
-        InputError: The shape is a periodic cell, which has no centre, or it knows only its depth and no volume.
+        InputError: The shape is a periodic cell, which has no centre.
     """
     if shape.period is not None:
         raise InputError("a periodic cell has no centre and no moments of inertia; use a Box of the same size")
@@ -91,7 +91,7 @@ def _meet(first: Shape, second: Shape) -> bool:
 
 
 def _enclosed(surface: Surface) -> Moments:
-    """Sum over the tetrahedra between a point and the triangles; triangles that face the point count negative."""
+    """Sum moments of the tetrahedra from a point to the triangles; triangles that face the point count negative."""
     origin = surface.vertices.mean(axis=0)
     corner = surface.vertices[surface.triangles] - origin
     volume = np.linalg.det(corner) / 6.0

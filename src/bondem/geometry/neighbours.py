@@ -1,4 +1,4 @@
-"""Neighbours of spheres: the lists over which every short-range force runs."""
+"""Neighbour lists of spheres, over which all short-range forces are summed."""
 
 import numpy as np
 
@@ -7,7 +7,7 @@ from bondem._passes import calls
 from bondem._tables.packing_tables import NeighbourLists, SphereGrid
 from bondem._types import Floats, Ints, Vector
 
-# More cells along an axis would cost memory only; so would more cells a sphere, where spheres fly apart.
+# Largest number of grid cells along an axis, and per sphere: more would cost memory only, as where spheres fly apart.
 _MOST_CELLS, _EACH = 1024, 8
 
 
@@ -25,7 +25,7 @@ def neighbours(
         threads: number of threads.
 
     Returns:
-        Where the list of each sphere begins, shape (n + 1,), and the lists one after the other, uint32.
+        Start of the list of each sphere, shape (n + 1,), and the lists one after the other, shape (p,), uint32.
     """
     grid = _unsorted(sphere, lower, upper, period, skin)
     run_pass(calls.sort_and_count_neighbours(grid), threads=threads)
@@ -35,14 +35,14 @@ def neighbours(
 
 
 def sphere_grid(sphere: Floats, lower: Vector, upper: Vector, period: Vector, skin: float) -> SphereGrid:
-    """Sort spheres into the cells of a grid for the search of neighbours; arguments as of `neighbours`."""
+    """Sort spheres into the cells of a grid for the search of neighbours; the arguments are those of `neighbours`."""
     grid = _unsorted(sphere, lower, upper, period, skin)
     run_pass(calls.sort_into_cells(grid))
     return grid
 
 
 def _no_more(cells: Vector, most: int) -> Vector:
-    """Return whole numbers of cells along the axes, (3,), with a product of at most `most`, the short axes first."""
+    """Round numbers of cells along the axes, (3,), and limit their product to `most`; long axes are reduced most."""
     cells = np.array(cells)
     for left, axis in zip((3, 2, 1), np.argsort(cells), strict=True):
         share = max(most, 1) ** (1.0 / left) + 1e-9

@@ -7,12 +7,12 @@ import numpy as np
 
 from bondem._types import Floats, Vector
 
-#: Of plane faces, by name: a point [m] and the outward normal, (3,) each.
+#: Plane faces by name: a point [m] and the outward normal, (3,) each.
 Planes = dict[str, tuple[Vector, Vector]]
 
 
 def box_planes(bounds: tuple[Vector, Vector], faces: Sequence[str]) -> Planes:
-    """Return the faces "x_min" … "z_max" of the bounding box that are faces of the shape."""
+    """Return the planes of a box for the named `faces`, some of "x_min" … "z_max"."""
     found = {}
     for face in faces:
         side, out = int(face.endswith("max")), np.zeros(3)
@@ -22,12 +22,12 @@ def box_planes(bounds: tuple[Vector, Vector], faces: Sequence[str]) -> Planes:
 
 
 def placed(planes: Planes, turn: Floats, by: Vector) -> Planes:
-    """Return the planes rotated about the origin and then moved."""
+    """Return planes rotated by a matrix (3, 3) about the origin and then moved by (3,) [m]."""
     return {name: (turn @ point + by, turn @ out) for name, (point, out) in planes.items()}
 
 
 def shared(some: Planes, others: Mapping[str, tuple[Vector, Vector]], tiny: float) -> set[str]:
-    """Return the names of the planes that coincide with one of `others` and have the same normal, to a length [m]."""
+    """Return the names of the planes that coincide with one of `others`, to `tiny` [m], with the same normal."""
     return {
         name for name, (point, out) in some.items()
         if any(out @ other > 1.0 - 1e-12 and abs((point - at) @ other) < tiny for at, other in others.values())

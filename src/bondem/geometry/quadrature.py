@@ -1,7 +1,7 @@
-"""Volume and surface of a region given by its depth, by refinement of the cells that contain the surface.
+"""Volume and surface of a region given by a depth function, by refinement of the cells that contain the surface.
 
-A depth changes no faster than the distance. A cell whose centre is deeper than half its diagonal therefore lies
-inside, and only cells at the surface are halved further. The work grows with the surface, not with the volume.
+The gradient of a depth is at most 1. A cell whose centre is deeper than half its diagonal therefore lies inside, and
+only cells at the surface are halved further. The work grows with the surface, not with the volume.
 """
 
 from collections.abc import Callable, Iterator
@@ -11,9 +11,9 @@ import numpy as np
 
 from bondem._types import PerElement, PerElement3, Vector
 
-_CELLS = 8  # along the longest edge, to begin with; in thin boxes as many as make them cubes, up to so many
-_THIN = 256
-_HALVINGS = {1: 7, 2: 7, 3: 4}  # by dimension: to 128 cells along the longest edge, 1024 of a flat region
+_CELLS = 8  # first cells along the longest edge, more in thin boxes, where cubes need them
+_THIN = 256  # most first cells along the longest edge
+_HALVINGS = {1: 7, 2: 7, 3: 4}  # by dimension: 128 cells along the longest edge, 1024 of a flat region
 
 
 @dataclass(frozen=True)
@@ -35,10 +35,10 @@ def content(depth: Callable[[PerElement3], PerElement], lower: Vector, upper: Ve
     Args:
         depth: distance of points (n, 3) to the surface, positive inside [m]; a lower bound is sufficient.
         lower: lower corner of the box [m], (3,).
-        upper: upper corner [m], (3,); an axis on which both corners agree is left out (a flat region).
+        upper: upper corner [m], (3,); the region is flat along an axis on which both corners agree.
 
     Returns:
-        Volume, exact to about 1e-3 for plain shapes, and area, to about 1e-2.
+        Volume and area, with relative errors of about 1e-3 and 1e-2 for simple shapes.
     """
     axes = int(np.count_nonzero(upper > lower))
     inside = area = 0.0
@@ -75,8 +75,8 @@ def cell_levels(depth: Callable[[PerElement3], PerElement], lower: Vector, upper
     """Yield the cells that make up a box, from the largest to the smallest; the arguments are those of `content`."""
     axes = np.flatnonzero(upper > lower)
     count = np.ones(3, dtype=int)
-    # Cells a little off a cube are as good; of flat ones at a wall of the box a part would count as outside. The box
-    # is filled exactly, so that its own walls are too.
+    # Cells are nearly cubes: of flat cells at a wall of the box, a part would count as outside. They fill the box
+    # exactly, so that its walls are exact.
     extent = (upper - lower)[axes]
     along = np.clip(extent.max() / extent.min(), _CELLS, _THIN)
     count[axes] = np.maximum(1, np.ceil(along * extent / extent.max() * (1.0 - 1e-12))).astype(int)

@@ -1,4 +1,4 @@
-"""Rotations: vectors that turn with their elements, rotation vectors, and moments of forces about centres."""
+"""Rotations: rotated vectors, rotation vectors, products of quaternions, and moments of forces about centres."""
 
 import numpy as np
 
@@ -16,13 +16,13 @@ def turned_vectors(quaternion: Floats, vectors: Floats) -> Floats:
 
 
 def add_force_moments(moment: Floats, owner: Ints, arm: Floats, force: Floats, sign: float) -> None:
-    """Add sign · sym b⊗f of forces to the moments of their owners: xx, yy, zz, xy, yz, zx, (n, 6)."""
+    """Add sign · sym(b⊗f) of arms b and forces f to `moment` of each owner: xx, yy, zz, xy, yz, zx, (n, 6) [N·m]."""
     own = np.ascontiguousarray(owner, dtype=np.int64)
     run_pass(calls.add_moments(MomentsOfForces(moment, own, _contiguous(arm), _contiguous(force), sign)))
 
 
 def rotation_vector(quaternion: Floats) -> Floats:
-    """Return rotation vectors of at most π of unit quaternions (n, 4), shape (n, 3)."""
+    """Return the rotation vectors of unit quaternions (n, 4), of length at most π [rad], shape (n, 3)."""
     q = np.where(quaternion[:, :1] < 0.0, -quaternion, quaternion)
     sine = np.linalg.norm(q[:, 1:], axis=1, keepdims=True)
     ratio = np.divide(2.0 * np.arctan2(sine, q[:, :1]), sine, out=np.full_like(sine, 2.0), where=sine > 1e-150)
@@ -30,7 +30,7 @@ def rotation_vector(quaternion: Floats) -> Floats:
 
 
 def turned_further(quaternion: Floats, rotation: Floats) -> Floats:
-    """Return unit quaternions (n, 4), rotated further by rotation vectors (n, 3)."""
+    """Return unit quaternions (n, 4), rotated further by rotation vectors in the fixed frame [rad], (n, 3)."""
     half = 0.5 * np.linalg.norm(rotation, axis=1, keepdims=True)
     vector = 0.5 * rotation * np.sinc(half / np.pi)
     w, v = quaternion[:, :1], quaternion[:, 1:]
@@ -40,7 +40,7 @@ def turned_further(quaternion: Floats, rotation: Floats) -> Floats:
 
 
 def relative_rotations(p: Floats, q: Floats) -> tuple[Floats, Floats]:
-    """Return scalar, (k,), and vector part, (k, 3), of p* q of unit quaternions (k, 4), with a positive scalar."""
+    """Return scalar part ≥ 0, (k,), and vector part, (k, 3), of p* q, the rotations from p to q, quaternions (k, 4)."""
     scalar = (p * q).sum(axis=1)
     vector = p[:, :1] * q[:, 1:] - q[:, :1] * p[:, 1:] - np.cross(p[:, 1:], q[:, 1:])
     sign = np.where(scalar < 0.0, -1.0, 1.0)

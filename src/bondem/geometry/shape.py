@@ -43,7 +43,7 @@ class Shape(Walled):
         return place_shape(self, turn_about(axis, angle), np.zeros(3))
 
     def cut(self, tool: "Shape", *, name: str = "cut") -> "Shape":
-        """Return the shape without `tool`, for example with a notch or a hole. The new walls form the face `name`."""
+        """Return the shape without `tool`, such as a notch or a hole, whose walls become the face `name`."""
         return Cut(self, tool, name)
 
     def __bool__(self) -> bool:
@@ -126,7 +126,7 @@ class Placed(Shape):
         return self.shape.on_patch(name, self._back(points), normals @ np.array(self.turn))
 
     def place(self, points: PerElement3) -> PerElement3:
-        """Points (n, 3) of `shape`, moved along with it [m]."""
+        """Return points (n, 3) of `shape`, rotated and moved with it [m]."""
         return points @ np.array(self.turn).T + self.by
 
     def _back(self, points: PerElement3) -> PerElement3:
@@ -162,7 +162,7 @@ def _section(shape: Shape) -> float:
 
 @dataclass(frozen=True)
 class _Pair(Shape):
-    """Two shapes combined. Measures without a closed form are found by refinement, to about 1e-3, areas to 1e-2."""
+    """Two combined shapes. Refinement finds volumes without a closed form to about 1e-3, and areas to 1e-2."""
 
     first: Shape
     second: Shape
@@ -286,13 +286,13 @@ class Cut(_Pair):
 
     @cached_property
     def _new(self) -> tuple[str, ...]:
-        """Faces of the second shape that become walls. Faces that lie in a plane of the first shape cut nothing."""
+        """Faces of the second shape that become walls; faces in a plane of the first shape cut nothing."""
         tiny = 1e-9 * float(np.subtract(*self.first.bounds[::-1]).max())
         same = shared(self.second.planes, self.first.planes, tiny)
         return tuple(face for face in self.second.faces if face not in same) or self.second.faces
 
     def beside(self, points: PerElement3) -> PerElement:
-        """Distance from the removed shape [m], positive outside of it, (n,)."""
+        """Return the distance of points (n, 3) from the removed shape, positive outside of it [m], (n,)."""
         return -self.second.depth_of(self._new, points)
 
     def face_depth(self, face: str, points: PerElement3) -> PerElement:
@@ -317,9 +317,9 @@ class Cut(_Pair):
 class Joined(_Pair):
     """The union of two shapes.
 
-    Let the parts overlap by two element diameters, because depths are approximate where the parts meet.
-    The faces "x_min" … "z_max" are the faces in the sides of the box around both parts. All other faces keep their
-    names, and faces of both parts with the same name form one face.
+    Let the parts overlap by two element diameters, because depths are approximate where the parts meet. Faces named
+    "x_min" … "z_max" are only those in a side of the box around both parts. All other faces keep their names, and
+    faces of both parts with the same name form one face.
 
     Attributes:
         first: first part.
@@ -365,7 +365,7 @@ class Joined(_Pair):
 
     @property
     def patch_names(self) -> tuple[str, ...]:
-        """Patches of both parts, without names that both parts have, such as "patch:1"."""
+        """Names of the patches of both parts, except names that both parts use, such as "patch:1"."""
         first, second = self.first.patch_names, self.second.patch_names
         return tuple(name for name in (*first, *second) if (name in first) != (name in second))
 
@@ -374,7 +374,7 @@ class Joined(_Pair):
         return self._carriers(name)[0].on_patch(name, points, normals)
 
     def _carriers(self, face: str) -> list[Shape]:
-        """Return the parts that contribute to a face, or the one that has a patch."""
+        """Return the parts that contribute to a face, or the part that has a patch of this name."""
         self._check_face(face)
         if face in self._parts:
             return self._parts[face]
@@ -391,7 +391,7 @@ class Joined(_Pair):
     def depth(self, points: PerElement3) -> PerElement:
         """Return the distance to the nearest wall [m], (n,).
 
-        Where the parts meet it is a lower bound: the larger of their depths.
+        The result is the larger depth of both parts, a lower bound of the distance where the parts meet.
         """
         return np.maximum(self.first.depth(points), self.second.depth(points))
 

@@ -50,7 +50,7 @@ class Walled(ABC):
         return ()
 
     def on_patch(self, name: str, points: PerElement3, normals: PerElement3) -> Mask:
-        """Return which points (n, 3) [m] on walls with outward normals (n, 3) belong to a patch, (n,)."""
+        """Return a mask (n,) of the points (n, 3) [m], on walls with outward normals (n, 3), that lie on a patch."""
         raise InputError(f"{type(self).__name__} has no patch {shown(name)}")
 
     def patch_area(self, name: str) -> float:
@@ -58,7 +58,7 @@ class Walled(ABC):
         return float("nan")
 
     def has_face(self, face: str) -> bool:
-        """Return True if this is the name of a face or patch."""
+        """Return True if the shape has a face or patch of this name."""
         return face in self.faces or face in self.patch_names
 
     @abstractmethod
@@ -108,12 +108,12 @@ class Walled(ABC):
         if not faces:
             return np.full(len(points), np.inf)
         depths = np.array([self.face_depth(face, points) for face in faces])
-        # Where faces meet at right angles, what lies beyond several is nearest to their edge or corner.
+        # A point beyond several faces that meet at right angles is nearest to their edge or corner.
         beyond = np.sqrt((np.minimum(depths, 0.0) ** 2).sum(axis=0))
         return np.where(beyond > 0.0, -beyond, depths.min(axis=0))
 
     def contains(self, points: PerElement3) -> np.ndarray:
-        """Return a mask of the points that lie inside the shape or on its wall, shape (n,)."""
+        """Return a mask of the points (n, 3) [m] that lie inside the shape or on its wall, shape (n,)."""
         at = np.atleast_2d(array("contains", "points", points, wanted="points as an array of shape (n, 3) [m]"))
         if at.shape[1:] != (3,):
             raise InputError(f"contains: points has shape {at.shape}; give points as an array of shape (n, 3) [m]")

@@ -1,9 +1,8 @@
-"""Surfaces divided into patches: faces between sharp edges, as a CAD program has them.
+"""Division of surfaces into patches: faces between sharp edges, as in a CAD program.
 
-Triangles belong to one patch where the angle between their normals is below a limit. A plane that passes smoothly
-into a rounding, as beside a fillet, is a patch of its own: coplanar triangles that together are several times larger
-than every strip beside them. Normals of very thin triangles are rounding; these belong to the triangle beyond their
-longest side.
+Neighbouring triangles belong to one patch if the angle between their normals is below a limit. A plane that passes
+smoothly into a rounding, as beside a fillet, is a patch of its own if it is several times larger than every strip
+beside it. The normal of a very thin triangle is a rounding error: it joins the triangle beyond its longest side.
 """
 
 from dataclasses import dataclass
@@ -14,14 +13,14 @@ from scipy.sparse.csgraph import connected_components
 
 from bondem._types import Floats, Ints, PerElement, Vector
 
-# Rounding of corners over the size of the surface, as files keep seven digits, and the height of a triangle below
-# which its normal is not used.
+# Rounding error of corners, as files keep seven digits, and the height of a triangle below which its normal is not
+# used, both over the size of the surface.
 _DIGITS, _THIN = 2e-7, 3e-6
-# Angle below which triangles are coplanar, beside rounding, and which all of a plane keep from its mean normal [rad].
+# Largest angle between coplanar triangles, besides rounding, and mean angle of those of a plane to its normal [rad].
 _COPLANAR, _PLANE = 2e-3, 0.02
 # Area of a plane over that of the largest flat piece that it passes into smoothly.
 _LARGER = 4.0
-# Differences of area and place, over those of the surface, that do not decide on the order.
+# Differences of area and place, over those of the surface, that do not change the order of patches.
 _TIE = 1e-6
 
 
@@ -52,7 +51,7 @@ class Patch:
 
 
 def joined_sides(triangles: Ints) -> Ints:
-    """Return sides that exactly two triangles share, as 3 · triangle + number of the side in it, (m, 2)."""
+    """Return the sides that exactly two triangles share, each as 3 · triangle + number of the side, (m, 2)."""
     edge = np.sort(np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2), axis=1)
     _, number, count = np.unique(edge, axis=0, return_inverse=True, return_counts=True)
     number = number.ravel()
@@ -61,7 +60,7 @@ def joined_sides(triangles: Ints) -> Ints:
 
 
 def components(pairs: Ints, count: int) -> Ints:
-    """Return the number of the connected component of each of `count` nodes that pairs (m, 2) join."""
+    """Return the connected component of each of `count` nodes, (count,), where `pairs` (m, 2) join nodes."""
     joined = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(count, count))
     return connected_components(joined, directed=False)[1]
 
@@ -95,7 +94,7 @@ def smooth_patches(vertices: Floats, triangles: Ints, sharp: float) -> tuple[Pat
 
 
 def patch(name: str, chosen: Ints, corner: Floats, area: Floats) -> Patch:
-    """Return chosen triangles as a patch, of corners (t, 3, 3) [m] and areas times normals (t, 3) [m²] of all."""
+    """Make a patch of chosen triangles; corners (t, 3, 3) [m] and areas times normals (t, 3) [m²] are of all."""
     size = np.linalg.norm(area[chosen], axis=1)
     whole = float(size.sum())
     centre = size @ corner[chosen].mean(axis=1) / whole if whole > 0.0 else corner[chosen].mean(axis=(0, 1))
@@ -113,7 +112,7 @@ def _labels(vertices: Floats, triangles: Ints, sharp: float, size: float) -> Int
     thin = height < _THIN * size
     joined = joined_sides(triangles)
     pairs = joined // 3
-    # beyond the longest side of a thin triangle
+    # sides that are the longest of a thin triangle
     beyond = (thin[pairs] & (length.argmax(axis=1)[pairs] == joined % 3)).any(axis=1)
     turn = np.where(thin[pairs].any(axis=1), np.inf, _angles(area / np.maximum(content, 1e-300)[:, None], pairs))
     rounding = (_DIGITS * size / np.maximum(height, _THIN * size))[pairs].sum(axis=1)
@@ -131,7 +130,7 @@ def _angles(normal: Floats, pairs: Ints) -> PerElement:
 
 
 def _planes(piece: Ints, content: Floats, area: Floats, thin: np.ndarray, beside: Ints) -> np.ndarray:
-    """Return a mask of the coplanar pieces that are planes, much larger than their smooth neighbours, (pieces,)."""
+    """Return a mask of the coplanar pieces that are planes: much larger than their smooth neighbours, (pieces,)."""
     count = piece.max() + 1
     own = np.bincount(piece, weights=content, minlength=count)
     whole = np.stack([np.bincount(piece, weights=part, minlength=count) for part in area.T], axis=1)

@@ -26,14 +26,14 @@ from bondem.geometry.surface_files.contents import Contents
 from bondem.geometry.surface_files.formats import read_surface_file
 from bondem.geometry.triangles import Triangles
 
-# Longest part whose file has no unit that is read in metres, with a warning [m].
+# Largest size of a part whose file states no unit and is taken to be in metres, with a warning from 1 m on [m].
 _PLAUSIBLE = 10.0
 
-# How far from a side of the bounding box a facet may lie to be part of that face, over the size of the box;
-# STL files keep seven digits.
+# Largest distance of the triangles of a face from that side of the bounding box, over the size of the box; STL files
+# keep seven digits.
 _FLUSH = 1e-6
 
-# Angle from which an edge separates patches [rad], and how far their mean normals may be from one asked for.
+# Angle from which an edge separates patches [rad], and cosine of the largest angle of a mean normal to a wanted one.
 _SHARP = math.radians(35.0)
 _ALONG = math.cos(math.radians(15.0))
 
@@ -46,13 +46,13 @@ class Surface(Shape):
     `bd.Face` also takes the name of any of `patches`: a face between sharp edges, such as "patch:3", or a solid,
     group or object of the file. `plot` shows them.
 
-    Equal corners of several solids of a file, and doubled triangles, are merged. Solids must not touch: those that
-    overlap are joined as two surfaces, `bd.Surface(…) | bd.Surface(…)`. A cavity faces inwards.
+    Equal corners of several solids of a file, and doubled triangles, are merged. Solids must not touch: unite those
+    that overlap as two surfaces, `bd.Surface(…) | bd.Surface(…)`. The triangles of a cavity face inwards.
 
     Attributes:
         vertices: corners [m], (v, 3).
         triangles: corner indices of each triangle, counter-clockwise seen from outside, (t, 3).
-        named: triangles of each named part, as indices.
+        named: triangles of each named part, as indices into `triangles`.
         sharp: angle between the normals of two triangles from which their edge separates patches [rad].
 
     Raises:
@@ -147,11 +147,11 @@ class Surface(Shape):
 
     @cached_property
     def patches(self) -> tuple[Patch, ...]:
-        """Parts that `bd.Face` knows by name: those that the file names, then "patch:1" … from the largest down.
+        """Parts that `bd.Face` takes by name: those that the file names, then "patch:1" … from the largest down.
 
         Numbered patches end at edges whose angle is `sharp` or more, and where a plane passes into a rounding. Their
-        numbers do not depend on the order of the triangles. A part of the file that is called as a face or a patch
-        has "group:" before its name.
+        numbers do not depend on the order of the triangles. A part of the file gets the prefix "group:" if its name
+        is also that of a face or of a numbered patch.
         """
         found = smooth_patches(self.vertices, self.triangles, self.sharp)
         taken = {*BOX_FACES, "side", *(one.name for one in found)}
@@ -169,8 +169,8 @@ class Surface(Shape):
 
         Args:
             near: point [m], (3,), for the patch nearest to it.
-            normal: direction of any length, (3,): only patches whose mean normal is within 15° of it. Without
-                `near`, the largest of them.
+            normal: direction of any length, (3,): only patches whose mean normal is within 15° of it count. Without
+                `near`, the largest of them is returned.
 
         Raises:
             InputError: Neither is given, or no patch has this normal.
@@ -201,7 +201,7 @@ class Surface(Shape):
             A `matplotlib.figure.Figure`, which Jupyter shows; its `show()` opens a window.
 
         Raises:
-            InputError: a file that cannot be written, or a view that is not two angles.
+            InputError: The file cannot be written, or the view is not two angles.
         """
         return OUTLETS.draw_surface(self, path, view=view)
 
@@ -279,7 +279,7 @@ class Surface(Shape):
 
 
 def _section(corner: Floats, x: float) -> float:
-    """Return the area of the section of a closed surface at x [m²], whose outline is where triangles cross it."""
+    """Return the area of the section of a closed surface at x [m²], from the lines in which triangles cross x."""
     above = corner[:, :, 0] >= x
     area = 0.0
     for lone in range(3):
@@ -296,10 +296,10 @@ def _section(corner: Floats, x: float) -> float:
 def _given(
     file: Any, vertices: ArrayLike | None, triangles: ArrayLike | None, named: Mapping[str, ArrayLike] | None
 ) -> tuple[str, Contents]:
-    """Return the name of a surface, for messages, and its triangles."""
+    """Return the name of a surface, for messages, and its contents, from a file, a Trimesh or arrays."""
     if (file is None) == (vertices is None and triangles is None and named is None):
         raise InputError("Surface needs either a file, or vertices= and triangles=, which may have named=")
-    # whoever has a mesh of trimesh has imported it
+    # if the user passes a mesh of trimesh, that package is already imported
     trimesh = sys.modules.get("trimesh")
     if trimesh is not None and isinstance(file, trimesh.Trimesh):
         unit = None if file.units is None else length_unit("Surface: units of the Trimesh", file.units)
@@ -336,6 +336,6 @@ def _whole(name: str, values: ArrayLike, wanted: str) -> Ints:
 
 
 def _retained_parts(parts: dict[str, Ints], retained: Ints) -> dict[str, Ints]:
-    """Return named parts by the numbers of the triangles that were kept, (k,); parts without any are left out."""
+    """Renumber the triangles of named parts to the kept ones, old numbers `retained`; leave out empty parts."""
     found = {name: np.flatnonzero(np.isin(retained, chosen)) for name, chosen in parts.items()}
     return {name: chosen for name, chosen in found.items() if chosen.size}

@@ -14,8 +14,8 @@ from bondem._tables.surface_tables import Nearest, TriangleTree
 from bondem._threads import current_threads
 from bondem._types import Floats, Ints, PerElement, PerElement3, Vector
 
-_PIECES = 10_000  # more pieces: tighter boxes, more levels
-_FACING = 0.9  # cosine of the largest angle between a triangle and a wall that it may be
+_PIECES = 10_000  # approximate number; more give tighter boxes but more levels
+_FACING = 0.9  # cosine of the largest angle between a normal and a triangle that faces along it
 
 
 class Triangles:
@@ -69,9 +69,9 @@ class Triangles:
         return self._closest(np.broadcast_to(point, (len(triangles), 3)), triangles)[0]
 
     def facing(self, points: PerElement3, normals: PerElement3) -> tuple[Ints, PerElement]:
-        """Return the nearest triangle that faces along a normal, within 25°, and the distance of its plane [m], (n,).
+        """Return the nearest triangle that faces along a normal, within 26°, and the distance of its plane [m], (n,).
 
-        Distance is infinite where no triangle faces that way.
+        The distance is infinite where no triangle faces along the normal.
         """
         triangle = self._nearest(points)
         for k in np.flatnonzero((self._normal[triangle] * normals).sum(axis=1) < _FACING):
@@ -88,7 +88,7 @@ class Triangles:
         return triangle
 
     def _closest(self, points: PerElement3, triangle: Ints) -> tuple[PerElement, Ints, PerElement3]:
-        """Return distance, location (inside, side, corner) and offset of the nearest point of each triangle."""
+        """Return distance, feature (0 inside, 1–3 sides, 4–6 corners) and offset of points to their triangles."""
         from_corner = points[:, None] - self._corner[triangle]
         side, normal = self._side[triangle], self._normal[triangle]
         along = np.einsum("nij,nij->ni", from_corner, side) / self._length2[triangle]
@@ -107,7 +107,7 @@ class Triangles:
 
 
 def _pieces(corner: Floats, area: float) -> tuple[Floats, Ints]:
-    """Halve triangles (t, 3, 3) until none is long; return the pieces and the triangle of each."""
+    """Halve triangles (t, 3, 3) until no side is long; return the pieces and the triangle of each."""
     longest = 1.5 * (area / _PIECES) ** 0.5
     piece, owner = corner, np.arange(len(corner))
     while True:
@@ -140,7 +140,7 @@ def _in_order(piece: Floats, owner: Ints) -> tuple[Floats, Ints]:
 
 
 def boxes_of_tree(leaf_lower: Floats, leaf_upper: Floats) -> tuple[Floats, Floats]:
-    """Return the lower and upper corners of all boxes of a tree from those of its leaves, as the core stores them."""
+    """Return the corners of all boxes of a tree, level by level after an unused row, from those of its leaves."""
     lower, upper = [leaf_lower], [leaf_upper]
     while len(lower[0]) > 1:
         lower.insert(0, np.minimum(lower[0][::2], lower[0][1::2]))

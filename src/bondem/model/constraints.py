@@ -1,4 +1,4 @@
-"""Boundary conditions resolved to arrays in internal order; elements that are fixed or loaded own a row."""
+"""Boundary conditions resolved to arrays in internal order; each fixed, driven or loaded element owns a row."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -20,11 +20,11 @@ from bondem.specimen.ordering import Layout
 
 
 class Schedules(NamedTuple):
-    """Schedules, and the loads and motions of rows that follow them."""
+    """Schedules, and the prescribed motions and loads of rows that follow them."""
 
-    times: np.ndarray  #: of all schedules, one after the other [s]
+    times: np.ndarray  #: times of all schedules, one after the other [s]
     values: np.ndarray
-    start: np.ndarray  #: where each begins
+    start: np.ndarray  #: first entry of each schedule
     drive_row: np.ndarray
     drive_dof: np.ndarray
     drive_schedule: np.ndarray
@@ -32,19 +32,19 @@ class Schedules(NamedTuple):
     load_row: np.ndarray
     load_schedule: np.ndarray
     load_value: np.ndarray  #: [N, N·m], (…, 6)
-    load_turns: np.ndarray  #: element with which each turns, or -1; (0,) where none does
-    couples: CoupleTable  #: moments, whose forces turn with their regions
+    load_turns: np.ndarray  #: element with which each load rotates, or -1; (0,) if none does
+    couples: CoupleTable  #: moments, whose forces rotate with their regions
 
 
 @dataclass(frozen=True, eq=False)
 class Constraints:
-    """Rows, schedules, drives and loads.
+    """Boundary conditions as arrays: rows of constrained and loaded elements, schedules, drives and loads.
 
     Attributes:
         element: internal element of each row, shape (r,).
         row_of: row of each element or -1, shape (n,).
         fixed: mask of degrees of freedom that are fixed or driven, uint8, shape (r, 6).
-        start, times, values: schedule s is times[start[s] : start[s + 1]] and values likewise.
+        start, times, values: times [s] and values of schedule s are those at start[s] … start[s + 1] - 1.
         drive_row, drive_dof, drive_schedule, drive_rate: one entry per driven degree of freedom; `drive_rate`
             is 1 for velocities and 0 for displacements.
         load_row, load_schedule, load_value: one entry per loaded element; values [N, N·m] are (…, 6).
@@ -57,7 +57,7 @@ class Constraints:
         strain_part: stress-free strain of each bond, shape (g, m); strain_schedule: (g,).
         weight: mass of each connected element, else 0 [kg], shape (n,).
         press_value: contribution of tractions on free facets to V θ of each cell [m³], (l, n); press_schedule: (l,).
-        supported: True if walls hold facets of cells.
+        supported: True if walls constrain facets of cells.
         wall_rate: True if velocities of such walls are prescribed.
     """
 
@@ -99,11 +99,11 @@ class Constraints:
     ) -> "Constraints":
         """Resolve the boundary conditions of a model whose elements have `mass` [kg], user's order.
 
-        For a law of facets, conditions that hold a wall are left out: see `bondem.boundary.wall_constraints`. The
-        cells that they hold own rows nevertheless.
+        `boundary` excludes conditions on facets (`bondem.boundary.wall_constraints`), which the law resolves. The
+        cells of these facets own rows nevertheless.
 
         Raises:
-            InputError: Different conditions hold or drive the same degree of freedom.
+            InputError: A degree of freedom is driven twice, or both fixed and driven.
             EmptyRegionError: A region selects no element.
         """
         n, m = len(lattice.particles), len(lattice.pairs)
@@ -151,7 +151,7 @@ class Constraints:
                     chosen = layout.rank[chosen]
                     dashpots[chosen] += viscous
                 case BodyForce():
-                    condition.region.select(lattice)  # refuses an empty region
+                    condition.region.select(lattice)  # raises for an empty region
                     for on, pull in condition.parts(lattice):
                         bodies.append((on[layout.order], pull, len(schedules)))
                     schedules.append(condition.schedule)
@@ -205,7 +205,7 @@ class Constraints:
 
     @property
     def schedules(self) -> Schedules:
-        """Return the schedules in the form of the core."""
+        """Schedules, drives and loads as the tables of the core."""
         return Schedules(
             times=self.times, values=self.values, start=self.start, drive_row=self.drive_row,
             drive_dof=self.drive_dof, drive_schedule=self.drive_schedule, drive_rate=self.drive_rate,
@@ -214,7 +214,7 @@ class Constraints:
         )  # fmt: skip
 
     def rows(self, reaction: Floats, work: Floats) -> Rows:
-        """Return the rows in the form of the core, with the reactions (r, 6) and works of a state."""
+        """Return the rows as the table of the core, with the reactions (r, 6) and works of a state."""
         still = np.zeros((3, len(self.element), 6))
         return Rows(
             of=self.row_of, fixed=self.fixed, force=still[0], half=still[1], full=still[2], reaction=reaction,
@@ -224,7 +224,7 @@ class Constraints:
     def final_load(self, n: int, pose: Floats | None = None) -> Floats:
         """Return forces and torques at the end of all schedules [N, N·m], internal order, shape (n, 6).
 
-        Forces of moments are those in a pose, (n, 8), or in the reference if it is None.
+        Forces that make up moments are those in `pose`, (n, 8), or in the reference if it is None.
         """
         load = np.zeros((n, 6))
         last = self._final(self.load_schedule)
@@ -252,10 +252,10 @@ class Constraints:
 
     @property
     def works(self) -> tuple[int, int, int]:
-        """Places in the list of works at which those of body forces and of strains start, and its length."""
+        """Offsets of the works of body forces and of strains in the list of works, and the length of this list."""
         body = len(self.element)
         strain = body + (len(self.row_of) if len(self.body_on) else 0)
-        # run files have one number behind them where walls or tractions do work, which versions before added up there
+        # one entry more where walls or tractions do work: earlier versions summed it there, and run files keep its place
         return body, strain, strain + bool(len(self.strain_part)) + bool(self.supported or len(self.press_schedule))
 
     def final_motion(self, n: int) -> Floats:
@@ -278,7 +278,7 @@ class Constraints:
 
 
 def _couple(condition: Load | Pressure, lattice: Lattice, layout: Layout, schedule: int) -> Couple | None:
-    """Return the moment of a load that rotating forces carry; None if torques do."""
+    """Return the moment of a load as forces at its points; None without a moment, or if all points coincide."""
     if not isinstance(condition, Load) or not any(condition.moment):
         return None
     chosen, arm, share = condition.points(lattice)

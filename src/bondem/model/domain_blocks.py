@@ -23,16 +23,16 @@ from bondem.specimen.ordering import Layout
 
 @dataclass(frozen=True, eq=False)
 class Blocks:
-    """Division of a step.
+    """Blocks of bonds and elements that a step computes one after the other, and domains of blocks for threads.
 
-    The sum of an element has a row from the block that begins it to the block that moves the element. The row is then
-    reused, so that the rows of a domain stay in the cache.
+    The force sum of an element occupies a row from its first block to the block that moves the element. The row is
+    then reused, so that the rows of a domain stay in the cache. Ranges a … b below exclude b.
 
     Attributes:
         domain: domain d has the blocks domain[d] … domain[d + 1], shape (domains + 1,).
         bond: block b has the bonds bond[b] … bond[b + 1], shape (blocks + 1,).
         move: block b moves the elements ready[move[b]] … ready[move[b + 1]], shape (blocks + 1,).
-        first_owner: elements of block b from ready[first_owner[b]] on own rows of the boundary, shape (blocks,).
+        first_owner: elements that block b moves own rows of the boundary from ready[first_owner[b]] on, (blocks,).
         ready: all elements that are not shared, in the order in which they move, uint32.
         ready_row: rows of their sums, uint32.
         row_i, row_j: rows that each bond adds to, uint32, shape (m,).
@@ -40,7 +40,7 @@ class Blocks:
         shared_first_owner: number of shared elements that own no row.
         shared_row: rows of their sums, uint32, shape (s,).
         part: rows parts + part[e] … parts + part[e + 1] also belong to shared element e, shape (s + 1,).
-        parts: first of the rows that bonds between domains add to.
+        parts: first row of sums for bonds between domains.
     """
 
     domain: Ints
@@ -59,12 +59,12 @@ class Blocks:
 
     @classmethod
     def of(cls, layout: Layout, size: int, domains: int, owns: Mask) -> "Blocks":
-        """Return blocks of about `size` elements, in `domains` of about as many bonds each.
+        """Divide a step into blocks of about `size` elements, and these into domains of about equal work.
 
-        Where there are fewer bonds than elements, domains have about as many bonds and elements each.
+        The work is the number of bonds, or that of bonds and elements if there are fewer bonds than elements.
 
         Args:
-            layout: elements and bonds.
+            layout: internal order of elements and bonds.
             size: number of elements per block.
             domains: number of domains.
             owns: mask of the elements that own a row of the boundary, internal order, shape (n,).
@@ -74,9 +74,9 @@ class Blocks:
         work = layout.in_start if m >= n else layout.in_start + np.arange(n + 1)
         border = np.searchsorted(work, np.linspace(0, work[-1], domains + 1)[1:-1])
         count = max(1, -(-n // size))
-        # a border between domains may cut a block in two, which costs nothing
+        # a border between domains may divide a block, which costs nothing
         edges = np.unique(np.concatenate([np.arange(count) * size, border, [n]]))
-        # a loop takes GROUP bonds at once, the last of them perhaps together with some before
+        # a loop computes GROUP bonds at once, and completes the last group with earlier bonds: so many must exist
         before = layout.in_start[edges]
         edges = edges[(before == 0) | (before >= GROUP) | (edges == n)]
         domain = np.searchsorted(edges, np.concatenate([[0], border, [n]]))
@@ -114,7 +114,7 @@ class Blocks:
         )
 
     def table(self, more: int = 0) -> StepBlocks:
-        """Return the division in the form of the core, with sums at zero and `more` rows after them."""
+        """Return the division as the table of the core, with sums of zero and `more` rows after them."""
         return StepBlocks(
             domain=self.domain, bond=self.bond, move=self.move, first_owner=self.first_owner, ready=self.ready,
             ready_row=self.ready_row, row_i=self.row_i, row_j=self.row_j, shared=self.shared,
@@ -129,7 +129,7 @@ class Blocks:
 
 
 def _rows(edges: Ints, domain: Ints, ready: Ints, move: Ints) -> tuple[Ints, int]:
-    """Return the row of each element's sum, (n,), and their number; each domain has its own, reused when free."""
+    """Assign rows of sums to elements, (n,), reused within a domain when free; also return the number of rows."""
     row = np.empty(edges[-1], dtype=np.int64)
     count = 0
     for d in range(len(domain) - 1):

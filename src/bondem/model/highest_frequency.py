@@ -17,9 +17,9 @@ from bondem.model.model import Model
 from bondem.model.stiffness_matrices import mass_diagonal
 from bondem.specimen.local_origin import local_rest
 
-# Relative error of ω²_max that is left: Lanczos ends there, and its answer, from below, is raised by this much.
+# Relative error of ω²_max at which Lanczos ends; the result, which approaches from below, is raised by it.
 _TOLERANCE = 1e-3
-_LEAST, _MOST, _EVERY = 24, 600, 4
+_LEAST, _MOST, _EVERY = 24, 600, 4  # iterations: first check of the error, limit, and distance of checks
 
 
 def highest_frequency(
@@ -34,8 +34,8 @@ def highest_frequency(
         model: model that will move.
         integrity: present integrity of the bonds (`State.integrity`), internal order, (m,); None for intact bonds.
             Broken bonds only lower ω_max.
-        table: the bonds, if not those of the model.
-        slips: slips on planes between regions, of `long_slips`.
+        table: constants of the bonds, internal order; None for those of the model.
+        slips: slips on planes between regions, from `long_slips`.
     """
     order = model.layout.order
     mass, inertia = model.mass[order], model.inertia[order]
@@ -59,11 +59,10 @@ def stiffest(
 ) -> float:
     """Return an upper bound of the largest eigenvalue of K u = ω² M u [1/s²], for any masses in internal order.
 
-    It is found by Lanczos iteration without a matrix: K u is the derivative of the forces of the bonds at rest along
-    u. The iteration ends when the residual is below the tolerance, and the residual is added. It starts
-    from a fixed vector that is larger where an element is stiffer for its mass. The highest mode involves few
-    elements, and from another start one that is hardly above the others could stay hidden. `slips` are of
-    `long_slips`.
+    Lanczos iteration finds it without a matrix: K u is the derivative of the forces of the bonds at rest along u.
+    The iteration ends when the residual is below the tolerance, and the residual is added. The start is a fixed
+    vector, larger for elements that are stiff for their mass: a highest mode of few such elements, hardly above the
+    others, could be missed from another start. `slips` are the result of `long_slips`.
     """
     layout, n, m = model.layout, len(model.layout.order), len(model.layout.i)
     if m == 0:

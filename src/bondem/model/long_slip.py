@@ -1,4 +1,4 @@
-"""The stiffness that long slip on planes between regions adds, for the time step."""
+"""Stiffness that long slip on planes between regions adds, for the critical time step."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -11,12 +11,12 @@ from bondem.model.model import Model
 
 @dataclass(frozen=True, eq=False)
 class LongSlip:
-    """Closed cracks on planes whose faces have slipped by s = √A, as far as they face each other.
+    """Linearised effect of slip s = √A, the size of a facet, on closed cracks with friction on planes.
 
     The normal rotates with the mean of both cells and the slip with cell i. With t the direction of the slip and
     b = n×t, a rotation changes the opening n·δ by ½ s b·(θ_i + θ_j), and the stretch b·δ of the friction spring by
-    -s n·θ_i. With the opening x of a facet without slip these store k [(x + y)² - x²] / 2 each, and the volume
-    strains of the cells λ A² y² / 2 V.
+    -s n·θ_i. A change y of either quantity x adds the energy k [(x + y)² - x²] / 2, and a change y of the opening
+    adds λ A² y² / 2 V by the volume strains of the cells.
 
     Attributes:
         i, j: cells of the facets, internal order, (f,).
@@ -45,7 +45,7 @@ class LongSlip:
         return found
 
     def forces(self, motion: Floats) -> Floats:
-        """Return the forces and torques by which slip adds to those of small motions without slip, (n, 6)."""
+        """Return the forces and torques, (n, 6), that slip adds to those of small motions (n, 6) without slip."""
         i, j, n, b = self.i, self.j, self.normal, self.across
         u, turn = motion[:, :3], motion[:, 3:]
         opening = u[j] - u[i] + np.cross(turn[j], self.arm_j) - np.cross(turn[i], self.arm_i)
@@ -65,8 +65,8 @@ class LongSlip:
 def long_slips(model: Model) -> tuple[LongSlip, ...]:
     """Return slips in two directions and their opposites on all planes of a model; empty without planes.
 
-    Planes are entries of `failure=` keyed by two regions; slip is long on all their facets. For cracks inside a
-    region slip is long on few facets of a cell, which the safety of the default step covers.
+    Planes are entries of `failure=` keyed by two regions. All their facets can slip far at once. Within a region only
+    few facets of a cell do, which the safety factor of the default step covers.
     """
     table, layout = model.softening, model.layout
     if table is None or not isinstance(model.failure, Mapping):

@@ -96,7 +96,7 @@ class Model:
             failure: FailureAssignment | None = None, mass_matrix: MassMatrix = "lumped",
         ) -> None: ...  # fmt: skip
 
-    # What solvers read, in their own order and types. Neither `dir` nor the reference lists it.
+    # Attributes for solvers, in internal order and types, which neither `dir` nor the reference lists.
     _INTERNAL = (
         "beam_softening", "bonds", "breaking", "by", "cell_constants", "cell_law", "constraints",
         "contact_laws", "contacts", "correction", "fails",
@@ -116,7 +116,7 @@ class Model:
         physical("Model", "density", float(density.min()))
         object.__setattr__(self, "boundary", _conditions(self.boundary))
         law = self.interaction
-        law.on_elements(self.boundary)  # refuses platens with friction for some laws
+        law.on_elements(self.boundary)  # raises for platens with friction under some laws
         object.__setattr__(self, "walls", check_walls(self.walls))
         beams, contact = law.evaluated == "force", self.contact_laws
         if (option := contact.of_beams) and not beams:
@@ -185,7 +185,7 @@ class Model:
 
     @cached_property
     def interaction(self) -> Interaction:
-        """Law of the bonds."""
+        """Interaction by the bonds or facets, with all their constants."""
         may_fail = self.failure is not None
         with np.errstate(all="ignore"):  # magnitudes are checked later
             return kind_of(self.bond).join(self.lattice, self.layout, self.bond, self.boundary, may_fail)
@@ -212,7 +212,7 @@ class Model:
 
     @cached_property
     def contacts(self) -> ContactModel:
-        """Contacts of the reference configuration, in the form of the core."""
+        """Contact laws, walls and contacts of the reference configuration, as tables of the core."""
         laws, mass, origin = self.contact_laws, float(self.mass.sum()), local_origin(self.lattice)
         table = WallTable.of(self.walls, mass, origin, self.lattice.centre, self.contact_radius)
         own = self.bonds.kn if laws.stress_free and not laws.parallel else None
@@ -271,7 +271,7 @@ class Model:
 
     @property
     def yielding(self) -> tuple[SlipTable, ...]:
-        """Yielding of cells, in internal order; none or one."""
+        """Tables of the cells that yield, in internal order: none or one."""
         return () if self.softening is None else self.softening.yielding
 
     @property
@@ -320,14 +320,14 @@ class Model:
         Args:
             path: PNG, PDF or SVG to write; nothing is written when None.
             solution: a state, run or equilibrium of this model, whose displacements colour the elements.
-            reach: factor on displacements [-]; chosen such that they are seen unless given.
+            reach: factor on displacements [-]; None for one that makes them visible.
             view: azimuth and elevation of the camera [degree].
 
         Returns:
             A `matplotlib.figure.Figure`, which Jupyter shows; its `show()` opens a window.
 
         Raises:
-            InputError: a solution of another model, a file that cannot be written, or a view that is not two angles.
+            InputError: The solution is of another model, the file cannot be written, or the view is not two angles.
         """
         return OUTLETS.draw_model(self, path, solution=solution, reach=reach, view=view)
 
@@ -345,7 +345,7 @@ class Model:
         return other
 
     def by(self, law: Interaction) -> "Model":
-        """Return the model with a law in place of its own; for solvers."""
+        """Return a copy of the model with another interaction, for solvers."""
         twin = copy(self)
         twin.__dict__["interaction"] = law
         return twin

@@ -25,7 +25,7 @@ class Solution:
     Attributes:
         status: outcome of the solution.
         iterations: number of time steps, or iterations of Newton's method or conjugate gradients; 1 for elimination.
-        residual: residual of the equations, as a share of their terms [-]; each solution defines it.
+        residual: residual of the equations, relative to their terms [-]; each type of solution defines it.
     """
 
     status: Status = Status.COMPLETED

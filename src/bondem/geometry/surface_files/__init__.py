@@ -1,1 +1,1 @@
-"""Readers of files that hold surfaces: STL, OBJ, 3MF, PLY and OFF."""
+"""Readers of surface files: STL, OBJ, 3MF, PLY and OFF."""

@@ -1,4 +1,4 @@
-"""Contents of a file of a surface, common to all formats."""
+"""Contents of a surface file, common to all formats."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -9,7 +9,7 @@ from bondem._types import Floats, Ints
 
 
 class Contents(NamedTuple):
-    """Triangles of a file, and the parts that the file names.
+    """Triangles of a surface file, and the parts that the file names.
 
     Attributes:
         vertices: corners in the unit of the file, (v, 3).

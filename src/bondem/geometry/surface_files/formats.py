@@ -1,4 +1,4 @@
-"""The reader of each format of surfaces, by the ending of the file."""
+"""Reader of each format of surface files, chosen by the suffix of the file."""
 
 import importlib
 import io
@@ -15,7 +15,7 @@ from bondem.geometry.surface_files.wavefront import read_obj
 
 
 def read_surface_file(file: Path) -> Contents:
-    """Read a file with a surface.
+    """Read the triangles and named parts of a surface file.
 
     Raises:
         InputError: The file does not exist, has another format, or is damaged.
@@ -32,14 +32,14 @@ def read_surface_file(file: Path) -> Contents:
 
 
 def _by_trimesh(name: str, data: bytes) -> Contents:
-    """Read formats without names of parts."""
-    # loaded on use: a run without surfaces need not wait for it
+    """Read a PLY or OFF file, whose formats name no parts, by `trimesh`."""
+    # imported on use, so that runs without surfaces start faster
     trimesh = importlib.import_module("trimesh")
     ending = Path(name).suffix[1:].lower()
     try:
         mesh = trimesh.load_mesh(io.BytesIO(data), file_type=ending)
         return Contents(np.array(mesh.vertices, dtype=float), np.array(mesh.faces, dtype=np.int64), {})
-    except Exception as error:  # whatever a parser trips over
+    except Exception as error:  # parsers raise errors of many types
         raise InputError(
             f"{name} cannot be read as {ending.upper()} ({error}); export it again, as triangles"
         ) from error

@@ -24,7 +24,7 @@ def ears(corner: Floats) -> Ints:
 
 
 def _flat(corner: Floats) -> Floats:
-    """Return a polygon in the coordinate plane that it is nearest to, counter-clockwise, (k, 2)."""
+    """Project a polygon (k, 3) onto the coordinate plane nearest to it, so that it runs counter-clockwise, (k, 2)."""
     arm = corner - corner[0]
     normal = np.cross(arm, np.roll(arm, -1, axis=0)).sum(axis=0)
     axis = int(np.abs(normal).argmax())
@@ -33,7 +33,7 @@ def _flat(corner: Floats) -> Floats:
 
 
 def _ear(flat: Floats, left: list[int]) -> int:
-    """Return the place of a corner that may be cut off: convex, with no other corner in its triangle."""
+    """Return the index in `left` of a corner that may be cut off: convex, with no other corner in its triangle."""
     b = flat[left]
     a, c = np.roll(b, 1, axis=0), np.roll(b, -1, axis=0)
     turn = _turn(a, b, c)
@@ -44,7 +44,7 @@ def _ear(flat: Floats, left: list[int]) -> int:
         inside = bent[(bent != (k - 1) % len(b)) & (bent != (k + 1) % len(b))]
         p = b[inside]
         sides = [_turn(a[k], b[k], p), _turn(b[k], c[k], p), _turn(c[k], a[k], p)]
-        same = np.zeros(len(p), dtype=bool)  # a seam to a hole names its corners twice
+        same = np.zeros(len(p), dtype=bool)  # a seam to a hole lists its corners twice
         for own in (a[k], b[k], c[k]):
             same |= (p == own).all(axis=1)
         if not (np.all(np.array(sides) >= 0.0, axis=0) & ~same).any():
@@ -53,6 +53,6 @@ def _ear(flat: Floats, left: list[int]) -> int:
 
 
 def _turn(a: Floats, b: Floats, c: Floats) -> Floats:
-    """Twice the area of the triangles a, b, c in the plane, positive if counter-clockwise."""
+    """Return twice the area of the triangles a, b, c in the plane, positive if counter-clockwise."""
     u, v = b - a, c - a
     return u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0]

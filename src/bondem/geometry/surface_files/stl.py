@@ -8,7 +8,7 @@ from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.geometry.surface_files.contents import Contents, by_name, name_of
 
-_HEAD, _RECORD = 84, 50  # bytes before the triangles of a binary file, and of each of them
+_HEAD, _RECORD = 84, 50  # bytes before the triangles of a binary file, and of each triangle
 _SOLID = re.compile(rb"^[ \t]*solid\b(.*)$", re.IGNORECASE | re.MULTILINE)
 _FACET = re.compile(rb"^[ \t]*facet\b", re.IGNORECASE | re.MULTILINE)
 _CORNER = re.compile(rb"^[ \t]*vertex[ \t]+(\S+)[ \t]+(\S+)[ \t]+(\S+)", re.IGNORECASE | re.MULTILINE)
@@ -55,5 +55,5 @@ def _text(name: str, data: bytes) -> Contents:
 
 
 def _separate(corner: Floats) -> tuple[Floats, np.ndarray]:
-    """Return three corners for each triangle (t, 3, 3), as STL files repeat them, and their numbers."""
+    """Return the corners (3 t, 3) of triangles (t, 3, 3), not merged as in STL files, and their numbers (t, 3)."""
     return corner.reshape(-1, 3), np.arange(3 * len(corner)).reshape(-1, 3)

@@ -1,8 +1,8 @@
-"""Files of the format 3MF: a ZIP archive with models in XML, which state their unit.
+"""Reader of 3MF files: ZIP archives with models in XML, which state their unit.
 
-Read are meshes, components and the items of the build, also in model files of their own (production extension), by
-the standard library: archives that unpack to very much, document types and their entities, and components that refer
-to themselves are rejected. Reference: 3MF Core Specification 1.3, and Production Extension 1.1.2 (3MF Consortium).
+It reads meshes, components and the items of the build, also from separate model files (production extension). It
+rejects very large archives, document types with their entities, and components that refer to themselves.
+Reference: 3MF Core Specification 1.3, and Production Extension 1.1.2 (3MF Consortium).
 """
 
 import io
@@ -39,7 +39,7 @@ class _Object:
 
 @dataclass
 class _Model:
-    """A model file: its unit, objects by file and number, and the built items."""
+    """A model file: its unit, its objects by number, and the items of its build."""
 
     unit: str = "millimeter"  # the default of the specification
     objects: dict[str, _Object] = field(default_factory=dict)
@@ -64,7 +64,7 @@ def read_3mf(name: str, data: bytes) -> Contents:
 
 
 class _Archive:
-    """Model files of an archive, each read once."""
+    """Reader of the model files of a 3MF archive, each parsed once."""
 
     def __init__(self, name: str, archive: zipfile.ZipFile) -> None:
         self._name, self._archive = name, archive
@@ -83,7 +83,7 @@ class _Archive:
         model = self._model(root)
         if model.unit not in _UNITS:
             raise InputError(f"{self._name}: unit {model.unit!r} is none of {', '.join(_UNITS)}; export it again")
-        # without a build, everything that is not part of something else
+        # for a file without a build, all objects that are no component of another
         used = {number for one in model.objects.values() for _, number, _ in one.components}
         rest = [("", number, np.eye(4)) for number in model.objects if number not in used]
         for path, number, transform in model.items or rest:
@@ -96,7 +96,7 @@ class _Archive:
         )  # fmt: skip
 
     def _add(self, path: str, number: str, transform: Floats, name: str, depth: int) -> None:
-        """Add an object of a file, moved by a transform (4, 4), under its own name or that of its parent object."""
+        """Add the triangles of an object and its components, moved by a transform (4, 4), under its parent's name."""
         found = self._model(path).objects.get(number)
         if found is None:
             raise InputError(f"{self._name}: object {number} does not exist; export it again")
@@ -106,7 +106,7 @@ class _Archive:
                 f"{self._name}: object {number} is part of itself, or more than {_MOST_OBJECTS} objects are built;"
                 " export it again"
             )
-        if found.kind == "support":  # of the printer, no part
+        if found.kind == "support":  # a structure for printing, not part of the body
             return
         name = name or found.name
         if found.triangles:
@@ -128,7 +128,7 @@ class _Archive:
         path = posixpath.normpath(path).lstrip("/")
         if path not in self._models:
             entry = {one.lstrip("/").lower(): one for one in self._archive.namelist()}[path.lower()]
-            self._room -= self._archive.getinfo(entry).file_size  # no more than that is unpacked
+            self._room -= self._archive.getinfo(entry).file_size  # `open` unpacks no more than this
             if self._room < 0:
                 raise InputError(f"{self._name} unpacks to more than {_MOST_BYTES >> 30} GB; export it coarser")
             with self._archive.open(entry) as stream:
@@ -143,7 +143,7 @@ def _parsed(name: str, stream: IO[bytes]) -> _Model:
     def begin(tag: str, given: dict[str, str]) -> None:
         nonlocal present
         space, _, word = tag.rpartition(" ")
-        if space not in ("", _CORE):  # of extensions, such as the lattice of beams
+        if space not in ("", _CORE):  # an element of an extension, such as a beam lattice
             return
         if word == "model":
             model.unit = given.get("unit", model.unit)
@@ -169,7 +169,7 @@ def _parsed(name: str, stream: IO[bytes]) -> _Model:
 
 
 def _transform(text: str | None) -> Floats:
-    """Return a matrix that acts on rows, (4, 4), of twelve numbers."""
+    """Return a transform of twelve numbers as a matrix that acts on row vectors, (4, 4); the identity for None."""
     matrix = np.eye(4)
     if text is not None:
         matrix[:, :3] = np.array([float(word) for word in text.split()]).reshape(4, 3)

@@ -7,7 +7,7 @@ from bondem.errors import InputError
 from bondem.geometry.surface_files.contents import Contents, by_name, name_of
 from bondem.geometry.surface_files.polygons import ears
 
-_MOST_CORNERS = 2000  # of a polygon: ears of more take minutes
+_MOST_CORNERS = 2000  # of a polygon; cutting larger ones into triangles takes minutes
 
 
 def read_obj(name: str, data: bytes) -> Contents:
@@ -16,7 +16,7 @@ def read_obj(name: str, data: bytes) -> Contents:
     Polygons become triangles. Materials, textures, normals, lines and points are ignored.
 
     Raises:
-        InputError: a line that cannot be read, a corner that does not exist, or no polygon.
+        InputError: A line cannot be read, a corner does not exist, or there is no polygon.
     """
     vertices: list[list[float]] = []
     polygons: list[list[int]] = []
