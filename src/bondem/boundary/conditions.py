@@ -43,9 +43,9 @@ class Fix:
         region: constrained elements.
         translation: axes along which the centres are constrained, a part of "xyz".
         rotation: axes about which the orientations are constrained, a part of "xyz".
-        friction: coefficient of friction μ [-] of a platen, on a face of cells constrained along one axis. Across this
-            axis facets stick up to a shear force of μ times their normal force, and slide beyond. None is a smooth
-            platen, as is 0 in explicit runs. Static solutions make the facets stick for any number, also for 0.
+        friction: coefficient of friction μ of a platen [-], on a face of cells constrained along one axis. Facets
+            stick across this axis up to a shear force of μ times their normal force, and slide beyond. None is a
+            smooth platen, as is 0 in explicit runs. Static solutions make facets stick for any number, also for 0.
     """
 
     region: Region

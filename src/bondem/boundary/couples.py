@@ -34,7 +34,7 @@ class Couple:
     schedule: int
 
     def places(self, pose: Floats | None) -> tuple[Floats, Floats]:
-        """Return arms and points relative to their centroid [m], (k, 3) each, in a pose or, for None, the reference."""
+        """Return arms and points relative to their centroid [m], (k, 3) each, in a pose or (None) the reference."""
         arm, centre = self.arm, self.centre
         if pose is not None:
             arm, centre = turned_vectors(pose[self.element, 4:], self.arm), pose[self.element, :3]

@@ -40,7 +40,7 @@ def turned_further(quaternion: Floats, rotation: Floats) -> Floats:
 
 
 def relative_rotations(p: Floats, q: Floats) -> tuple[Floats, Floats]:
-    """Return scalar part ≥ 0, (k,), and vector part, (k, 3), of p* q, the rotations from p to q, quaternions (k, 4)."""
+    """Return scalar part ≥ 0, (k,), and vector part, (k, 3), of p* q for unit quaternions p and q, (k, 4)."""
     scalar = (p * q).sum(axis=1)
     vector = p[:, :1] * q[:, 1:] - q[:, :1] * p[:, 1:] - np.cross(p[:, 1:], q[:, 1:])
     sign = np.where(scalar < 0.0, -1.0, 1.0)

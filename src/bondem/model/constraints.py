@@ -255,7 +255,7 @@ class Constraints:
         """Offsets of the works of body forces and of strains in the list of works, and the length of this list."""
         body = len(self.element)
         strain = body + (len(self.row_of) if len(self.body_on) else 0)
-        # one entry more where walls or tractions do work: earlier versions summed it there, and run files keep its place
+        # one entry more where walls or tractions do work: earlier versions summed it there, and run files keep it
         return body, strain, strain + bool(len(self.strain_part)) + bool(self.supported or len(self.press_schedule))
 
     def final_motion(self, n: int) -> Floats:

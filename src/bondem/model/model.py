@@ -59,8 +59,7 @@ class Model:
         bond: a bond law, or laws by region: {region: law, (region, region): law}; None for a lattice without bonds.
             Use `CellBond`, or {region: CellBond}, for a body cut into cells.
         density: density of the elements, ρ_μ [kg/m³], or of the material in a body of cells; a number, shape (n,), or
-            a `bd.Material`.
-            Only linear statics without body forces is independent of it.
+            a `bd.Material`. Only linear statics without body forces is independent of it.
         boundary: one boundary condition or several: supports, drives, loads, absorbing boundaries, strains.
         contact: law of contacts with walls and between elements without an intact bond, or laws of one class by
             region: {region: law, (region, region): law, (region, wall): law, wall: law}. None for no contacts.

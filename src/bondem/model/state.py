@@ -33,10 +33,10 @@ _SETTABLE = "position", "displacement", "orientation", "velocity", "angular_velo
 class State(StateMotion):
     """Positions, velocities and damage of all elements and bonds; see docs/decisions/0001-state.md.
 
-    `model.state()` makes a state at rest. Assignment changes it, and one value is given to all elements:
-    `state.velocity = (0, 0, -5.0)`. The properties `position`, `displacement`, `orientation`, `velocity`,
-    `angular_velocity` and `bond_eigenstrain` can be assigned. The arrays that properties return are read-only, in the
-    user's order of elements and bonds.
+    `model.state()` makes a state at rest. The properties `position`, `displacement`, `orientation`, `velocity`,
+    `angular_velocity` and `bond_eigenstrain` can be assigned; a single value applies to all elements:
+    `state.velocity = (0, 0, -5.0)`. The arrays that properties return are read-only, in the user's order of elements
+    and bonds.
 
     Attributes:
         model: model of the state, that of its last run.
@@ -56,10 +56,10 @@ class State(StateMotion):
       else (0, 6). A law may own arrays of other names, which follow all others in run files.
     - `eigenstrain`: ε* of each bond [-], whose rest length is L (1 + ε*); shape (m,), or (0,) if none was set.
     - `reaction`: minus the bond forces on the rows of the boundary [N, N·m], shape (r, 6).
-    - `work`: work of loads, drives and walls that hold cells on each row since the start [J], shape (r,). The works
-      of body forces on each element and of strains follow, if there are any.
-    - `loss`: energy that damping has taken from each element, its present power, and energy lost to friction
-      [J, W, J], shape (n, 3).
+    - `work`: work of loads, drives and walls that constrain cells on each row since the start [J], shape (r,). The
+      works of body forces on each element and of strains follow, if there are any.
+    - `loss`: energy that damping has dissipated at each element, the present power of damping, and energy that
+      friction has dissipated [J, W, J], shape (n, 3).
     - `touching`: internal pairs i < j in contact or with faces between them, sorted by j, then i, shape (c, 2).
     - `stretch`: memory of these contacts, columns of `contact_columns`, shape (c, 9).
     - `wall_touching`: internal element and wall of each contact with a wall, shape (b, 2).
@@ -68,13 +68,13 @@ class State(StateMotion):
     - `walls`: positions, velocities and loads of the walls (`bondem.boundary.wall_rows`), shape (w, 27).
     - `broken`: breakages in order of time (`EventColumn` of `bondem._tables.columns`), shape (e, 10).
     - `released`: energy that breaking bonds have released since the start [J], shape (1,).
-    - `crushed`: energy that they had released before it beyond their fracture energy [J], shape (1,).
+    - `crushed`: energy released before the start by facets or beams beyond their fracture energy [J], shape (1,).
     - `cracks`: facets that have begun to crack, in order of time (`bondem.damage.crack_columns`), shape (c, 30).
-    - `plastic`, `held_slip`: of cells that yield (`bondem.damage.crack_columns`), shapes (n, 17) and (n,).
+    - `plastic`, `held_slip`: memory of cells that yield (`bondem.damage.crack_columns`), shapes (n, 17) and (n,).
     - `softened`: beams that have begun to soften, in order of time (`SoftColumn`), shape (c, 7).
-    - `grips`: initial places of walls that hold facets of cells (`bondem.boundary.wall_constraints`), shape (g, 7).
+    - `grips`: origins of walls that constrain facets of cells (`bondem.boundary.wall_constraints`), shape (g, 7).
     - `facet_force`: force of each facet on its cell i [N], (3, m), if facets may crack; else (3, 0).
-    - `stale`: True if forces and accelerations are not those of the pose; each run begins by finding them anew.
+    - `stale`: True if forces and accelerations must be computed anew from the pose, as at the start of each run.
     """
 
     def __init__(self, model: Origin) -> None:
@@ -125,7 +125,7 @@ class State(StateMotion):
         "released", "crushed", "cracks", "plastic", "held_slip", "facet_force", "softened", "grips",
     )  # fmt: skip
 
-    # Those with as many rows as there are contacts, or broken bonds.
+    # Arrays whose number of rows changes during a run.
     GROWING = (
         "touching", "stretch", "wall_touching", "wall_stretch", "rolled", "wall_rolled", "broken", "cracks",
         "softened",
@@ -137,7 +137,7 @@ class State(StateMotion):
         """Set a quantity of the state.
 
         Raises:
-            InputError: an unknown name, a quantity that cannot be set, or no array for an array.
+            InputError: The name is unknown, the quantity cannot be set, or the value of an array is no array.
         """
         known = getattr(type(self), name, None)
         if isinstance(known, property):
@@ -154,7 +154,7 @@ class State(StateMotion):
 
     @property
     def arrays(self) -> tuple[str, ...]:
-        """Names of the arrays, those that only the law of the model owns last."""
+        """Names of all arrays; those that only the bond law of the model defines come last."""
         own = (field.name for field in self.model.interaction.fields)
         return *self.ARRAYS, *(name for name in own if name not in self.ARRAYS)
 
@@ -220,11 +220,11 @@ class State(StateMotion):
             self.plastic, self.held_slip = fresh.plastic, fresh.held_slip
         self.plastic[:, PlasticColumn.HEAT] = 0.0
         for rows, column in ((self.cracks, ONSET_STEP), (self.softened, SoftColumn.BEGAN)):
-            rows[:, column] -= self.step  # steps count from here on
+            rows[:, column] -= self.step  # steps are counted from the start of this run
         self.crushed = crushing_of(soft, model.beam_softening, self.cracks, self.softened)
 
     def _take_walls(self, walls: Sequence[Wall]) -> list[Wall | None]:
-        """Carry over displacement and contacts of walls of the same definition; return the previous wall of each."""
+        """Keep rows and contacts of walls defined as before; return the previous wall of each wall, or None."""
         previous = known_walls(self.model.walls, walls)
         if previous != list(range(len(self.walls))):
             rolled = self.wall_rolled if len(self.wall_rolled) else np.zeros((len(self.wall_stretch), 0))
@@ -246,7 +246,7 @@ class State(StateMotion):
 
     @property
     def bond_eigenstrain(self) -> PerBond:
-        """Stress-free strain ε* of each bond by the state alone [-], shape (m,); settable, also one value for all."""
+        """Stress-free strain ε* of each bond, without `Eigenstrain` [-], (m,); settable, also one value for all."""
         if not self.eigenstrain.size:
             return freeze(np.zeros(len(self.integrity)))
         return self._bonds_by_user(self.eigenstrain)
@@ -323,7 +323,7 @@ class State(StateMotion):
 
     @property
     def of_law(self) -> Arrays:
-        """Arrays that the law of the bonds takes, internal order."""
+        """Arrays of the state that the bond law reads, by name, internal order."""
         own = {field.name: getattr(self, field.name) for field in self.model.interaction.fields}
         return own | {"integrity": self.integrity, "rest_strain": self.rest_strain}
 

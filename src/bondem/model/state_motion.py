@@ -1,4 +1,4 @@
-"""Places and velocities of a state, as users read and set them."""
+"""Properties by which users read and set positions, orientations and velocities of a state."""
 
 import numpy as np
 
@@ -26,10 +26,10 @@ class StateMotion:
         return freeze(internal[self.layout.rank])
 
     def _rows(self, name: str, given: ArrayLike, columns: int, *, broadcast: bool = True) -> Floats:
-        """Rows of all elements [internal order] from one row, or from one row per element in user's order.
+        """Return rows of all elements, internal order, from one row, or from one row per element in user's order.
 
         Raises:
-            InputError: a wrong shape, or values that are not finite.
+            InputError: The shape is wrong, or a value is not finite.
         """
         shape = len(self.pose), columns
         one = f"({columns},) for all elements, or " if broadcast else ""
@@ -99,7 +99,7 @@ class StateMotion:
     def set_motion(
         self, *, velocity: np.ndarray | None = None, angular_velocity: np.ndarray | None = None
     ) -> None:
-        """Set velocities [m/s] or angular velocities [rad/s] of the elements, user's order, shape (n, 3).
+        """Set velocities [m/s] or angular velocities [rad/s] of the elements, user's order, (n, 3), or (3,) for all.
 
         Raises:
             InputError: An array has the wrong shape or a value that is not finite.
@@ -111,7 +111,7 @@ class StateMotion:
     def set_velocity(
         self, region: Region, velocity: Triple, *, spin: Triple = (0.0, 0.0, 0.0), about: Triple | None = None
     ) -> None:
-        """Give the elements of a region the velocities of a rigid body, v + ω × (x - about), and its spin ω.
+        """Set the velocities of a region to those of a rigid body, v + ω × (x - about), and its spins to ω.
 
         Args:
             region: elements to move; others keep their velocities.

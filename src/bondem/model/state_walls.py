@@ -12,7 +12,9 @@ from bondem.geometry.rotations import turned_vectors
 
 
 def set_off(rows: Floats, before: Sequence[Wall | None], walls: Sequence[Wall]) -> None:
-    """Set velocities of walls that stand still from now on, or that become free; walls stay where they are.
+    """Set the velocities of walls at the start of a run, without moving the walls.
+
+    Servos and free walls that were so before continue. New free walls get their `velocity`, all others start at rest.
 
     Args:
         rows: rows of the walls of a state, changed in place, shape (w, 27).
@@ -22,7 +24,7 @@ def set_off(rows: Floats, before: Sequence[Wall | None], walls: Sequence[Wall]) 
     row = wall_rows(rows)
     for k, wall in enumerate(walls):
         was = before[k] if k < len(before) else None
-        if was is not None:  # the displacement is that of the point about which the wall turns from now on
+        if was is not None:  # the displacement becomes that of the new point about which the wall turns
             arm = np.subtract(pivot(wall), pivot(was))[None]
             row["displacement"][k] += (turned_vectors(row["orientation"][k : k + 1], arm) - arm)[0]
         goes_on = was is not None and type(wall.motion) is type(was.motion)
@@ -52,23 +54,23 @@ def known_walls(before: Sequence[Wall], walls: Sequence[Wall]) -> list[int]:
         row = wall.row.tolist()
         previous.append(rows.index(row) if row in rows else -1)
         if previous[-1] >= 0:
-            rows[previous[-1]] = []  # of two walls in one place each goes on by itself
+            rows[previous[-1]] = []  # equal walls are matched one to one
     return previous
 
 
 def rows_of_walls(
     previous: Sequence[int], rows: Floats, touching: Ints, stretch: Floats
 ) -> tuple[Floats, Ints, Floats]:
-    """Return rows and contacts of the walls of a new run.
+    """Return rows and contacts of the walls of a new run, taken from those of the previous run.
 
     Args:
-        previous: number that each wall had before, or -1.
+        previous: number of each wall in the previous run, or -1.
         rows: rows of the previous walls, shape (w, 27).
         touching: element and wall of each contact, shape (b, 2).
-        stretch: tangential stretch of these contacts, shape (b, 6).
+        stretch: memory of these contacts, one row each, shape (b, q).
 
     Returns:
-        Rows, contacts and stretches of the new walls, without contacts with walls that no longer exist.
+        Rows, contacts and memory of the new walls, without contacts with walls that no longer exist.
     """
     number, found = np.full(len(rows), -1), walls_at_rest(len(previous))
     for new, before in enumerate(previous):

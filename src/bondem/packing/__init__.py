@@ -32,17 +32,17 @@ from bondem.specimen.particles import Particles, filled
 __all__ = ["EVEN", "METHOD", "METHODS", "SEED", "Method", "aggregates", "pack"]
 
 _METHODS = {"quench": quench, "growth": grow, "compression": compress, "shear": sheared}
-# Relaxation steps after which progress stands at one half; how many are needed is not known beforehand.
+# Number of relaxation steps at which progress is reported as one half, because the final number is unknown.
 _USUAL_STEPS = 2000
-#: Names of the methods, the default one, that for cells, which takes neither sizes nor targets, and the default seed:
-#: one place for Python, studies and the command line.
+#: Names of the methods, the default method, the method for cells, which has neither sizes nor targets, and the
+#: default seed, for Python, studies and the command line.
 Method = Literal["quench", "growth", "compression", "shear", "even"]
 METHOD: Method = "quench"
 EVEN: Method = "even"
 METHODS: tuple[Method, ...] = get_args(Method)
 SEED = 1
 
-# More would take a day, and more memory than a machine has.
+# Largest number of spheres; more would take a day and exceed the memory of a machine.
 _MOST = 100_000_000
 
 
@@ -87,7 +87,7 @@ def pack(
     spheres at walls have fewer neighbours. `bd.fabric(lattice).largest_overlap` reports the largest overlap.
 
     Spheres of two very different sizes, at least 1 : 2, often do not come to rest with "quench". The large ones are
-    then separated first, and the small ones fill the rest; other packings keep their bits.
+    then separated first, and the small ones fill the rest.
 
     Args:
         shape: any shape; only Cylinder, Box, Ball and Cell have exact walls, others use a grid of depths.
@@ -108,9 +108,9 @@ def pack(
         coordination_number: target z = 2 contacts / spheres [-], ± 0.01; 6.2 if no target is given. Contacts are
             counted as by `bd.connect` with tolerance 0, over all spheres, including rattlers and those at walls.
         volume_fraction: target φ, volume of the spheres over that of the shape [-]; below jamming they barely touch.
-        jamming: target: the density at which the spheres begin to carry load. No overlap exceeds 1e-3 mean radii, or
-            1e-3 of the smaller radius of a pair where large spheres were separated first. A periodic cell has six
-            contacts per sphere, without rattlers.
+        jamming: True for the density at which the spheres begin to carry load as the target. No overlap exceeds 1e-3
+            mean radii, or 1e-3 of the smaller radius of a pair where large spheres were separated first. A periodic
+            cell has six contacts per sphere, without rattlers.
         cache: True to reuse an identical packing of 1000 spheres or more from disk, the same to the bit, and to store
             this one there. `BONDEM_PACKING_CACHE=off` in the environment disables the cache.
         progress: function called repeatedly with the completed share, 0 … 1, which never decreases.
@@ -189,7 +189,7 @@ def pack(
                 raise
             spheres = two
         centre = spheres.sphere[:, :3].copy()
-        if isinstance(shape, Placed):  # packed where it came from, so that its place changes nothing
+        if isinstance(shape, Placed):  # packed before it is moved, so that its place does not change the packing
             centre = shape.place(centre)
         return filled(Particles(centre, spheres.sphere[:, 3].copy(), shape.period), shape)
 
@@ -200,7 +200,7 @@ def pack(
 def _two_sizes(
     shape: Shape, radii: Floats, target: Target, random: np.random.Generator, on_step: Callable[[int], None]
 ) -> SoftSpheres | None:
-    """Return spheres of two very different sizes that did not reach the target; None if they fail again."""
+    """Pack spheres of two very different sizes, large ones first; None if this fails, or for other sizes."""
     limit = parting(radii)
     if limit is None:
         return None
@@ -213,7 +213,7 @@ def _two_sizes(
 
 
 def _counting(report: Callable[[float], None]) -> Callable[[int], None]:
-    """Return a function of the number of steps that reports progress; the number may begin again."""
+    """Return a function that reports progress from a number of steps, which may restart from zero."""
     before = last = 0
 
     def on_step(steps: int) -> None:
@@ -225,10 +225,10 @@ def _counting(report: Callable[[float], None]) -> Callable[[int], None]:
 
 
 def _surfaces(around: object) -> Aggregates | tuple[Around, ...]:
-    """Return aggregates alone, or all surfaces on which cells end.
+    """Check `around` and return aggregates, or a tuple of the surfaces on which cells end.
 
     Raises:
-        InputError: The value is neither.
+        InputError: The value is neither aggregates nor one or several surfaces.
     """
     listed = tuple(around) if isinstance(around, list | tuple) else (around,)
     given = tuple(one for one in listed if isinstance(one, Around))

@@ -16,16 +16,16 @@ from bondem.packing.start import random_centres, thrown
 from bondem.specimen.particles import Particles, filled
 from bondem.specimen.tessellation.cutting import cell_centroids
 
-# Volume fraction at which soft spheres push each other apart, and how far inside walls they start, over their radius.
+# Volume fraction at which soft spheres push each other apart, and their initial depth inside walls over their radius.
 _PUSHED, _START = 0.64, 0.6
-# Rms force over mean contact force that is even enough to go on from, most steps to there, and steps of Lloyd.
+# Rms force over mean contact force at which relaxation ends, its largest number of steps, and Lloyd's steps.
 _ROUGH, _STEPS, _LLOYD = 0.1, 300, 6
-# Radius over half the distance of the nearest two centres, and over the depth of the centre nearest to a wall; cells
-# want centres at least a third of a radius inside.
+# Radius over half the distance of the nearest two centres, and over the depth of the centre nearest to a wall: cells
+# need centres at least a third of a radius inside.
 _TOUCHING, _INSIDE = 1.1, 3.0
-# How far inside walls centres stay on the way, over the usual radius.
+# Least depth of centres inside walls while they move, over the usual radius.
 _MARGIN = 0.4
-# Centres nearer to each other than this, over the usual radius, have no cells of their own.
+# Distance below which two centres count as one, over the usual radius.
 _ONTO = 1e-3
 
 
@@ -58,18 +58,21 @@ def even(
 
 
 def _lost(shape: Shape, x: Floats, width: float) -> Ints:
-    """Find centres that narrow walls pushed onto another centre, or too far out of the shape to return."""
+    """Return the indices of centres that lie outside the shape, or that walls pushed onto another centre."""
     close = KDTree(x, boxsize=shape.period).query_pairs(_ONTO * width, output_type="ndarray")
     return np.union1d(np.flatnonzero(shape.depth(x) < 0.0), close.max(axis=1, initial=-1))
 
 
 def points_of(shape: Shape, x: Floats, width: float) -> Particles:
-    """Return particles of negligible radius, so that overlap does not matter."""
+    """Return particles at centres `x` (n, 3) [m] of negligible radius, so that they cannot overlap."""
     return filled(Particles(x, 1e-3 * width, shape.period), shape)
 
 
 def moved_inside(shape: Shape, x: Floats, before: Floats, margin: PerElement) -> Floats:
-    """Move centres by half or not at all where they would be nearer to walls than `margin`; push others inwards."""
+    """Move centres from `before` to `x`, only half-way or not at all if walls are nearer than `margin` [m], (n,).
+
+    Centres that are still too near are pushed inwards. In a periodic cell, centres are wrapped instead.
+    """
     if shape.period is not None:
         return np.mod(x, shape.period)
     x = x.copy()
@@ -94,7 +97,7 @@ def moved_inside(shape: Shape, x: Floats, before: Floats, margin: PerElement) ->
 
 
 def usual_radius(shape: Shape, x: Floats, width: float) -> float:
-    """Return the radius of the spheres [m]: as large as neighbours and walls allow."""
+    """Return the radius of equal spheres at `x` [m], as large as neighbours and walls allow."""
     if len(x) == 1:
         return float(min(width, shape.depth(x)[0]))
     nearest = float(KDTree(x, boxsize=shape.period).query(x, k=2)[0][:, 1].min())

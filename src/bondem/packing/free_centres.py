@@ -13,9 +13,9 @@ from bondem.specimen.tessellation.cutting import cell_centroids
 
 #: Distance of centres from walls, over the size of a cell.
 MARGIN = 0.33
-# Times that centres are pushed apart with new neighbours, with the same ones, how many, and steps of Lloyd.
+# Rounds in which centres push each other apart, pushes per round, neighbours of a centre, and Lloyd's steps.
 _ROUNDS, _SAME, _NEAR, _LLOYD = 10, 5, 16, 8
-# Times that centres are thrown.
+# Largest number of random draws of centres.
 _TRIES = 1000
 
 #: Distance of points from the nearest surface [m], (n,).
@@ -25,13 +25,13 @@ Nearest = Callable[[PerElement3], PerElement]
 def thrown_free(
     shape: Shape, count: int, nearest: Nearest, clear: float, h: float, random: np.random.Generator
 ) -> PerElement3:
-    """Return random centres that lie in no layer [m], (count, 3).
+    """Draw random centres outside the layers along surfaces [m], (count, 3).
 
     Args:
         shape: shape to fill.
         count: number of centres.
-        nearest: distance from the surfaces.
-        clear: distance that centres keep from surfaces [m].
+        nearest: function that returns the distance of points from the surfaces.
+        clear: least distance of centres from surfaces [m].
         h: size of a cell [m].
         random: random generator.
 
@@ -59,15 +59,15 @@ def settled_free(
     nearest: Nearest | None = None,
     clear: float = 0.0,
 ) -> PerElement3:
-    """Return all centres, the free ones pushed apart and then moved to the centroids of their cells [m], (n, 3).
+    """Push free centres apart, and move them to the centroids of their cells; return all centres [m], (n, 3).
 
     Args:
         shape: shape to fill.
         pins: centres that stay, (k, 3) [m].
-        free: all others, (n - k, 3) [m].
+        free: centres that move, (n - k, 3) [m].
         h: size of a cell [m].
-        report: function of the completed share.
-        nearest: distance from the surfaces, where free centres are to keep clear of them.
+        report: function called with the completed share.
+        nearest: function that returns the distance of points from the surfaces; None to ignore these.
         clear: least distance from the surfaces [m].
     """
     x = np.concatenate([pins, free])

@@ -18,13 +18,13 @@ from bondem.packing.grading import STEEPEST, Sites, SizesAt, sites
 from bondem.specimen.particles import Particles, filled, freeze
 from bondem.specimen.tessellation.cutting import cell_centroids
 
-# Radius over the size of a cell, that of a facet half-way between equal ones.
+# Radius over the size of a cell, so that equal neighbours share a facet half-way between them.
 _RADIUS = 0.5
-# Distance at which centres push each other over the mean of their sizes, neighbours that are looked at, how far they
-# go over what is missing, how often, and how often with the same neighbours; then steps of Lloyd.
+# Distance over mean size below which centres push each other apart, neighbours of a centre, step over the missing
+# distance, rounds, pushes per round with the same neighbours, and Lloyd's steps.
 _PUSHED, _NEAR, _STEP, _ROUNDS, _SAME, _LLOYD = 1.12, 16, 0.18, 10, 5, 6
-# Overlap over the smaller radius, and radius over the depth of a centre, at most; how far inside walls centres stay
-# on the way, over their sizes.
+# Largest overlap over the smaller radius, largest radius over the depth of a centre, and least depth of centres while
+# they move, over their sizes.
 _OVERLAP, _INSIDE, _MARGIN = 0.45, 3.0, 0.2
 _TRIES = 30
 
@@ -62,7 +62,7 @@ def graded(
 def _initial_centres(
     shape: Shape, places: Sites, size: SizesAt, random: np.random.Generator
 ) -> PerElement3:
-    """Return random centres, one in each of `count` equal parts of the capacity of the places [m], (n, 3)."""
+    """Draw random centres [m], (n, 3), in Morton order, one in each of n consecutive parts of equal capacity."""
     n = places.count
     end = np.cumsum(places.cells)
     along = (np.arange(n) + random.random(n)) * (end[-1] / n)
@@ -84,13 +84,13 @@ def _inside(
 
 
 def nearest_others(x: PerElement3, most: int) -> tuple[Floats, Ints]:
-    """Return distances [m] and indices of the nearest others, (n, most - 1), or of all others if there are fewer."""
+    """Return distances [m] and indices of the nearest other centres of each, (n, most - 1), or of all if fewer."""
     distance, other = KDTree(x).query(x, k=min(most, len(x)))
     return np.asarray(distance)[:, 1:], np.asarray(other)[:, 1:]
 
 
 def pushed(x: PerElement3, h: PerElement, other: Ints) -> PerElement3:
-    """Move centres that are too near to their neighbours (n, k), for their sizes, apart by a small step."""
+    """Push centres apart by a small step where neighbours (n, k) are nearer than their sizes `h` [m] require."""
     way = x[:, None] - x[other]
     distance = np.maximum(np.sqrt(np.einsum("nkc,nkc->nk", way, way)), 1e-12 * h[:, None])
     apart = np.maximum(0.5 * _PUSHED * (h[:, None] + h[other]) - distance, 0.0)
@@ -98,14 +98,14 @@ def pushed(x: PerElement3, h: PerElement, other: Ints) -> PerElement3:
 
 
 def _spheres(shape: Shape, x: PerElement3, radius: PerElement) -> Particles:
-    """Return particles without a check of overlaps."""
+    """Return particles of given radii [m], (n,), without the check of overlaps."""
     spheres = filled(Particles(x, np.full(len(x), 1e-9 * radius.min())), shape)
     object.__setattr__(spheres, "radius", freeze(radius))
     return spheres
 
 
 def _check_slope(x: PerElement3, h: PerElement) -> None:
-    """Reject sizes that change by more than the distance between neighbours."""
+    """Raise InputError if sizes of neighbours differ by more than their distance."""
     if len(x) == 1:
         return
     distance, other = nearest_others(x, 2)
@@ -119,7 +119,7 @@ def _check_slope(x: PerElement3, h: PerElement) -> None:
 
 
 def _share(shape: Shape, x: PerElement3, h: PerElement) -> float:
-    """Return radius over size, as large as neighbours and walls allow for all centres, at most one half."""
+    """Return the common ratio of radius to size, as large as neighbours and walls allow, at most one half."""
     share = min(_RADIUS, float((_INSIDE * shape.depth(x) / h).min()))
     if len(x) == 1:
         return share

@@ -19,15 +19,15 @@ from bondem.geometry.shape import Shape
 
 __all__ = ["MOST_CELLS", "STEEPEST", "Graded", "Sites", "SizeField", "SizesAt", "cells_of", "sites", "sizes_by"]
 
-#: Most cells of given sizes.
+#: Largest number of cells of given sizes.
 MOST_CELLS = 2_000_000
-#: Fastest that sizes may change over the distance [-]: then a cell is twice as large as its neighbour.
+#: Largest change of the size over the distance [-], at which a cell is twice as large as its neighbour.
 STEEPEST = 1.0
 _WANTED = "a positive size in metres, the cube root of the volume of a cell"
-# Cubes yet to be halved hold about so many cells where sizes grow by the first over the distance; that many times too
-# many are surely too many.
+# Growth of sizes over the distance by which the cells in coarse cubes are estimated, and the factor above the largest
+# number of cells from which such an estimate raises an error.
 _USUAL, _SURELY = 0.3, 4.0
-# Cubes along the longest edge of a shape to begin with.
+# Initial number of cubes along the longest edge of a shape.
 _FIRST = 4
 
 
@@ -95,7 +95,7 @@ def _points(about: object) -> tuple[tuple[float, ...], ...]:
 
 @dataclass(frozen=True, eq=False)
 class Sites:
-    """Possible initial places of cells in a shape.
+    """Cubes that make up a shape, as possible initial places of centres, with the number of cells in each.
 
     Attributes:
         count: total number of cells.
@@ -125,7 +125,7 @@ def cells_of(size: object, volume: float) -> int:
 
 
 def sizes_by(size: Callable[[PerElement3], PerElement]) -> SizesAt:
-    """Wrap a function for cell sizes at points (k, 3) [m] with checks of its values."""
+    """Return a user's function of points (k, 3) [m] for cell sizes (k,) [m], wrapped in checks of its values."""
 
     def sizes(points: PerElement3) -> PerElement:
         try:
@@ -146,7 +146,7 @@ def sizes_by(size: Callable[[PerElement3], PerElement]) -> SizesAt:
 
 
 def sites(shape: Shape, size: SizesAt) -> Sites:
-    """Halve a shape into cubes no larger than the cells there.
+    """Divide a shape by halving into cubes no larger than the cells there.
 
     Args:
         shape: shape to be filled.

@@ -19,22 +19,23 @@ from bondem.packing.soft_spheres import SoftSpheres
 from bondem.packing.start import thrown
 from bondem.packing.targets import Fraction, Target
 
-# Spheres take off at this volume fraction, or at this share of the one asked for.
+# Initial volume fraction, and its largest share of the requested volume fraction.
 _START_FRACTION, _START_SHARE = 0.45, 0.9
 
-# Growth of a radius over the mean speed: slower, monodisperse spheres begin to order; faster, they jam looser.
+# Growth rate of a radius over the mean speed: slower growth orders equal spheres; faster growth jams them looser.
 _RATE = 0.02
 
-# Reduced pressure p V / N kT at which the gaps, about its inverse in diameters, are as good as closed.
+# Reduced pressure p V / N kT at which spheres count as jammed: gaps are about its inverse, in diameters.
 _JAMMED = 1e3
 
-# Gaps up to which spheres are neighbours, over the mean radius: while they fly and when they are caged.
+# Gaps up to which spheres are neighbours, over the mean radius, before and after they are caged by their neighbours,
+# and the reduced pressure from which they are.
 _SKIN_FLYING, _SKIN_CAGED, _CAGED = 0.5, 0.15, 30.0
 
-# Share of the skin left to growth, the rest to flight.
+# Share of the neighbour gap reserved for growth; the rest is for flight.
 _GROWTH_SHARE = 0.2
 
-_COLLISIONS = 20_000  # most collisions a sphere; some 800 are usual
+_COLLISIONS = 20_000  # largest number of collisions per sphere; some 800 are usual
 
 
 def grow(
@@ -47,7 +48,8 @@ def grow(
     """Grow spheres until they jam, or to the requested volume fraction if that comes first.
 
     Raises:
-        InputError: The shape has walls that the spheres cannot collide with.
+        InputError: The shape is not Box, Cylinder, Ball or Cell.
+        PackingError: The spheres are too crowded to move, or do not jam.
     """
     if not isinstance(shape, Box | Cylinder | Ball | Cell):
         raise InputError(
@@ -63,7 +65,7 @@ def grow(
     if not rest.loose:
         raise PackingError(f"{spheres} are too crowded to move; ask for more spheres or use method='quench'")
     n, mean = len(relative_radius), spheres.mean_radius
-    # What is left of the overlaps goes: hard spheres have none.
+    # Shrink the spheres to remove remaining overlaps, because hard spheres have none.
     spheres.scale = 1.0 - 1.001 * rest.largest_overlap * mean / float(spheres.unit.min())
     spheres.sphere[:, 3] = spheres.scale * spheres.unit
     velocity = spheres.table.velocity
@@ -79,7 +81,7 @@ def grow(
         velocity *= mean * np.sqrt(n / (velocity**2).sum())
         skin = (_SKIN_CAGED if pressure > _CAGED else _SKIN_FLYING) * spheres.mean_radius
         near = spheres.near(skin, 0.5 * (1.0 - _GROWTH_SHARE) * 0.999)
-        # Two neighbours may grow by this much before spheres that are not in the list can meet.
+        # Largest growth before spheres that are not neighbours can touch.
         gain = min(0.5 * _GROWTH_SHARE * skin / float(spheres.unit.max()), last - spheres.scale)
         heat = float((velocity**2).sum())
         growing = new_growing(spheres.scale, _RATE, gain / _RATE, 20 * n)

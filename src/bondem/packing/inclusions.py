@@ -26,14 +26,14 @@ from bondem.packing.start import thrown
 from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.particles import Particles, filled
 
-# Volume fraction of the balls with half their gaps beyond which they are not pushed apart any more, and what may be
-# missing of the gap at rest.
+# Largest volume fraction of the balls with half their gaps that can be pushed apart, and the share of the gap that
+# may be missing in the end.
 _DENSEST, _CLOSER = 0.55, 0.1
 _SETTLED, _STEPS = 5e-3, 20_000
 # Smallest radius of a ball over the size of a cell, and least number of directions.
 _LEAST, _DIRECTIONS = 1.25, 12
-# Distance from a surface, over the size of a cell, that free centres keep, and distance between centres of two balls
-# that is enough for both.
+# Distances over the size of a cell: of free centres from a surface, and between centres in the layers of two balls
+# below which one of them is removed.
 _CLEAR, _APART = 0.85, 0.5
 
 
@@ -44,16 +44,16 @@ def aggregates(shape: Shape, sieve: Sieve, *, fraction: float, gap: float, seed:
     Args:
         shape: shape of the body, not periodic.
         sieve: grading curve, with diameters in metres.
-        fraction: volume of the balls over that of the shape, to half a ball [-].
-        gap: smallest gap between their surfaces, and twice the gap to walls [m]; cells of size h need 1.2 h.
+        fraction: volume of the balls over that of the shape, met to half a mean ball [-].
+        gap: smallest gap between their surfaces [m], met to 10 %; half as much to walls. Cells of size h need 1.2 h.
         seed: number that selects one of the random arrangements.
 
     Returns:
         The balls, as a region.
 
     Raises:
-        InputError: An argument is out of range, or the balls have no room with their gaps.
-        PackingError: The balls could not be separated by the gap.
+        InputError: An argument is out of range, or the balls with their gaps do not fit into the shape.
+        PackingError: The balls could not be separated by 90 % of the gap.
     """
     instance("aggregates", "shape", shape, Shape, "a shape such as bd.Box((60e-3, 40e-3, 40e-3))")
     instance("aggregates", "sieve", sieve, Sieve, "bd.Sieve(diameters=..., mass_passing=...), in metres")
@@ -81,7 +81,7 @@ def aggregates(shape: Shape, sieve: Sieve, *, fraction: float, gap: float, seed:
 
 
 def radii_with_room(shape: Shape, sieve: Sieve, fraction: float, gap: float) -> Floats:
-    """Return the radii of the balls of `aggregates`, ascending [m].
+    """Return the radii of the balls of `aggregates`, ascending [m], (k,).
 
     Raises:
         InputError: There are no balls or too many, or they do not fit into the shape with their gaps.
@@ -104,12 +104,12 @@ def radii_with_room(shape: Shape, sieve: Sieve, fraction: float, gap: float) -> 
 
 
 def _part(radius: Floats, shape: Shape) -> float:
-    """Return the volume of balls over that of the shape [-]."""
+    """Return the volume of balls of radii (k,) [m] over that of the shape [-]."""
     return 4.0 / 3.0 * math.pi * float((radius**3).sum()) / shape.volume
 
 
 def least_count(shape: Shape, radius: float) -> int:
-    """Return the least number of cells with which a shape resolves balls of a radius [m]."""
+    """Return the least number of cells by which a shape resolves balls of `radius` [m]."""
     return math.ceil(shape.volume * (_LEAST / radius) ** 3)
 
 
@@ -126,7 +126,7 @@ def around_balls(
         report: function called with the completed share.
 
     Raises:
-        InputError: The cells are too large for the balls, or balls reach out of the shape.
+        InputError: The cells are too large for the balls, too few, or balls lie partly outside the shape.
     """
     h = float(np.cbrt(shape.volume / count))
     centre, radius = np.array(balls.position), np.array(balls.radius)
@@ -161,7 +161,7 @@ def _layers(
         whose.append(np.full(n, k))
     beyond, owner = np.concatenate(outer), np.concatenate(whose)
     retained = shape.depth(beyond) >= MARGIN * h
-    # where two balls face each other closely, one layer between them serves both
+    # between two balls close to each other, one layer serves both
     pairs = KDTree(beyond).query_pairs(_APART * h, output_type="ndarray")
     for a, b in pairs[np.lexsort(pairs.T[::-1])] if len(pairs) else ():
         if owner[a] != owner[b] and retained[a] and retained[b]:

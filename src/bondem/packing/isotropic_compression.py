@@ -18,8 +18,8 @@ from bondem.packing.targets import Fraction, Target
 # Volume fraction of the gas, and relative growth of the radii, coarse to fine.
 _START_FRACTION, _STRAINS = 0.3, (2e-2, 4e-3, 8e-4)
 
-# At rest: rms force over mean contact force; and contacts a sphere, since a few overlaps among many free spheres
-# make a small rms force, too, without holding anything.
+# Rms force over mean contact force at rest, largest number of steps, and coordination number of a jammed packing: a
+# few overlaps among many free spheres have a small rms force too.
 _AT_REST, _STEPS, _FIXING = 1e-2, 20_000, 4.0
 
 
@@ -30,7 +30,7 @@ def compress(
     random: np.random.Generator,
     on_step: Callable[[int], None],
 ) -> SoftSpheres:
-    """Compress spheres from below until they jam, or to the requested volume fraction if that comes first."""
+    """Compress a dilute gas of spheres until it jams, or to the requested volume fraction if that is lower."""
     start = _START_FRACTION
     if isinstance(target, Fraction):
         start = min(start, 0.9 * target.volume_fraction)

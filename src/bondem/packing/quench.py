@@ -1,4 +1,4 @@
-"""The default method: random soft spheres with large overlaps, which push them apart."""
+"""Quench, the default method: random soft spheres with large overlaps push each other apart."""
 
 from collections.abc import Callable
 
@@ -10,9 +10,9 @@ from bondem.packing.soft_spheres import SoftSpheres
 from bondem.packing.start import thrown
 from bondem.packing.targets import Jammed, Target
 
-# Volume fraction at which the random spheres are let loose, far above jamming: they come to rest fast, and
-# the way back down leaves a denser and more even packing than a quench near jamming. It keeps that density down to
-# jamming (0.643 for equal spheres), so where jamming is what is asked for, they are let loose just above it.
+# Initial volume fraction, far above jamming: spheres come to rest fast, and decompression leaves a denser and more
+# even packing than a quench near jamming. It keeps that density down to jamming (0.643 for equal spheres), so that
+# the second value, just above jamming, is used if jamming is the target.
 _START_FRACTION, _START_JAMMED = 0.75, 0.655
 # Widely spread radii jam denser: φ = φ₁ + 0.0658 δ + 0.0857 S δ², with δ the standard deviation over the mean and S
 # the skewness (Desmond and Weeks, Phys. Rev. E 90, 022204, 2014). Below δ = _WIDE the difference does not matter.
@@ -28,9 +28,9 @@ def quench(
     random: np.random.Generator,
     on_step: Callable[[int], None],
 ) -> SoftSpheres:
-    """Return spheres at rest above jamming: far above it, or just above it if jamming is the target.
+    """Relax random spheres far above jamming, or just above it if jamming is the target.
 
-    Decompression to the target follows.
+    `Target.reach` then decompresses them.
     """
     start = _just_above_jamming(relative_radius) if isinstance(target, Jammed) else _START_FRACTION
     spheres = thrown(shape, relative_radius, start, random)

@@ -1,9 +1,9 @@
 """A start for spheres of two very different sizes: large ones are separated first, and small ones fill the rest.
 
-Where all are thrown at once, small spheres are caught between large ones that overlap deeply. A large sphere touches
-as many small ones as fit on its surface, a hundred at a ratio of 1 : 5. With the mass of the others it is too stiff
-for the steps of the relaxation, and never comes to rest. Its mass here is (R / r)², with r the mean radius of the
-small ones, so that all spheres are about equally fast.
+If all are placed at once, small spheres are caught between large ones that overlap deeply. A large sphere touches as
+many small ones as fit on its surface, a hundred at a ratio of 1 : 5. With equal masses it is too stiff for the steps
+of the relaxation, and never comes to rest. Its mass here is (R / r)², with r the mean radius of the small ones, so
+that all spheres are about equally fast.
 """
 
 import math
@@ -20,15 +20,15 @@ from bondem.geometry.morton import morton_code
 from bondem.packing.soft_spheres import SoftSpheres
 from bondem.packing.start import thrown
 
-# Ratio of neighbouring sizes from which spheres are large or small ones.
+# Ratio of neighbouring sizes from which they divide the spheres into large and small ones.
 _APART = 2.0
-# Volume fractions at which all are let loose: the densest one at which large spheres lie beside each other.
+# Initial volume fractions of all spheres, tried in turn until the large spheres do not overlap.
 _FRACTIONS = (0.72, 0.68, 0.64, 0.6)
-# Overlap of large spheres, over their mean radius, that counts as beside each other.
+# Overlap of large spheres, over their mean radius, that counts as none.
 _BESIDE = 0.02
-# Rms force over mean contact force at rest, and steps to come there.
+# Rms force over mean contact force at rest, and largest number of steps to it.
 _ROUGH, _STEPS = 3e-2, 20_000
-# Times that large spheres are thrown, and centres of small ones.
+# Largest numbers of draws of large spheres at each volume fraction, and of centres of small ones.
 _THROWS, _TRIES = 8, 2000
 
 
@@ -39,7 +39,7 @@ def parting(radius: Floats) -> float | None:
         radius: radii of all spheres, (n,).
 
     Returns:
-        The radius, or None where the larger size at no gap is at least twice the smaller one.
+        The radius, or None if no two successive sizes differ by a factor of two or more.
     """
     size = np.unique(radius)
     if len(size) < 2:
@@ -52,7 +52,7 @@ def parting(radius: Floats) -> float | None:
 def separated(
     shape: Shape, relative_radius: Floats, limit: float, random: np.random.Generator, on_step: Callable[[int], None]
 ) -> SoftSpheres:
-    """Return spheres at rest above jamming, whose large ones lay beside each other at the start.
+    """Return spheres at rest above jamming, whose large spheres did not overlap at the start.
 
     Args:
         shape: shape to fill.
@@ -63,7 +63,7 @@ def separated(
 
     Raises:
         InputError: The spheres are too large for the shape.
-        PackingError: The large spheres cannot lie beside each other, or leave no room for the small ones.
+        PackingError: The large spheres cannot be placed without overlaps, or leave no room for the small ones.
     """
     large = relative_radius > limit
     volume = 4.0 / 3.0 * math.pi * relative_radius**3
@@ -86,7 +86,7 @@ def separated(
 
 
 def _between(shape: Shape, large: Floats, radius: Floats, random: np.random.Generator) -> Floats:
-    """Return random centres of small spheres, outside the large ones and the walls [m], (k, 3)."""
+    """Draw random centres of small spheres that touch neither large ones nor walls [m], (k, 3)."""
     lower, upper = shape.bounds
     period = shape.period
     tree = KDTree(large[:, :3] if period is None else large[:, :3] % period, boxsize=period)

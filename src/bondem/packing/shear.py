@@ -35,24 +35,24 @@ from bondem.packing.targets import Target
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles
 
-# Pressure and density are units, as only their ratio to stiffness and rate matters. Grains of this modulus over
-# the pressure overlap by a thousandth; more would only cost time.
+# Pressure and density are the units, because only their ratios to stiffness and rate matter. Grains of this modulus
+# overlap by a thousandth; a larger modulus would only cost time.
 _PRESSURE, _DENSITY, _MODULUS, _DASHPOT = 1.0, 1.0, 1000.0, 0.1
 
 # Inertial number γ' d √(ρ/p) of the fastest shear: below 0.01 or so flow is quasi-static.
 _INERTIAL = 0.01
 
-# Shear strain to either side, and cycles in all, of which the last come after the radii were fitted to the shape.
+# Amplitude of the shear strain, total number of cycles, and number of the last cycles, after the radii were fitted.
 _STRAIN, _CYCLES, _FITTING = 0.1, 24, 2
 
-# Volume fraction that the radii are first chosen for, clearance on the grid, and disorder of the grid (spheres
-# stacked dead straight would stay so), both over the largest diameter.
+# Initial volume fraction, from which the radii follow, clearance on the grid over the largest diameter, and disorder
+# of the grid over the largest radius: spheres on straight lines would stay there.
 _FRACTION, _CLEARANCE, _DISORDER = 0.64, 0.01, 0.005
 
-# Fastest the pressure wall moves, over √(p/ρ) and over what the shear asks of it.
+# Largest speed of the pressure wall, over √(p/ρ) and over the speed that the shear requires.
 _SPEED, _AHEAD = 0.3, 3.0
 
-# Last number passed to `on_step`, which counts relaxation steps; some thousand are usual.
+# Number of relaxation steps that a whole compaction counts as in `on_step`; some thousand are usual.
 _REPORTS = 2000
 
 
@@ -84,7 +84,7 @@ def sheared(
     random: np.random.Generator,
     on_step: Callable[[int], None],
 ) -> SoftSpheres:
-    """Compact spheres under shear until they fit the shape to a small part of a radius, for any target.
+    """Compact spheres under shear to fill the shape, to a small part of a radius; the target has no effect here.
 
     Raises:
         InputError: The shape lacks the walls that the method needs.
@@ -107,7 +107,7 @@ def compact(
     cycles: int = _CYCLES,
     on_share: Callable[[float], None] = lambda share: None,
 ) -> Compaction:
-    """Carry out the compaction.
+    """Compact spheres under shear, in two runs: the second after fitting the radii to the length of the shape.
 
     Args:
         shape: a Box or a Cylinder; the wall at x_max carries the pressure.
@@ -133,7 +133,7 @@ def compact(
 
     press = _Press(shape, float(radius.mean()))
     done = press.run(position, radius, top, first, lambda share: report(0, share))
-    # the radii that fill the shape at the density reached; the walls then bring it about
+    # radii that fill the shape at the density reached; the second run compacts them to its length
     radius = radius * (length / done.length) ** (1.0 / 3.0)
     again = press.run(done.position, radius, done.length, _FITTING, lambda share: report(1, share))
     records = again.history.records.copy()
@@ -147,7 +147,7 @@ def _shares(on_share: Callable[[float], None], first: int, second: int) -> Calla
 
 
 def _grid(shape: Box | Cylinder, radius: Floats, random: np.random.Generator) -> tuple[Floats, float]:
-    """Return centres on a plane-parallel grid from the wall at x_min on [m], (n, 3), and the end of the grid [m]."""
+    """Return centres on a rectangular grid from the wall at x_min on [m], (n, 3), and the end of the grid [m]."""
     n, largest = len(radius), float(radius.max())
     edge = 2.0 * largest * (1.0 + _CLEARANCE)
     lower, upper = shape.bounds
@@ -170,7 +170,7 @@ def _grid(shape: Box | Cylinder, radius: Floats, random: np.random.Generator) ->
 
 
 class _Press:
-    """The walls and the contact law of one shape."""
+    """Walls, contact law and rates of compactions in one shape."""
 
     def __init__(self, shape: Box | Cylinder, mean_radius: float) -> None:
         self._shape = shape
@@ -184,13 +184,13 @@ class _Press:
     def run(
         self, position: Floats, radius: Floats, top: float, cycles: int, on_share: Callable[[float], None]
     ) -> Compaction:
-        """Compress and shear the spheres, then let them rest; the pressure wall starts at `top` [m]."""
+        """Compress and shear spheres, then stop the shear for a period; the pressure wall starts at `top` [m]."""
         lattice = Lattice(Particles(position, radius), np.zeros((0, 2), dtype=np.int64))
         duration = top / self._speed + (cycles + 1) * self._period
         walls = self._walls(top, top / self._speed, cycles)
         model = Model(lattice, None, density=_DENSITY, contact=self._law, walls=walls)
         shearing = "growth" if isinstance(self._shape, Cylinder) else "displacement"
-        # collisions are damped and no result: the step need not resolve them, and the energy balance is not checked
+        # collisions are no result, so that the step need not resolve them and the energy balance is not checked
         dt = 0.9 * critical_step(model, VelocityVerlet())
         plan = Plan(duration=duration, dt=dt, imbalance=None, gauges={
             "pressure wall": WallGauge(1, "displacement"),
@@ -216,7 +216,7 @@ class _Press:
             PlaneWall((top, 0.0, 0.0), (-1.0, 0.0, 0.0), motion=pressing),
         ]
         if isinstance(shape, Cylinder):
-            # half the strain of the axis, with the other sign
+            # radial strain: half the axial strain, with the opposite sign
             mantle = Driven(growth=self._swing(-0.5 * _STRAIN * shape.radius, begin, cycles))
             return [*ends, CylinderWall(shape.radius, motion=mantle)]
         half = 0.5 * _STRAIN * float(upper[1] - lower[1])
@@ -229,7 +229,7 @@ class _Press:
         ]
 
     def _swing(self, amplitude: float, begin: float, cycles: int) -> Table:
-        """Return `amplitude` [m] · sin over whole cycles from `begin` [s] on, then rest."""
+        """Return the schedule `amplitude` [m] · sin over whole cycles from `begin` [s] on, and 0 afterwards."""
         phase = np.linspace(0.0, cycles, 32 * cycles + 1)
         times = np.concatenate([[0.0], begin + self._period * phase])
         swing = np.concatenate([[0.0], amplitude * np.sin(2.0 * np.pi * phase)])

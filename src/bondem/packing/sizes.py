@@ -1,7 +1,7 @@
 """Size laws: distributions of the radii of a packing.
 
-Every law is met exactly at any number of spheres. The radii are its quantiles in the middle of `count` equal
-shares, shuffled, which avoids the scatter of random draws.
+The radii are the quantiles of the law at the middles of `count` equal shares, shuffled. They follow the law for any
+number of spheres, without the scatter of random draws.
 """
 
 from abc import ABC, abstractmethod
@@ -21,7 +21,7 @@ SPREAD = 0.25
 
 
 class SizeLaw(ABC):
-    """A distribution of radii, by number of spheres."""
+    """A distribution of radii, weighted by number of spheres, not by mass."""
 
     @abstractmethod
     def quantile(self, share: Floats) -> Floats:

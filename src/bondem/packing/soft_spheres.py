@@ -1,4 +1,4 @@
-"""Soft spheres at rest: the state advanced by the relaxation pass, and its neighbour lists."""
+"""Soft spheres that a compiled pass relaxes to rest, and their neighbour lists."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -17,10 +17,10 @@ from bondem.geometry.neighbours import neighbours
 from bondem.packing.packing_tables import new_relaxing
 from bondem.packing.wall_contacts import walls
 
-# Gap up to which spheres enter the neighbour list, over the mean radius: wide while they still wander.
+# Gap up to which spheres enter the neighbour list, over the mean radius, in the first relaxation and later ones.
 _SKIN_WANDERING, _SKIN_SETTLED = 0.5, 0.15
 
-# Spheres from which on threads pay: a step of fewer is too short to wait for each other.
+# Number of spheres from which threads are used: steps of fewer are too short for synchronisation.
 _THREADED = 2000
 
 # Mean overlap below which spheres do not press on each other, over the mean radius.
@@ -53,8 +53,8 @@ class SoftSpheres:
 
     Attributes:
         shape: the shape that they fill.
-        table: the spheres in the form that the passes require.
-        walls: the walls of the shape in the form that the passes require.
+        table: centres, radii and velocities of the spheres, for the compiled passes.
+        walls: walls of the shape, for the compiled passes.
         scale: factor on the initial radii [-].
         steps: number of minimisation steps so far.
         on_step: function called repeatedly with `steps`.
@@ -102,7 +102,7 @@ class SoftSpheres:
         self.table.ease[:] = np.minimum(radius / self.unit, 1.0)
 
     def scale_for(self, volume_fraction: float) -> float:
-        """Return the scale at which the spheres have this share of the volume of the shape [-]."""
+        """Return the scale of the radii at which the spheres have a volume fraction in the shape [-]."""
         solid = 4.0 / 3.0 * np.pi * float((self.unit**3).sum())
         return float(np.cbrt(volume_fraction * self.shape.volume / solid))
 
@@ -133,7 +133,7 @@ class SoftSpheres:
         mean = self.mean_radius
         _, overlap, contacts, largest, _ = initial.report.tolist()
         z = 2.0 * contacts / len(self.sphere)
-        free = overlap < initial.loose  # no forces at all count as balanced for the pass
+        free = overlap < initial.loose  # the pass counts spheres without forces as balanced
         settled = ended == "converged" and not free
         return Rest(z, overlap / mean, largest / mean, taken, settled, free)
 
@@ -150,7 +150,7 @@ class SoftSpheres:
         return float(np.max(overlap / np.minimum(radius[i], radius[j]), initial=0.0))
 
     def near(self, skin: float, share: float, *, threads: int = 1) -> Near:
-        """Return neighbours up to `skin` apart [m], valid until a centre moves by `share` of it.
+        """Return neighbours with gaps up to `skin` [m], valid until a centre has moved by `share` of it.
 
         Centres are wrapped into the periodic cell first.
         """

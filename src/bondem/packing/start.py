@@ -11,13 +11,13 @@ from bondem.geometry.elementary_shapes import Shape
 from bondem.geometry.morton import morton_code
 from bondem.packing.soft_spheres import SoftSpheres
 
-# A periodic cell must be this many largest radii wide at the highest density, or a sphere meets another twice.
+# Least width of a periodic cell in largest radii, at the densest volume fraction, so that no pair touches twice.
 _WIDTH, _DENSEST = 5.2, 0.75
-# Volume fraction at which packings come to rest, and the depth of most of a shape over the largest radius there: two
-# spheres beside each other, between walls that reach the usual targets, and cells that reach from wall to wall.
+# Volume fraction of packings at rest, and least depth of a shape over the largest radius: for two spheres beside each
+# other, which reach the usual targets, and for cells that extend from wall to wall.
 _AT_REST, ACROSS, _CELLS_ACROSS = 0.62, 2.0, 0.7
-# Throws after which it is asked whether any of some places is deep enough; this share of them lies less deep than the
-# middle of a usual wall. Steps between the places fill space evenly (Roberts' sequence).
+# Draws after which evenly spread places are checked for sufficient depth, their number, and the quantile of their
+# depths that stands for the depth of the shape. The steps between the places are those of Roberts' sequence.
 _SOON, _PLACES, _USUAL = 20, 50_000, 0.97
 _STEPS_OF_PLACES = np.array([0.8191725133961645, 0.6710436067037893, 0.5497004779019703])
 
@@ -34,7 +34,7 @@ def thrown(
         fraction: volume of the spheres over that of the shape [-].
         random: random generator.
         inside: smallest distance of centres from walls, over the radius [-].
-        by_count: True if the number of spheres decides on their radii, for the advice of an error.
+        by_count: True if the radii follow from the number of spheres; it decides on the advice of an error.
 
     Raises:
         InputError: The spheres are too large for the shape.
@@ -64,10 +64,10 @@ def thrown(
 
 
 def random_centres(shape: Shape, depth: PerElement, random: np.random.Generator) -> PerElement3:
-    """Return centres [m], uniform over the part of `shape` that is deeper than `depth` (n,) [m], (n, 3).
+    """Draw centres [m], (n, 3), each uniform over the part of `shape` that is deeper than its `depth` [m], (n,).
 
     Raises:
-        InputError: No place is so deep.
+        InputError: The shape has no place of this depth.
     """
     lower, upper = shape.bounds
     centre = np.empty((len(depth), 3))
@@ -85,18 +85,18 @@ def random_centres(shape: Shape, depth: PerElement, random: np.random.Generator)
 def depths_inside(shape: Shape) -> PerElement:
     """Return the depths of places spread evenly over a shape [m], (k,)."""
     lower, upper = shape.bounds
-    # evenly and without a generator, so that asking changes no packing
+    # a fixed sequence, not random numbers, so that the check changes no packing
     place = np.mod(0.5 + np.arange(_PLACES)[:, None] * _STEPS_OF_PLACES, 1.0)
     depth = shape.depth(lower + (upper - lower) * place)
     return depth[depth > 0.0]
 
 
 def enough(shape: Shape, radius: PerElement, across: float) -> tuple[int, float]:
-    """Return the number of spheres that fit where those of given radii are too wide, and their mean radius [m].
+    """Return the number of spheres that fit if those of `radius` (n,) [m] are too large, and their mean radius [m].
 
-    Most walls are then `across` of the largest radii thick or more, measured from their middle.
+    The deepest places of the shape are then `across` largest radii deep. A periodic cell has no walls and no limit.
     """
-    if shape.period is not None:  # without walls the number decides on nothing
+    if shape.period is not None:
         return len(radius), float(radius.mean())
     usual = float(np.quantile(depths_inside(shape), _USUAL))
     smaller = usual / (across * float(radius.max()))

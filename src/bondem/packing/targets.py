@@ -1,4 +1,4 @@
-"""Targets: final states of soft spheres after a method has packed them.
+"""Targets: final states to which soft spheres are scaled after a method has packed them.
 
 Above jamming the mean overlap is proportional to ln(scale), and so is (z - z_J)² (O'Hern et al., Phys. Rev. E 68,
 2003). Here z_J is the coordination number at jamming. A few scales are therefore sufficient.
@@ -13,29 +13,29 @@ from bondem.errors import InputError, PackingError
 from bondem.packing.soft_spheres import Rest, SoftSpheres
 from bondem.packing.start import ACROSS, enough
 
-# Rms force over mean contact force at rest: to get near the target, and in the packing that is returned.
+# Rms force over mean contact force at rest, while the search is far from the target and in the final packing.
 _ROUGH, _FINE = 3e-2, 5e-3
 
-# Miss of the coordination number: near enough to relax finely, and in the packing that is returned (where one
-# contact more or less is not a larger step).
+# Deviation of the coordination number from which relaxation is fine, and that in the final packing, unless a single
+# contact is more.
 _NEAR, _ACCEPTED = 0.25, 0.01
 
 # First guesses: z at jamming, rattlers included, and d(mean overlap / R̄)/d ln(scale).
 _Z_JAMMED, _GROWTH = 5.4, 1.5
 
-# Radii grow by this much where the spheres turned out loose, and shrink by this much at most where they press too
-# hard.
+# Relative growth of the radii of loose spheres, and their largest shrinkage if the spheres press too hard.
 _TIGHTEN, _LOOSEN = 0.005, 0.1
 
-# Steps to come to rest, and in all; a usual packing takes about 2500 in all. At jamming hardly anything is stiff.
+# Largest numbers of steps to rest and in total; a usual packing takes about 2500 in total.
 _STEPS, _ALL_STEPS = 10_000, 50_000
-# Scales tried for a coordination number: usually 10, seldom 20. Loose spheres are at rest after a step or two, so
-# that below the coordination number at jamming the steps would last for ever; there it is a jump from loose to too
-# many contacts that the search closes in on, once in a while also in a packing that rearranges.
+# Largest numbers of scales tried for a coordination number (usually 10, seldom 20), and of brackets that end at a
+# jump from loose spheres to too many contacts. They end a search below the coordination number at jamming, where
+# loose spheres need hardly any steps. A packing that rearranges may also jump.
 _SCALES, _JUMPS = 60, 4
+# Largest numbers of steps to rest and in total at jamming, where hardly any mode is stiff.
 _JAMMED_STEPS, _ALL_JAMMED_STEPS = 20_000, 400_000
 
-# Two spheres may overlap by this share of the smaller radius; `Particles` refuses more than half.
+# Largest overlap of two spheres, over the smaller radius; `Particles` rejects more than half.
 _LARGEST_OVERLAP = 0.49
 
 #: Coordination number of a packing without a target.
@@ -43,15 +43,14 @@ USUAL = 6.2
 # Largest radius over the smallest from which radii are widely spread.
 _WIDE = 3.0
 
-# Jammed: the mean overlap [R̄] adds 0.05 contacts a sphere to the isostatic 6, and the worst pair stays below. Loose
-# is what has less; aimed at less than the last, spheres brought to rest roughly may bear load only until they come to
-# rest finely.
+# Largest mean overlap of jammed spheres, which adds 0.05 contacts per sphere to the isostatic 6, and largest overlap.
+# Mean overlap of loose spheres, and that below which relaxation must be fine. All are over the mean radius.
 _JAMMED_OVERLAP, _JAMMED_WORST = 6e-5, 1e-3
 _JAMMED_LOOSE, _DELICATE = 1e-5, 2e-3
 
 
 class Target(Protocol):
-    """A property that a packing must reach."""
+    """A property of the final packing, and the way to reach it."""
 
     def reach(self, spheres: SoftSpheres) -> None:
         """Scale the radii and bring the spheres to rest until the target is met.
@@ -64,7 +63,7 @@ class Target(Protocol):
 
 @dataclass(frozen=True)
 class Contacts:
-    """Coordination number z = 2 contacts / spheres, over all spheres [-]."""
+    """Target coordination number z = 2 contacts / spheres, over all spheres [-]."""
 
     coordination_number: float
 
@@ -97,7 +96,7 @@ class Contacts:
 
 @dataclass(frozen=True)
 class Fraction:
-    """Volume of the spheres over that of the shape [-]; overlaps count twice."""
+    """Target volume of the spheres over that of the shape [-]; overlaps count twice."""
 
     volume_fraction: float
 
@@ -114,7 +113,7 @@ class Fraction:
 
 @dataclass(frozen=True)
 class Jammed:
-    """The state in which the spheres just begin to carry load, found from above."""
+    """Target state in which the spheres just begin to carry load, approached from above."""
 
     def reach(self, spheres: SoftSpheres) -> None:
         size, step, first = math.log(spheres.scale), _TIGHTEN, spheres.steps
@@ -126,7 +125,7 @@ class Jammed:
                 if fine:
                     return
             elif rest.settled:
-                # Aim at a fifth of the overlap: from one fifth to the next the packing keeps its contacts.
+                # Aim at a fifth of the overlap, a step that keeps most contacts.
                 wanted = max(0.7 * _JAMMED_OVERLAP, 0.2 * rest.mean_overlap)
                 if rest.mean_overlap <= _JAMMED_OVERLAP:  # one deep pair
                     wanted = 0.7 * rest.mean_overlap
@@ -134,7 +133,7 @@ class Jammed:
                 size -= step
                 step *= 0.4
                 tolerance = _ROUGH if wanted > _DELICATE else _FINE
-            elif rest.loose or rest.mean_overlap < _JAMMED_OVERLAP:  # too soft to come to rest is loose, too
+            elif rest.loose or rest.mean_overlap < _JAMMED_OVERLAP:  # spheres too soft to come to rest count as loose
                 size += max(step, 0.5 * _JAMMED_OVERLAP / _GROWTH)
                 step *= 1.5
         narrow = "ask for another seed=, more spheres or a coordination_number="
@@ -142,14 +141,14 @@ class Jammed:
 
 
 def _barely_touch(spheres: SoftSpheres, rest: Rest) -> bool:
-    """True if no pair overlaps by more than 1e-3 of the mean radius; of the smaller one of a pair for two sizes."""
+    """Return True if all overlaps are at most 1e-3 mean radii or, for weighed spheres, smaller radii of the pair."""
     if rest.largest_overlap <= _JAMMED_WORST:
         return True
     return spheres.weighed and spheres.deepest() <= _JAMMED_WORST
 
 
 def _advice(spheres: SoftSpheres, narrow: str, target: Target) -> str:
-    """Return advice on another target; for widely spread radii no target helps where another one fails."""
+    """Return the advice `narrow` on another target or, for widely spread radii, advice on number and sizes."""
     spread = _spread_of(spheres)
     if spread < _WIDE:
         return narrow
@@ -171,7 +170,7 @@ def _spread_of(spheres: SoftSpheres) -> float:
 def _check_overlap(spheres: SoftSpheres, what: str, option: str) -> None:
     deepest = spheres.deepest()
     if deepest > _LARGEST_OVERLAP:
-        # a number only where it is the walls that are too near to each other
+        # a number is advised only if the walls are too near to each other
         needed, _ = enough(spheres.shape, spheres.sphere[:, 3], ACROSS)
         more = f"count={needed} or more" if needed > 2 * len(spheres.sphere) else "more spheres"
         raise PackingError(
@@ -208,17 +207,17 @@ def chosen(
 
 
 class _ScaleSearch:
-    """A search for the scale of the radii at which the coordination number is on target.
+    """Search for the scale of the radii at which the coordination number is on target.
 
-    Spheres that have not come to rest in time are taken as loose. Spheres of widely spread radii come to rest slowly,
-    so that those under load do not count as loose.
+    Spheres that have not come to rest in time count as loose. Widely spread radii (`wide`) come to rest slowly, so
+    that such spheres do not count as loose if they carry load.
     """
 
     def __init__(self, coordination_number: float, size: float, *, wide: bool) -> None:
         self._wanted = _excess(coordination_number)
         self._wide = wide
         self._size = size  # ln(scale)
-        self.jumps = 0  # how often loose spheres and too many contacts were next to each other
+        self.jumps = 0  # number of brackets that ended between loose spheres and too many contacts
         self.forget()
 
     @property
@@ -227,7 +226,7 @@ class _ScaleSearch:
         return math.exp(self._size)
 
     def forget(self) -> None:
-        """Discard all results: spheres brought to rest more finely have other contacts."""
+        """Discard all results, because finer relaxation changes the contacts."""
         self._below: tuple[float, float] | None = None
         self._above: tuple[float, float] | None = None
 
@@ -243,7 +242,7 @@ class _ScaleSearch:
         if self._below is not None and self._above is not None:
             (s0, e0), (s1, e1) = self._below, self._above
             self._size = s0 + min(max((self._wanted - e0) / (e1 - e0), 0.1), 0.9) * (s1 - s0)
-            if s1 - s0 < 1e-4:  # the packing rearranged on the way: the bracket is of another one
+            if s1 - s0 < 1e-4:  # the packing has rearranged, so that the bracket is no longer valid
                 self.jumps += e0 == 0.0
                 self.forget()
         elif excess <= 0.0:

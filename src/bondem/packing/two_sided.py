@@ -1,4 +1,4 @@
-"""Centres of cells that end on surfaces: planes, the walls of shapes, closed triangulated surfaces.
+"""Centres of cells that end on surfaces: planes, walls of shapes, or closed triangulated surfaces.
 
 A centre at half the size of a cell below a face has its mirror image outside. The plane half-way between the two is
 the face, or touches it where it is curved. If no point of the face is nearer to any other centre, cells end there and
@@ -24,19 +24,19 @@ from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.particles import Particles, filled
 from bondem.specimen.regions import Plane
 
-#: What cells can end on.
+#: Surfaces on which cells can end.
 Around = Plane | Shape | Aggregates
 
-# All over the size of a cell: distance of pins from a face; of faces that a pin belongs to; that free centres keep
-# from surfaces; between pins that are one too many, and of pins of two surfaces; of pins from walls.
+# Distances over the size of a cell: of pins from their face; up to which a face is near to a pin; of free centres
+# from surfaces; below which one of two pins is removed, and two surfaces are too near; of pins from walls.
 _HALF, _NEAR_FACE, _CLEAR, _TWIN, _PIN_MARGIN = 0.5, 0.8, 1.25, 0.5, 0.45
-# A shift of the surface up to this share of the size of a cell counts as curvature, a larger one as an edge.
+# Largest shift of a tangent plane for curvature, over the size of a cell; a larger one is that of an edge.
 _SHIFT = 0.08
-# Times that centres are pushed apart with new neighbours, with the same ones, how many, and steps of Lloyd.
+# Rounds in which pins push each other apart, pushes per round, neighbours of a pin, and Lloyd's steps.
 _ROUNDS, _SAME, _NEAR, _LLOYD = 10, 5, 16, 8
-# Farthest that a point of a layer is from a pin, over the size of a cell, and times that pins are put into holes.
+# Distance from all pins, over the size of a cell, from which a point of a layer is a hole, and rounds of filling.
 _HOLE, _FILLED = 0.8, 3
-# Points of the body that area is measured by, and points of a layer to a pin.
+# Number of points in the body by which areas are measured, and number of points of a layer per pin.
 _SAMPLES, _POINTS = 400_000, 150
 
 _Depth = Callable[[PerElement3], PerElement]
@@ -44,7 +44,7 @@ _Depth = Callable[[PerElement3], PerElement]
 
 @dataclass(frozen=True)
 class _Sided:
-    """A surface, with the depth below all of its faces and below each face, positive inside."""
+    """Depth functions of a surface: below all of its faces, and below each face, positive inside."""
 
     depth: _Depth
     faces: tuple[_Depth, ...]
@@ -91,7 +91,7 @@ def around_surfaces(
 
 
 def _nearest(sided: list[_Sided], x: PerElement3) -> PerElement:
-    """Return the distance from the nearest surface [m], (n,)."""
+    """Return the distance of points (n, 3) from the nearest surface [m], (n,)."""
     return np.min([np.abs(one.depth(x)) for one in sided], axis=0)
 
 
@@ -103,7 +103,7 @@ def _layers(
     x = lower + (upper - lower) * random.random((_SAMPLES, 3))
     x = x[shape.depth(x) > 0.0]
     depth = sided.depth(x)
-    # the surface has the volume within half a size of it, over that size
+    # the area of the surface is the volume within h / 2 of it, over h
     area = float((np.abs(depth) < 0.5 * h).mean()) * shape.volume / h
     inside = x[(depth > 0.0) & (depth < h)]
     wanted = round(area / h**2)
@@ -112,7 +112,7 @@ def _layers(
             f"pack: around= has {surface}, with no room for cells of {h:.3g} m inside of it and of the shape; check"
             " its position and its unit (metres), or ask for smaller cells"
         )
-    # points of the layer, as many to each pin as decide its place
+    # points of the layer, of which each pin becomes the centre of some
     inside = _onto(sided, inside[: _POINTS * wanted], h)
     pin = _spread(shape, sided, inside, min(wanted, len(inside)), h)
     pin = pin[(shape.depth(pin) >= MARGIN * h) & (sided.depth(pin) > 0.25 * h)]
@@ -134,7 +134,7 @@ def _layers(
 
 
 def _spread(shape: Shape, sided: _Sided, points: PerElement3, count: int, h: float) -> PerElement3:
-    """Select points of a layer: pushed apart, with holes filled, each centred among its nearest points."""
+    """Return the pins of a layer [m], (k, 3): `count` of its points pushed apart, and more in holes, then centred."""
     pin = points[:count].copy()
     if count == 1:
         return pin
@@ -152,7 +152,7 @@ def _spread(shape: Shape, sided: _Sided, points: PerElement3, count: int, h: flo
             number = np.bincount(own, minlength=len(pin))
             middle = np.column_stack([np.bincount(own, weights=points[:, d], minlength=len(pin)) for d in range(3)])
             pin = _onto(sided, (middle / np.maximum(number, 1)[:, None])[number > 0], h)
-    # in a corner of the body a point pushed off one wall comes to another: the nearest that is clear of all is taken
+    # in a corner of the body, moving off one wall leads to another: such a pin moves to the nearest point off all
     deep = points[shape.depth(points) > 1.02 * MARGIN * h]
     if len(deep):
         shallow = np.flatnonzero(shape.depth(pin) < MARGIN * h)
@@ -161,7 +161,7 @@ def _spread(shape: Shape, sided: _Sided, points: PerElement3, count: int, h: flo
 
 
 def _onto(sided: _Sided, x: PerElement3, h: float) -> PerElement3:
-    """Move points to the depth h / 2 below the nearest face and all other near faces, with cells of the size h."""
+    """Move points, in place, to a depth of half the cell size `h` [m] below the nearest face and other near faces."""
     for _ in range(3):
         depth = np.array([face(x) for face in sided.faces])
         nearest = np.abs(depth - _HALF * h).argmin(axis=0)
@@ -181,9 +181,9 @@ def _slope(face: _Depth, x: PerElement3, h: float) -> PerElement3:
 
 
 def _shift(face: _Depth, x: PerElement3, h: float) -> PerElement:
-    """Return the depth of tangent planes inside a curved face that gives the right volume [m], (n,).
+    """Return the depth of tangent planes below a curved face at which they enclose the right volume [m], (n,).
 
-    Tiles h wide rise above a surface of principal curvatures κ by h² (κ₁ + κ₂) / 24 on average.
+    Flat tiles of width h lie above a surface of principal curvatures κ by h² (κ₁ + κ₂) / 24 on average.
     """
     at = x - face(x)[:, None] * _slope(face, x, h)
     step, middle = 0.3 * h, face(at)

@@ -1,9 +1,9 @@
-"""Rigid walls of a shape, in the form that the packing passes require.
+"""Rigid walls of a shape as tables of the packing passes.
 
-Plane walls across an axis are exact, wherever they are, and so are cylinders and balls about the origin. The rest
-of a shape is given by its depth on a grid, which rounds the edges between walls on it: spheres that touch two of them
-lie deeper there than they should. Where a gap between a plane and another wall is narrower than a sphere, exact walls
-would leave the sphere no place, and the grid has all of the shape.
+Planes normal to an axis are exact, wherever they are, and so are cylinders and balls about the origin. All other
+walls are given by their depth on a grid, which rounds the edges between them: spheres at two such walls lie too deep.
+Where a gap between a plane and another wall is narrower than a sphere, exact walls would leave the sphere no place,
+so that the grid contains all walls.
 """
 
 import math
@@ -24,14 +24,14 @@ from bondem.geometry.shape import Cut, Overlap, Placed
 from bondem.geometry.shape_boundary import BOX_FACES
 from bondem.geometry.surface import Surface
 
-# Spacing of the grid of depths over the mean radius. Where the shape has an edge the wall is rounded by about
-# this much, and walls as curved as a sphere are off by 1/8 of its square: 2 % of the radius.
+# Spacing of the grid of depths over the mean radius. It rounds edges of a shape by about as much. Walls as curved as
+# a sphere have an error of 1/8 of its square: 2 % of the radius.
 _SPACING = 0.4
-_MOST_NODES = 250_000_000  # 2 GB; about 100 a sphere in a box, more in a shape that fills its bounds less
+_MOST_NODES = 250_000_000  # 2 GB; about 100 per sphere in a box, more in a shape that fills its bounds less
 
-# Spacing of points on planes that look for narrow gaps, over the mean radius, and most of them along an edge.
+# Spacing of points on planes at which narrow gaps are detected, over the mean radius, and most points along an edge.
 _GAP_SPACING, _MOST_ACROSS = 0.25, 400
-# Each coarse cell has this many spacings along its edges; only near walls are its nodes asked one by one.
+# Number of spacings along the edges of a coarse cell; only near walls is the depth at its fine nodes evaluated.
 _COARSE = 4
 
 
@@ -63,14 +63,14 @@ def walls(shape: Shape, radius: PerElement) -> PackingWalls:
 
 
 class _Parts(NamedTuple):
-    """Walls of a shape: planes across an axis, which are exact, and the depth below all others, or None."""
+    """Walls of a shape: planes normal to an axis, which are exact, and the depth below all other walls, or None."""
 
     planes: list[Planes]
     depth: Callable[[PerElement3], PerElement] | None
 
 
 def _parts(shape: Shape) -> _Parts:
-    """Planes that bound a whole shape, and the rest of it."""
+    """Return the planes normal to an axis that bound a whole shape, and the depth below its other walls."""
     match shape:
         case Box():
             return _Parts([shape.planes], None)
@@ -98,7 +98,7 @@ def _parts(shape: Shape) -> _Parts:
 
 
 def _joint(one: _Parts, other: _Parts) -> _Parts:
-    """Walls of the intersection of two shapes."""
+    """Return the walls of the intersection of two shapes."""
     a, b = one.depth, other.depth
     if a is None or b is None:
         return _Parts(one.planes + other.planes, b if a is None else a)
@@ -106,12 +106,12 @@ def _joint(one: _Parts, other: _Parts) -> _Parts:
 
 
 def _along_axes(shape: Placed) -> bool:
-    """Return True if a shape is turned by right angles only."""
+    """Return True if a shape is rotated by right angles only."""
     return bool(np.isin(np.abs(shape.turn), (0.0, 1.0)).all())
 
 
 def _beside_planes(shape: Surface, flat: list[str], points: PerElement3) -> PerElement:
-    """Return the depth below all faces of a surface except those in sides of its box, continued beyond the box."""
+    """Return the depth below the face "side" of a surface, continued beyond its box across the faces `flat`."""
     lower, upper = (side.copy() for side in shape.bounds)
     tiny = 1e-6 * float((upper - lower).max())
     for axis, name in enumerate("xyz"):
@@ -121,7 +121,7 @@ def _beside_planes(shape: Surface, flat: list[str], points: PerElement3) -> PerE
 
 
 def _box(planes: list[Planes]) -> tuple[Floats, Floats]:
-    """Lower and upper corner of the box that planes across the axes leave, infinite without one [m]."""
+    """Return lower and upper corner of the box that planes normal to the axes bound [m], infinite without a plane."""
     lower, upper = np.full(3, -np.inf), np.full(3, np.inf)
     for at, out in (plane for some in planes for plane in some.values()):
         axis = int(np.abs(out).argmax())
@@ -135,7 +135,7 @@ def _box(planes: list[Planes]) -> tuple[Floats, Floats]:
 def _has_narrow_gap(
     shape: Shape, lower: Floats, upper: Floats, depth: Callable[[PerElement3], PerElement], radius: PerElement
 ) -> bool:
-    """Return True if another wall is nearer to a plane than a sphere is wide, without meeting it.
+    """Return True if another wall is nearer to a plane than the largest diameter, without meeting it.
 
     At such a place the depth below other walls has a minimum above 0 on the plane.
     """
@@ -178,7 +178,7 @@ def _depth_grid(
     corner = 0.5 * (lower + upper) - 0.5 * h * (np.array(fine) - 1)
     rough = depth_at(corner + _COARSE * h * np.indices(coarse).reshape(3, -1).T).reshape(coarse)
     depth = np.empty(fine)
-    # Depths change no faster than distance, and between coarse nodes half a diagonal is the farthest from one.
+    # A depth changes no faster than the distance, which to the next coarse node is at most half a diagonal.
     farthest = 0.5 * np.sqrt(3.0) * _COARSE * h
     for i in range(fine[0]):  # by layers, for the memory
         at = np.stack(np.broadcast_arrays(i, *np.indices(fine[1:]))).reshape(3, -1)

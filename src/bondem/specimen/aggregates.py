@@ -83,7 +83,7 @@ class Aggregates(Region):
     def depth(self, points: PerElement3) -> Floats:
         """Return the distance of points (n, 3) [m] from the nearest surface, positive inside a ball [m], (n,)."""
         x, R = self._centres, self._radii
-        # a lifted distance would be quicker for many balls; there are thousands at most
+        # a loop over the balls is fast enough for the thousands that occur
         found = np.full(len(points), -np.inf)
         for centre, radius in zip(x, R, strict=True):
             near = np.abs(points - centre).max(axis=1) < radius - found

@@ -45,7 +45,7 @@ class Bodies:
             raise InputError(f"{owner} takes one body, not a scene of {several}; give the body before bd.join")
 
     def numbers(self, owner: str, which: Which) -> Ints:
-        """Return the numbers of the bodies of a name, of a group of names, or of a number, ascending.
+        """Return the numbers of the bodies with a name, in a group of names, or with one number, ascending.
 
         Raises:
             InputError: There is no such body.
@@ -60,14 +60,14 @@ class Bodies:
         return np.array([which % len(self.names)])
 
     def mask(self, owner: str, which: Which) -> Mask:
-        """Return a mask of the elements of the bodies that `numbers` finds, shape (n,)."""
+        """Return a mask of the elements of the bodies with a name, in a group, or with one number, shape (n,)."""
         return np.isin(self.label, self.numbers(owner, which))
 
     def shape_of(self, owner: str, which: Which | None, particles: Particles) -> tuple[int, Shape]:
-        """Return the number of one body and its shape, or the bounding box of its spheres.
+        """Return the number and shape of a body, the only one for None; without a shape, the box around its spheres.
 
         Raises:
-            InputError: There is no such body, or there are several.
+            InputError: There is no such body, or more than one.
         """
         if which is None and len(self.names) == 1:
             return 0, particles.envelope

@@ -16,10 +16,9 @@ from bondem.specimen.tessellation.cutting import tessellate
 #: Methods of bonding elements.
 Method = Literal["distance", "laguerre"]
 
-# Contacts of a packing touch to rounding only: what overlaps by less than this share of R̄ still touches.
+# Gap over R̄ up to which spheres touch, because contacts of a packing are closed only to rounding.
 _TOUCH = 1e-9
-# Beyond this reach, over the largest radius, pairs are counted before they are listed, and this many an element are
-# the most that memory is asked for.
+# Reach over the largest radius from which pairs are counted before they are listed, and largest number per element.
 _FAR, _MOST = 6.0, 500
 
 
@@ -47,8 +46,8 @@ def connect(
         The lattice; its pairs are sorted and have i < j.
 
     Raises:
-        InputError: Both `tolerance` and `reach` are given, no pair is near enough, or an element has no Laguerre
-            cell.
+        InputError: Both `tolerance` and `reach` are given, they reach too far, no pair is near enough, or an element
+            has no Laguerre cell.
         DisconnectedError: The specimen consists of two large pieces.
     """
     choice("connect", "method", method, Method)

@@ -17,7 +17,7 @@ _LEVELS = 2
 
 @dataclass(frozen=True, eq=False)
 class DirectionSphere:
-    """A sphere of 320 triangles.
+    """Unit sphere divided into 320 spherical triangles, on which directions are counted.
 
     Attributes:
         vertices: unit vectors, shape (162, 3).
@@ -78,7 +78,7 @@ def _icosahedron() -> Floats:
 
 @cache
 def direction_sphere() -> DirectionSphere:
-    """Return the geode, which is built once."""
+    """Return the unit sphere in 320 triangles (geode), which is built only once."""
     corner = _corners(_LEVELS)
     rounded = np.round(corner.reshape(-1, 3), 9) + 0.0
     _, first, number = np.unique(rounded, axis=0, return_index=True, return_inverse=True)

@@ -25,8 +25,8 @@ from bondem.specimen.tessellation.facets import Cells, Facets, FreeFacets
 
 # Difference of the areas of a patch and of its facets, over that of the patch, above which a warning is given.
 _COVERED = 0.02
-# Without a shape a face is the plane of the outermost sphere. A warning is given if it has less than this share
-# of the elements within one mean radius of it, and if there are at least so many of them.
+# Without a shape a face is the plane at the outermost sphere. A warning is given if a region has less than this share
+# of the elements within one mean radius of the face, of which there are at least so many.
 _SPARSE, _LAYER = 0.25, 10
 # Size of the patches of a face, over the mean radius.
 _PATCH = 0.25
@@ -88,9 +88,9 @@ class Elements:
 
     @property
     def mean_radii(self) -> PerElement:
-        """Mean radius R̄ of the particles of the body of each element [m], (n,); bodies that bonds join are one.
+        """Mean radius R̄ of the particles in the body of each element [m], (n,); bodies that bonds join count as one.
 
-        A body therefore has the bonds in a scene that it has alone, and halves bonded across those of the whole.
+        Lengths in R̄, such as bond radii, are therefore the same for a body in a scene as for the body alone.
         """
         radius, label, count = self.particles.radius, self.bodies.label, len(self.bodies.names)
         if count == 1:
@@ -140,7 +140,7 @@ class Elements:
 
     @property
     def surface(self) -> Ints:
-        """Elements to which the facets on the surface belong, shape (k,); none of spheres."""
+        """Element to which each facet on the surface belongs, shape (k,); empty for spheres."""
         return np.zeros(0, dtype=np.int64)
 
     @property
@@ -176,9 +176,9 @@ class Elements:
         return lever[chosen, None] * self.bond_normal[chosen]
 
     def mean_spread(self, weight: Floats, chosen: Ints | Mask) -> Vector:
-        """Return the mean square distance of the volumes of chosen elements from their own centres [m²], (3,).
+        """Return the mean square distance along x, y, z of chosen elements' volumes from their centres [m²], (3,).
 
-        `weight` is of the chosen elements, with the sum 1, shape (k,).
+        The mean has a weight per chosen element, shape (k,), of sum 1.
         """
         return np.full(3, 0.2 * weight @ self.particles.radius[chosen] ** 2)
 
@@ -186,7 +186,7 @@ class Elements:
         """Return the elements if they are cells.
 
         Args:
-            refusal: text of the error; the way to cells unless given.
+            refusal: text of the error; empty for advice on how to make cells.
 
         Raises:
             InputError: The elements are spheres.
@@ -202,7 +202,7 @@ class Elements:
 
         Args:
             name: name of the face.
-            body: body with this face; None where there is one.
+            body: body with this face; None if there is only one.
             depth: largest distance of the surface of a sphere from the face, over the mean radius [-].
             region: the region in words, for a warning.
         """
@@ -227,12 +227,12 @@ class Elements:
 
         Args:
             name: name of the face.
-            body: body with this face; None where there is one.
+            body: body with this face; None if there is only one.
             whole: elements of the face.
             part: elements of the returned patches, some of the whole, ascending, shape (k,).
 
         Returns:
-            Place in `part` of the element of each patch, (p,), centroids [m], and areas times normal [m²], (p, 3).
+            Index in `part` of the element of each patch, (p,), centroids [m], and areas times normal [m²], (p, 3).
         """
         shape, position = self.bodies.shape_of("envelope", body, self.particles)[1], self.particles.position
         centre, area = face_patches(shape, name, _PATCH * self.mean_radii[part[0]])
@@ -356,7 +356,7 @@ class CellElements(Elements):
         See `Lattice.on_face`.
         """
         number_of, envelope = self.bodies.shape_of(f"face {name!r}", body, self.particles)
-        envelope.face_centre(name)  # refuses an unknown name
+        envelope.face_centre(name)  # raises for an unknown name
         free = self.cells.free
         own = self.bodies.label[free.cell] == number_of
         if name in envelope.faces:

@@ -15,24 +15,24 @@ from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import freeze
 from bondem.specimen.strata import Strata, strata
 
-# The verdict rests on effect sizes, which do not depend on the number of elements, and is given on the core:
-# walls order the bonds of the elements that touch them, in a share that depends on the size of the specimen.
+# The verdict rests on effect sizes, which do not depend on the number of elements, and on the core: walls order the
+# bonds of the elements that touch them, whose share depends on the size of the specimen.
 # Measured: cores of cylinders (length four diameters, κ = 25 %) reach an rms excess of 0.35 ± 0.11 at 1000 spheres
 # and 0.11 above 4000, cores that crystallised between flat walls (κ = 0) 0.4 to 2, a cubic crystal 5.
 _CORE_DEPTH = 2.0  # mean radii from wall to centre
-_CORE_BONDS = 100  # fewer cannot be judged
+_CORE_BONDS = 100  # least number for a verdict on isotropy
 _RMS_EXCESS = 0.3
 _STRETCH = 0.1
-_CHANCE = 3.0  # standard deviations granted on top
+_CHANCE = 3.0  # standard deviations by which chance may exceed a limit
 _COORDINATION = (4.5, 18.0)
 _RATTLERS = 0.05
-# Layers along a wall die out within a diameter and a half or so; deeper in, a specimen is to be the same everywhere.
+# Layers along a wall decay within about a diameter and a half; deeper inside, a specimen should be homogeneous.
 _DEEP = 3.0  # mean radii from the wall
-_EMPTY = 2.0  # mean radii from a wall to the nearest sphere: the shape is not theirs
-_FIXING = 4  # contacts that hold a sphere in place
+_EMPTY = 2.0  # mean radii from a wall to the nearest sphere, from which the spheres do not fill the shape
+_FIXING = 4  # least number of contacts that fix a sphere
 _TOUCH = 1e-6  # mean radii
 _STRATA = {"density": 0.03, "coordination": 0.06, "size": 0.35, "layers": 0.6}
-#: Limits of the verdict by measure [-], before what is granted to chance.
+#: Limits of the verdict by measure [-], without the allowance for chance.
 LIMITS = {"rms_excess": _RMS_EXCESS, "stretch": _STRETCH, "rattlers": _RATTLERS, **_STRATA}
 
 _DOF = 159  # 160 pairs of opposite faces, less the total
@@ -46,7 +46,7 @@ class Fabric:
         volume_fraction: φ, volume of the spheres over that of the shape [-]; overlaps count twice.
         coordination_number: z = 2 bonds / elements, over all elements [-].
         coordination_histogram: number of elements with 0, 1, 2, ... bonds.
-        rattlers: number of elements that are not part of the specimen.
+        rattlers: number of elements in small pieces without bonds to the body.
         core_volume_fraction: φ of the core, which lies three mean radii or more from every wall [-]; NaN without a
             core. The volume of the core is exact for cylinder, box, ball and cell. Spheres cut by its border are
             divided by evenly spread points, at most 256 each: ± 0.003 at 1000 spheres, ± 0.001 at 10 000.
@@ -165,7 +165,7 @@ def fabric(lattice: Lattice) -> Fabric:
         eigenvalues=freeze(np.linalg.eigvalsh(all_of_them.tensor)),
         reasons=(
             *_isotropy_reasons(core),
-            # what is empty would be found in strata, too
+            # empty parts would also appear in the strata
             *(empty or _strata_reasons(slices)),
             *_contact_reasons(z, lattice.rattlers / n),
         ),
@@ -173,7 +173,7 @@ def fabric(lattice: Lattice) -> Fabric:
 
 
 def _fixed(lattice: Lattice, shape: Shape) -> Mask:
-    """Return a mask of the elements held in place by contacts, after all others are removed repeatedly, (n,)."""
+    """Return a mask of the elements with four contacts or more, after removing all others repeatedly, (n,)."""
     particles = lattice.particles
     walls = np.zeros(len(particles), dtype=np.int64)
     for face in shape.faces:
@@ -201,7 +201,7 @@ def _isotropy(direction: PerBond3) -> _Isotropy:
     one_way = np.bincount(sphere.face_of(direction), minlength=len(sphere.faces))
     counts = one_way + one_way[sphere.opposite]
     expected = 2.0 * max(m, 1) * sphere.solid_angle / (4.0 * np.pi)
-    # A class is a face and its antipode: summed over all faces, every class comes twice.
+    # A class is a face and its antipode, so that the sum over all faces counts every class twice.
     chi2 = 0.5 * float(((counts - expected) ** 2 / expected).sum())
     return _Isotropy(m, counts, counts / expected, chi2, direction.T @ direction / max(m, 1))
 

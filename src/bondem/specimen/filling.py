@@ -14,19 +14,19 @@ from bondem._types import PerElement, PerElement3
 from bondem.errors import FillingWarning, InputError
 from bondem.geometry.elementary_shapes import BoundingBox, Shape
 
-# Over the mean radius: how far a centre may lie outside; how far a sphere may stick out, as it does from soft walls;
-# and how far from a face or, in a periodic cell, from its neighbours along an axis, the nearest sphere may be.
+# Distances over the mean radius: of a centre outside; by which a sphere sticks out, as it does from soft walls; of
+# the nearest sphere from a face; and between neighbours along an axis of a periodic cell.
 _OUTSIDE, _OUT, _AWAY, _APART = 0.1, 0.1, 0.5, 2.5
-# A gap is none if it is nothing over the extent of the shape, as in fine dust, or some extents / n, as in a gas.
+# Gap that is tolerated over the extent of the shape, as in fine dust, and times n, as in a gas of n spheres.
 _SHARE, _DILUTE = 0.005, 4.0
-# Share of the centres that may have strayed outside, and spheres that may stick out, over n^(2/3): half a face.
+# Largest share of centres outside, and largest number of spheres that stick out, over n^(2/3): half of those at a face.
 _STRAY, _MANY = 0.01, 0.4
 
 
 def check_filling(shape: Shape, position: PerElement3, radius: PerElement) -> None:
-    """Check that spheres fill a shape.
+    """Check that spheres with centres (n, 3) and radii (n,) [m] fill a shape.
 
-    Centres outside the shape are rejected. A warning is given for spheres that stick out of it or leave faces empty.
+    A `FillingWarning` is given for spheres that stick out of the shape or leave parts of it empty.
 
     Raises:
         InputError: More than 1 % of the centres lie outside the shape.
@@ -96,5 +96,5 @@ def _extents(shape: Shape, position: PerElement3, radius: PerElement) -> str:
 
 
 def _warn(text: str) -> None:
-    # the caller of Particles
+    # at the line of the user that makes the particles
     warnings.warn(f"{text}; give the shape that the spheres fill", FillingWarning, stacklevel=users_line())

@@ -14,7 +14,7 @@ from bondem.specimen.bodies import Bodies
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles, filled, freeze
 
-#: Overlap of spheres of two bodies, over the smaller radius, above which they are refused.
+#: Largest overlap of spheres of two bodies, over the smaller radius.
 _OVERLAP = 1e-3
 
 
@@ -81,12 +81,12 @@ def replicate(
     Args:
         body: a lattice of one body.
         positions: centres of mass of the copies [m], shape (k, 3).
-        rotations: unit quaternions (w, x, y, z) of the copies, shape (k, 4); "random" for any; None for none.
-        name: copies are called "name/0", "name/1", …, and `bd.Body(name)` is all of them.
-        seed: number that random rotations follow from.
+        rotations: unit quaternions (w, x, y, z) of the copies, shape (k, 4); "random" for random ones; None for none.
+        name: group of the copies "name/0", "name/1", …; `bd.Body(name)` selects all of them.
+        seed: number that selects the random rotations.
 
     Raises:
-        InputError: A body that `join` rejects, several bodies, or an array of another shape.
+        InputError: `join` rejects the copies, there are several bodies, or an array has another shape.
     """
     instance("replicate", "body", body, Lattice, "a lattice, from bd.connect")
     body.bodies.require_one("replicate")
@@ -122,7 +122,7 @@ def turns_of(owner: str, rotations: ArrayLike | str | None, number: int, seed: i
 
 
 def parts(lattice: Lattice) -> list[tuple[Ints, Particles]]:
-    """Return the elements and the particles of each body, with its shape."""
+    """Return, for each body, the indices of its elements and its particles with their shape."""
     if len(lattice.names) == 1:
         return [(np.arange(len(lattice.particles)), lattice.particles)]
     position, radius = lattice.particles.position, lattice.particles.radius
@@ -160,7 +160,7 @@ def _names(lattices: Sequence[Lattice], given: Sequence[str] | None) -> tuple[st
 
 
 def _inner(name: str, scene: Lattice) -> tuple[str, ...]:
-    """Return the names of the bodies of a named scene, without their own group where they stay different."""
+    """Return names of the bodies of a scene in the group `name`, without their old group if they stay unique."""
     short = [own.rpartition("/")[2] for own in scene.names]
     return tuple(f"{name}/{own}" for own in (short if len(set(short)) == len(short) else scene.names))
 

@@ -117,7 +117,7 @@ class Lattice:
 
     @cached_property
     def pieces(self) -> Ints:
-        """Number of the connected piece that each element belongs to, shape (n,); piece 0 is the largest."""
+        """Number of the connected piece to which each element belongs, shape (n,); piece 0 is the largest."""
         n = len(self.particles)
         i, j = self.pairs.T
         graph = coo_matrix((np.ones(len(i), dtype=np.int8), (i, j)), shape=(n, n))
@@ -131,7 +131,7 @@ class Lattice:
     def connected(self) -> Mask:
         """Mask of the connected elements, shape (n,): True for the bodies, False for rattlers."""
         label, several = self.bodies.label, len(self.bodies.names) > 1
-        # parts: what a piece has in a body, in the order of bodies, the largest first
+        # parts: intersections of pieces and bodies, ordered by body, the largest first
         pieces = int(self.pieces.max()) + 1
         part, of_element, size = np.unique(label * pieces + self.pieces, return_inverse=True, return_counts=True)
         of_body = part // pieces
@@ -157,7 +157,7 @@ class Lattice:
 
     @property
     def body(self) -> Ints:
-        """Number of the body of each element, 0 if there is one, shape (n,)."""
+        """Number of the body of each element, shape (n,); 0 if there is only one body."""
         return self.bodies.label
 
     @property
@@ -166,7 +166,7 @@ class Lattice:
         return self.bodies.names
 
     def envelope(self, body: Which | None = None) -> Shape:
-        """Return the shape of a body, or the bounding box of its spheres; of the only body unless named.
+        """Return the shape of a body, the only one for None; without a shape, the box around its spheres.
 
         Raises:
             InputError: There is no such body, or there are several and none is named.
@@ -179,16 +179,16 @@ class Lattice:
         return self.elements.volume
 
     def moved(self, by: Triple) -> "Lattice":
-        """Return the lattice in a reference moved by a vector [m], (3,); its shapes move along."""
+        """Return the lattice and its shapes moved by a vector [m], (3,); InputError if it is periodic."""
         return self.placed(np.eye(3), np.array(vector("Lattice.moved", "by", by, unit="m")))
 
     def rotated(self, axis: Axis | Triple, angle: float, about: Triple | None = None) -> "Lattice":
-        """Return the lattice in a reference rotated right-handed; its shapes rotate along.
+        """Return the lattice and its shapes rotated right-handed about an axis.
 
         Args:
             axis: "x", "y", "z", or a vector of any length, (3,).
-            angle: [rad].
-            about: point of the axis [m], (3,); the centre of mass of all elements unless given.
+            angle: angle of rotation [rad].
+            about: point of the axis [m], (3,); None for the centre of volume of all elements.
 
         Raises:
             InputError: The axis has no length, or the lattice is periodic.
@@ -210,7 +210,7 @@ class Lattice:
         return self.placed(turn, centre - turn @ centre)
 
     def placed(self, turn: Floats, by: Floats) -> "Lattice":
-        """Return the lattice in a reference rotated by a matrix (3, 3) about the origin, then moved by (3,) [m].
+        """Return the lattice and its shapes rotated by a matrix (3, 3) about the origin, then moved by (3,) [m].
 
         Raises:
             InputError: The lattice is periodic.
@@ -240,7 +240,7 @@ class Lattice:
             A `matplotlib.figure.Figure`, which Jupyter shows; its `show()` opens a window.
 
         Raises:
-            InputError: values of another shape, a file that cannot be written, or a view that is not two angles.
+            InputError: The values have another shape, the file cannot be written, or the view is not two angles.
         """
         return OUTLETS.draw_lattice(self, path, values=values, label=label, view=view)
 
@@ -258,7 +258,7 @@ class Lattice:
 
     @property
     def rattlers(self) -> int:
-        """Number of elements that do not belong to the specimen."""
+        """Number of elements in small pieces without bonds to their body."""
         return int(len(self.particles) - self.connected.sum())
 
     @property

@@ -14,8 +14,8 @@ from bondem.specimen.particles import Particles, freeze
 from bondem.specimen.quasirandom import points_inside
 
 _SAMPLES = 1 << 18
-_ASIDE = 1.5  # mean diameters from the other walls, where there is room
-_FEW = 100  # points to a bin
+_ASIDE = 1.5  # least distance from the other walls, where there is room, in mean diameters
+_FEW = 100  # least number of points per bin
 _MOST_BINS = 10_000
 
 
@@ -51,7 +51,7 @@ def wall_layering(particles: Particles, *, reach: float = 4.0, bins_per_diameter
         A mapping from face to layering; empty for a periodic cell.
 
     Raises:
-        InputError: The reach is not positive, or there are too many bins.
+        InputError: The reach or the number of bins is not positive, or there are too many bins.
     """
     instance("wall_layering", "particles", particles, Particles, "bd.Particles")
     reach = number("wall_layering", "reach", reach, above=0.0)
@@ -64,7 +64,7 @@ def wall_layering(particles: Particles, *, reach: float = 4.0, bins_per_diameter
     spheres = solid(particles, shape)
     space, share = points_inside(shape, samples(shape, _SAMPLES), 0.0)
     edge = np.linspace(0.0, reach, max(round(reach * bins_per_diameter), 1) + 1)
-    # In mean diameters, once for each face: with surfaces this is what takes the time.
+    # Depths in mean diameters, once per face, because those of a `Surface` take most of the time.
     of_space = {face: shape.face_depth(face, space) / diameter for face in shape.faces}
     of_solid = {face: shape.face_depth(face, spheres.position) / diameter for face in shape.faces}
     found = {}

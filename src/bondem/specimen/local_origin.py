@@ -1,16 +1,16 @@
-"""Origin of positions in the core, near the specimen, so that digits are kept far from the origin, as in UTM."""
+"""Local origin of positions near the specimen, so that a specimen far from the global origin loses no digits."""
 
 import numpy as np
 
 from bondem._types import Floats
 from bondem.specimen.lattice import Lattice
 
-# Distance from the origin of coordinates over the extent of the elements, up to which they are where they are given.
+# Largest distance from the global origin, over the extent of the elements, without a local origin.
 _FAR = 100.0
 
 
 def local_origin(lattice: Lattice) -> Floats:
-    """Return the origin of positions in a state [m], (3,): zero, or near a specimen that is far from there.
+    """Return the origin of positions in a state [m], (3,): zero, or near a specimen that is far from zero.
 
     Its coordinates are multiples of a power of two about as large as the specimen, so that differences of positions
     are exact.

@@ -67,7 +67,7 @@ def constant(name: str, given: Given | Material) -> Given | float:
 
 
 def of_material(law: type[Law]) -> type[Law]:
-    """Make a class accept a material for its arguments E, nu, rho and density, and alone for all of them.
+    """Make a class accept a `Material` for its arguments E, nu, rho and density: for single ones, or in place of all.
 
     `bd.CellBond(granite)` is `bd.CellBond(E=granite.E, nu=granite.nu)`.
     """

@@ -51,7 +51,7 @@ _LIBRARY = {key: value for key, value in globals().items() if isinstance(value, 
 
 
 def names() -> tuple[str, ...]:
-    """Names of all materials in the library.
+    """Return the names of all materials in the library.
 
     `get` accepts these names, and so does the key `preset` in the table `[material]` of a study.
     """
@@ -72,7 +72,7 @@ def get(name: str) -> Material:
     return _LIBRARY[key]
 
 
-if not TYPE_CHECKING:  # checkers of types are to find wrong names themselves
+if not TYPE_CHECKING:  # type checkers detect wrong names themselves
 
     def __getattr__(name: str) -> None:
         raise AttributeError(no_attribute("bd.materials", name, __dir__()), name=name)

@@ -2,8 +2,8 @@
 
 Bodies follow each other. The elements of each lie along a Morton curve, so that neighbours in space are neighbours
 in memory. Bonds are sorted by their farther element j > i, then by i. A pass over the bonds then streams along the
-elements j and reads elements i that it has just seen. The opposite order would read elements that are not yet in the
-cache, which takes twice the time at 100 000 elements. All public data stay in the user's order.
+elements j and reads elements i that are still in the cache. The opposite order would read elements that are not yet
+in the cache, which takes twice the time at 100 000 elements. All public data stay in the user's order.
 """
 
 from dataclasses import dataclass
@@ -17,15 +17,15 @@ from bondem.specimen.lattice import Lattice
 
 
 class Adjacency(NamedTuple):
-    """Bonds of each element."""
+    """Bonds of each element, internal order."""
 
-    in_start: np.ndarray  #: bonds in_start[p] … in_start[p + 1] end in p, (n + 1,)
-    out_start: np.ndarray  #: those that begin in p are in …, (n + 1,)
-    out_bond: np.ndarray  #: … this, from out_start[p] to out_start[p + 1], uint32, (m,)
+    in_start: np.ndarray  #: bonds in_start[p] … in_start[p + 1] - 1 have j = p, (n + 1,)
+    out_start: np.ndarray  #: start of the bonds with i = p in `out_bond`, (n + 1,)
+    out_bond: np.ndarray  #: bonds with i = p at out_start[p] … out_start[p + 1] - 1, uint32, (m,)
 
 
 class Reversed(NamedTuple):
-    """Permutations from internal to user's order, named as those of `Layout`."""
+    """Inverse permutations, from user's to internal order, with the names of those in `Layout`."""
 
     order: Ints
     rank: Ints
@@ -35,7 +35,7 @@ class Reversed(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Layout:
-    """Permutations and adjacency.
+    """Internal order of elements and bonds: permutations to and from the user's order, and bonds of each element.
 
     Attributes:
         order: user's number of internal element k, shape (n,).
@@ -43,7 +43,7 @@ class Layout:
         bond_order: user's number of internal bond k, shape (m,).
         flipped: mask of internal bonds that run against the user's direction, shape (m,).
         i, j: internal elements of each bond, i < j, uint32, shape (m,).
-        in_start: bonds in_start[p] … in_start[p+1] have j = p, shape (n + 1,).
+        in_start: bonds in_start[p] … in_start[p + 1] - 1 have j = p, shape (n + 1,).
         out_start, out_bond: out_bond[out_start[p] : out_start[p+1]] are the bonds with i = p, ascending.
     """
 
@@ -83,7 +83,7 @@ class Layout:
         )
 
     def of_elements(self, value: PerBond) -> PerElement:
-        """Return the mean over the bonds of each element of values (m,), user's order, (n,); 0 without bonds."""
+        """Return means of bond values (m,), internal order, per element (n,), user's order; 0 without bonds."""
         n = len(self.order)
         ends = np.concatenate([self.i, self.j]).astype(np.int64)
         count = np.maximum(np.bincount(ends, minlength=n), 1)
@@ -91,14 +91,14 @@ class Layout:
 
     @property
     def reversed(self) -> Reversed:
-        """Permutations from internal to user's order."""
+        """Inverse permutations, which reorder arrays in internal order into user's order."""
         place = np.empty_like(self.bond_order)
         place[self.bond_order] = np.arange(len(place))
         return Reversed(self.rank, self.order, place, self.flipped[place])
 
     @property
     def adjacency(self) -> Adjacency:
-        """Bonds of each element, in the form of the core."""
+        """Bonds of each element, as arrays of the core."""
         return Adjacency(self.in_start, self.out_start, self.out_bond)
 
 

@@ -11,7 +11,7 @@ from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import BoundingBox, Cell, Shape
 from bondem.specimen.filling import check_filling
 
-# Spheres outside this have a mass or a moment of inertia that is no number any more [m].
+# Limits of radii and coordinates [m], beyond which masses or moments of inertia overflow or vanish.
 _SMALLEST, _LARGEST = 1e-60, 1e60
 
 
@@ -34,7 +34,8 @@ class Particles:
 
     Raises:
         InputError: An array has the wrong shape, a value is not finite, or a radius is not positive. Two spheres
-            overlap by more than half the smaller radius. More than 1 % of the centres lie outside the shape.
+            overlap by more than half the smaller radius. More than 1 % of the centres lie outside the shape. An edge
+            of the periodic cell is shorter than two of the largest diameters.
 
     Warns:
         FillingWarning: Spheres stick out of the shape or do not reach all of its faces.
@@ -83,7 +84,7 @@ class Particles:
                     f"period {cell.min():.4g} m is below two of the largest diameters; enlarge the cell"
                 )
             x = np.mod(x, cell)
-            x[x >= cell] = 0.0  # from just below 0 it rounds up to the far end, which is 0 again
+            x[x >= cell] = 0.0  # rounding may move a place just below 0 to the far end, which is the same as 0
             object.__setattr__(self, "period", freeze(cell))
             periodic = Cell((float(cell[0]), float(cell[1]), float(cell[2]))) if shape is None else None
         else:
@@ -98,10 +99,10 @@ class Particles:
 
     def _check_overlap(self) -> None:
         tree = KDTree(self.position, boxsize=self.period)
-        # radii in other units than centres: nearly all pairs would overlap, more than memory holds; a few say so
+        # if radii have another unit than centres, nearly all pairs overlap, too many for the memory: check a few first
         some = np.linspace(0, len(self) - 1, min(len(self), 100)).astype(int)
         two = np.asarray(tree.query(self.position[some], k=2)[1])
-        nearest = np.where(two[:, 1] == some, two[:, 0], two[:, 1])  # of coincident centres either comes first
+        nearest = np.where(two[:, 1] == some, two[:, 0], two[:, 1])  # either of two coincident centres comes first
         known = nearest < len(self)
         self._refuse_overlap(np.column_stack([some, nearest])[known])
         self._refuse_overlap(tree.query_pairs(1.5 * self.radius.max(), output_type="ndarray"))
@@ -146,14 +147,14 @@ class Particles:
 
     @property
     def envelope(self) -> Shape:
-        """The shape of the particles, or the bounding box of the spheres if no shape is given."""
+        """Shape of the particles, or the bounding box of the spheres if no shape is given."""
         return self.shape if self.shape is not None else BoundingBox.of(self.position, self.radius)
 
 
 def filled(particles: Particles, shape: Shape | None) -> Particles:
-    """Return the same particles with `shape` as their shape, unchecked.
+    """Return the same particles with `shape` as their shape, without a check that they fill it.
 
-    No check is needed for particles packed into the shape; particles cut to it may stick out.
+    Particles packed into the shape need no check; particles cut to it may stick out.
     """
     same = Particles.__new__(Particles)
     for name, value in (*vars(particles).items(), ("shape", shape)):

@@ -14,7 +14,7 @@ _PLASTIC = 1.3247179572447460
 
 @cache
 def spread_points(count: int) -> Floats:
-    """Return points in the unit cube, shape (count, 3) (Hammersley).
+    """Return points spread evenly over the unit cube, shape (count, 3), by Hammersley's sequence.
 
     With 65 536 points the volume of an eighth of a cylinder is right to ± 0.2 %.
     """
@@ -34,7 +34,7 @@ def _mirrored_digits(count: int, base: int) -> Floats:
 
 @cache
 def ball_points(count: int) -> Floats:
-    """Return points in the unit ball, shape (count, 3), `count` even, with the mirror image of each point.
+    """Return points spread evenly over the unit ball, (count, 3), `count` even, with the mirror image of each point.
 
     The share of points on one side of a plane is then that of the ball, on average over all planes. It is one half
     for a plane through the centre.
@@ -48,14 +48,14 @@ def ball_points(count: int) -> Floats:
 
 @cache
 def spread_directions(count: int) -> Floats:
-    """Return unit vectors, shape (count, 3)."""
+    """Return unit vectors spread evenly over the sphere, shape (count, 3)."""
     u, v = np.mod(0.5 + np.arange(1, count + 1)[:, None] * _PLASTIC ** -np.arange(1.0, 3.0), 1.0).T
     across, angle = 2.0 * np.sqrt(u - u**2), 2.0 * np.pi * v
     return freeze(np.column_stack([across * np.cos(angle), across * np.sin(angle), 2.0 * u - 1.0]))
 
 
 def spread_rotations(count: int) -> Floats:
-    """Return rotation matrices, shape (count, 3, 3) (Shoemake's quaternions)."""
+    """Return rotation matrices spread evenly over all rotations, shape (count, 3, 3), by Shoemake's quaternions."""
     u, v, w = spread_points(count).T
     a, b = 2.0 * np.pi * v, 2.0 * np.pi * w
     c, s = np.sqrt(1.0 - u), np.sqrt(u)
@@ -80,7 +80,7 @@ def points_inside(shape: Shape, count: int, depth: float) -> tuple[Floats, float
         Points, shape (k, 3), and bounding volume / count.
     """
     lower, upper = shape.bounds
-    # What is that deep in the shape is as deep in its bounding box.
+    # A point of this depth in the shape is at least as deep in its bounding box.
     margin = depth if np.all(upper - lower > 2.0 * depth) and shape.faces else 0.0
     lower, upper = lower + margin, upper - margin
     points = lower + (upper - lower) * spread_points(count)

@@ -53,7 +53,7 @@ def radial_distribution(particles: Particles, *, reach: float = 4.0, bins: int =
         Distances, over the mean diameter [-], and g [-] at them.
 
     Raises:
-        InputError: The region away from the walls has too few centres.
+        InputError: The region away from the walls has too few centres, or `reach` or `bins` is out of range.
     """
     instance("radial_distribution", "particles", particles, Particles, "bd.Particles")
     reach = number("radial_distribution", "reach", reach, above=0.0)
@@ -77,7 +77,7 @@ def radial_distribution(particles: Particles, *, reach: float = 4.0, bins: int =
     edge = np.linspace(0.0, farthest, bins + 1)
     some = centre[:: -(-len(centre) // _CENTRES)]
     tree = KDTree(centre, boxsize=particles.period)
-    # Counts are cumulative from distance 0, where every centre finds itself.
+    # Counts are cumulative from distance 0, at which every centre counts itself.
     pairs = np.diff(KDTree(some, boxsize=particles.period).count_neighbors(tree, edge).astype(float))
     density = len(centre) / core_volume(shape, depth)
     shell = 4.0 / 3.0 * np.pi * np.diff(edge**3)
@@ -88,7 +88,7 @@ def radial_distribution(particles: Particles, *, reach: float = 4.0, bins: int =
 
 
 def _covariance(shape: Shape, depth: float, distance: Floats) -> Floats:
-    """Return the probability that a point at each distance from a point of the core lies in the core, too."""
+    """Return the probability that a point at a distance [m], (b,), from a point of the core lies in the core too."""
     if not shape.faces:
         return np.ones(len(distance))
     points, _ = points_inside(shape, samples(shape, _SAMPLES), depth)

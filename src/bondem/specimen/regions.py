@@ -14,7 +14,7 @@ from bondem.specimen.lattice import Lattice
 
 
 class Region(ABC):
-    """A rule that selects elements."""
+    """A rule that selects elements of any lattice; `&`, `|` and `-` combine two regions."""
 
     @abstractmethod
     def mask(self, lattice: Lattice) -> Mask:
@@ -28,7 +28,7 @@ class Region(ABC):
         Raises:
             EmptyRegionError: No connected element matches.
         """
-        # grains without any bond are no rattlers of a specimen: they are what is simulated
+        # without any bond, loose grains are not rattlers but the specimen itself
         chosen = np.flatnonzero(self.mask(lattice) & lattice.connected if len(lattice.pairs) else self.mask(lattice))
         if chosen.size == 0:
             raise EmptyRegionError(
@@ -66,12 +66,12 @@ class Face(Region):
     """Elements whose surface lies at a named face of the shape; in a body, cells with a facet on that face.
 
     Without a shape the face is a side of the bounding box of the spheres. In a loose or cut packing few spheres reach
-    it; `depth=1.0` then selects a layer. A `FaceWarning` reports a face with far fewer elements than lie near it.
+    it; `depth=1.0` then selects a layer. A `FaceWarning` is given if far fewer elements are selected than lie near.
 
     Attributes:
         name: name of the face, such as "x_min", "x_max" or "side".
         depth: largest distance of the surface of an element from the face, in mean radii [-]; ignored for cells.
-        body: name or number of the body in a scene of several bodies; None where there is one.
+        body: name or number of the body in a scene of several bodies; None if there is only one.
     """
 
     name: str
@@ -96,7 +96,7 @@ class Body(Region):
     """Elements of a body of a scene, or of a group of bodies.
 
     Attributes:
-        which: number of the body, its name, or the name of a group: "grains" is "grains/0", "grains/1", …
+        which: number of the body, its name, or the name of a group: "grains" selects "grains/0", "grains/1", …
     """
 
     which: Which
@@ -153,7 +153,7 @@ class Index(Region):
 
 @dataclass(frozen=True)
 class Within(Region):
-    """Elements whose centre lies inside a shape.
+    """Elements whose centre lies inside a shape; for a cell, the centre of its particle.
 
     Attributes:
         shape: any shape, in the coordinates of the specimen.
@@ -170,7 +170,7 @@ class Within(Region):
 
 @dataclass(frozen=True, kw_only=True)
 class Plane(Region):
-    """Elements on the side of a plane that its normal points to, for example one of two layers.
+    """Elements whose centre, or that of their particle for cells, is on the side of a plane to which its normal points.
 
     `bd.pack(..., around=plane)` makes cells end on the plane.
 
@@ -234,7 +234,7 @@ class Difference(Region):
         return self.first.mask(lattice) & ~self.second.mask(lattice)
 
 
-# What the whole body is called, which is no face.
+# Names by which users may mean the whole body, which is no face.
 _WHOLE = ("all", "body", "everything", "default", "matrix", "rest")
 
 
@@ -253,7 +253,7 @@ def as_region(owner: str, value: object) -> Region:
 
 
 def _indices(elements: ArrayLike) -> np.ndarray:
-    """Whole numbers or truth values, (k,)."""
+    """Return whole numbers or truth values, (k,); raise InputError for anything else."""
     try:
         found = np.atleast_1d(np.asarray(elements))
     except (TypeError, ValueError, OverflowError):

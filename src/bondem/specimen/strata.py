@@ -15,15 +15,15 @@ from bondem.specimen.particles import freeze
 from bondem.specimen.quasirandom import points_inside
 
 _SAMPLES = 1 << 16
-_THICKNESS = 2.0  # mean diameters at least
-_MOST = 12
+_THICKNESS = 2.0  # least thickness of a slice, in mean diameters
+_MOST = 12  # largest number of slices along an axis
 _CHANCE_DENSITY = 0.20  # σ(φ)/φ of n spheres between planes, times √n^(4/3): measured on random packings
 _WAVES = (0.65, 1.25)  # wavelengths of layers, in mean diameters
-_SURE = 2.0  # standard deviations of what chance does
-_SHORTEST = 4.0  # mean diameters from which layers differ from those at walls
-_WINDOW = 100.0  # mean diameters in which layers are looked for
-_STRUCTURE = 3.0  # structure factor of a jammed packing at its first peak: chance is that much above Poisson's
-_LISTENED = 20_000
+_SURE = 2.0  # standard deviations by which chance may exceed its mean
+_SHORTEST = 4.0  # least extent for layers that differ from those at walls, in mean diameters
+_WINDOW = 100.0  # largest extent in which layers are detected, in mean diameters
+_STRUCTURE = 3.0  # structure factor of a jammed packing at its first peak, the ratio of chance to Poisson's
+_LISTENED = 20_000  # largest number of centres from which layers are computed
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,15 +31,15 @@ class Strata:
     """Differences between slices of the core across x, y and z, beyond those of chance.
 
     A value is NaN along an axis that is too short: below two slices of two mean diameters, or four diameters for
-    layers. Differences that chance produces with probability 0.98 are subtracted.
+    layers. The level that chance exceeds with a probability of about 2 % is subtracted, except from gradients.
 
     Attributes:
         density: relative rms deviation of the solid fraction of slices from their mean [-], (3,).
         coordination: relative rms deviation of the mean number of bonds per element in slices [-], (3,).
         size: rms deviation of the mean radius in slices, over the standard deviation of all radii [-], (3,). This
             correlation ratio is 1 if elements are sorted by size, and 0 if all radii are equal.
-        density_gradient: change of the solid fraction from end to end by a straight line, over its mean [-], (3,).
-        coordination_gradient: change of the bonds per element from end to end, likewise, over their mean [-], (3,).
+        density_gradient: change of the solid fraction along a fitted line, from end to end, over its mean [-], (3,).
+        coordination_gradient: change of the bonds per element along a fitted line, over their mean [-], (3,).
         layers: amplitude of the density of centres as a wave of 0.65 to 1.25 mean diameters, over its
             mean [-], (3,): 0 in a random packing, up to 2 in plane layers.
     """
@@ -55,14 +55,14 @@ class Strata:
 def strata(
     shape: Shape, position: PerElement3, radius: PerElement, bonds: Ints, core: Solid, depth: float
 ) -> Strata:
-    """Compare slices of the core.
+    """Measure differences between slices of the core across x, y and z.
 
     Args:
         shape: shape filled by the elements.
         position: centres [m], shape (n, 3).
         radius: radii [m], shape (n,).
         bonds: number of bonds of each element, shape (n,).
-        core: solid of the elements in the core.
+        core: points that represent the solid of the elements in the core.
         depth: distance of the core from the walls [m].
 
     Returns:
@@ -107,7 +107,7 @@ def strata(
 
 
 def _spread(value: Floats, weight: Floats, chance: Floats, place: Floats) -> tuple[float, float]:
-    """Return the relative rms deviation beyond chance, and the relative change of a straight line from end to end."""
+    """Return the relative rms deviation beyond chance, and the relative change of a fitted line from end to end."""
     share = weight / weight.sum()
     mean = max(float(share @ value), 1e-300)
     deviation = value / mean - 1.0
@@ -128,7 +128,7 @@ def _layers(along: Floats, diameter: float, periodic: bool, extent: float) -> fl
     shortest, longest = (wave * diameter for wave in _WAVES)
     if extent < _SHORTEST * diameter or len(along) < 2:
         return float("nan")
-    # Waves that fit into a periodic cell; elsewhere half as far apart, under a window without ends.
+    # Waves that fit into a periodic cell; between walls wave numbers half as far apart, under a smooth window.
     step = 1.0 / extent if periodic else 0.5 / extent
     number = np.arange(np.ceil(1.0 / (longest * step)), np.floor(1.0 / (shortest * step)) + 1.0)
     weight = np.ones(len(along)) if periodic else np.cos(np.pi * (along - middle) / extent) ** 2

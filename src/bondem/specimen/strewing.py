@@ -14,7 +14,7 @@ from bondem.geometry.elementary_shapes import Shape
 from bondem.specimen.joining import replicate
 from bondem.specimen.lattice import Lattice
 
-# Places that are drawn at once.
+# Number of places that are drawn at once.
 _BATCH = 32
 
 
@@ -24,8 +24,8 @@ def strew(
 ) -> Lattice:  # fmt: skip
     """Return a scene of copies of a body at random places and in random orientations within a shape.
 
-    Bodies are placed one by one, each at the first of its random places where it lies inside the shape and touches
-    no other. Their spheres count; of cells these are the spheres in which they touch, as large as the cells.
+    Bodies are placed one by one, each at the first of its random places where its spheres lie inside the shape and
+    touch no other body. Cells count as spheres of their volume, or of the radius of their particle if it is larger.
 
     Args:
         body: a lattice of one body.
@@ -33,15 +33,15 @@ def strew(
         count: number of bodies.
         seed: seed of places and orientations.
         gap: least distance of the spheres of two bodies [m].
-        attempts: places that are tried for each body.
-        name: bodies are called "name/0", "name/1", …, and `bd.Body(name)` is all of them.
+        attempts: largest number of places tried per body.
+        name: group of the bodies "name/0", "name/1", …; `bd.Body(name)` selects all of them.
 
     Returns:
         A lattice of `count` bodies.
 
     Raises:
-        InputError: Several bodies, a periodic body or shape, or a number out of range.
-        PackingError: A body found no place; the message says how many did.
+        InputError: There are several bodies, the body or shape is periodic, or a number is out of range.
+        PackingError: A body has no place; the message states how many have one.
     """
     instance("strew", "body", body, Lattice, "a lattice, from bd.connect")
     instance("strew", "shape", shape, Shape, "a shape such as bd.Box(...)")
@@ -82,10 +82,10 @@ class _Outline:
     """Spheres of a body about its centre of mass.
 
     Attributes:
-        centre: [m], (n, 3).
-        radius: [m], (n,).
-        reach: radius of a sphere about the centre of mass that holds all [m].
-        tree: the centres.
+        centre: centres relative to the centre of mass [m], (n, 3).
+        radius: radii [m], (n,).
+        reach: radius of the sphere about the centre of mass that contains all spheres [m].
+        tree: search tree of the centres.
     """
 
     centre: Floats
@@ -95,14 +95,14 @@ class _Outline:
 
     @classmethod
     def of(cls, body: Lattice) -> "_Outline":
-        """Return the outline of a body."""
+        """Return the spheres of a body; a cell counts as the larger of its particle and a sphere of its volume."""
         middle = np.average(body.centre, axis=0, weights=body.element_volume)
         centre = body.centre - middle
         radius = np.maximum(body.particles.radius, np.cbrt(0.75 / np.pi * body.element_volume))
         return cls(centre, radius, float((np.linalg.norm(centre, axis=1) + radius).max()), KDTree(centre))
 
     def meets(self, spheres: Floats, place: Vector, places: Floats, turns: Rotation, gap: float) -> bool:
-        """Return True if spheres (n, 3) of a copy at a place are nearer than the gap to one of the other copies."""
+        """Return True if spheres at (n, 3) of a copy at `place` are nearer than `gap` [m] to a copy at `places`."""
         for k in np.flatnonzero(np.linalg.norm(places - place, axis=1) < 2.0 * self.reach + gap):
             own = turns[k].apply(spheres - places[k], inverse=True)
             near = np.flatnonzero(np.linalg.norm(own, axis=1) < self.reach + self.radius + gap)

@@ -19,12 +19,13 @@ from bondem._threads import current_threads
 from bondem._types import Floats, Pairs, PerBond3, PerElement3
 from bondem.geometry.morton import morton_code
 
-# Iterations that are carried out at most; bodies of 1e5 cells take about 130.
+# Largest number of iterations; bodies of 1e5 cells take about 130.
 _MOST = 2000
-# Cells in a group, and what is added to the diagonal of their matrix, over its mean: constants are free.
+# Number of cells in a group, and addition to the diagonal of the matrix of groups, over its mean, because the matrix
+# is singular for constants.
 _GROUP, _FREE = 32, 1e-8
-# Part of the diagonal that is added to N: rounding errors of the right-hand side along tensors that N does not resist
-# would make the iteration diverge.
+# Share of the diagonal that is added to N, because rounding errors of the right-hand side in the null space of N would
+# make the iteration diverge.
 _RESISTED = 1e-11
 #: Components of a symmetric tensor in the order of the core, and their scale in rows: √2 off the diagonal.
 ROW, COLUMN = np.array([0, 1, 2, 0, 0, 1]), np.array([0, 1, 2, 1, 2, 2])
@@ -33,13 +34,13 @@ SCALE = np.where(ROW == COLUMN, 1.0, np.sqrt(2.0))
 
 @one_blas_thread
 def solved_balance(position: PerElement3, pairs: Pairs, branch: PerBond3, right: Floats, most: float) -> Floats:
-    """Return the tensors Y of the cells, scaled as rows, shape (n, 6).
+    """Solve the balance for the tensors Y of the cells, as rows of six components times `SCALE`, shape (n, 6).
 
     Args:
         position: centres of the cells [m], (n, 3).
         pairs: cells of each facet, (m, 2).
         branch: b of each facet [m^1.5], (m, 3).
-        right: right-hand sides, scaled as rows [m³], (n, 6).
+        right: right-hand sides, as rows of six components times `SCALE` [m³], (n, 6).
         most: norm of the remainder at which the iteration ends [m³].
     """
     n = len(position)
@@ -64,7 +65,7 @@ def solved_balance(position: PerElement3, pairs: Pairs, branch: PerBond3, right:
 
 
 def _of_cells(n: int, ends: Pairs, branch: PerBond3) -> CellBranches:
-    """Return the facets of each cell, those of which it is the second cell last."""
+    """Return neighbour and branch of each facet, cell by cell; facets of which a cell is the second come last."""
     near, far = ends.ravel(order="F"), ends[:, ::-1].ravel(order="F")
     order = np.argsort(near, kind="stable")
     start = np.concatenate([[0], np.cumsum(np.bincount(near, minlength=n))]).astype(np.int64)
@@ -73,7 +74,7 @@ def _of_cells(n: int, ends: Pairs, branch: PerBond3) -> CellBranches:
 
 
 def _without_means(right: Floats, ends: Pairs) -> Floats:
-    """Return right-hand sides whose sum over each connected piece is zero, without rounding errors."""
+    """Return right-hand sides, less their mean over each connected piece, which is a rounding error."""
     n = len(right)
     graph = coo_array((np.ones(len(ends), dtype=np.int8), tuple(ends.T)), shape=(n, n))
     _, piece = connected_components(graph, directed=False)
@@ -88,7 +89,7 @@ def _scalar_diagonal(n: int, ends: Pairs, branch: PerBond3) -> Floats:
 
 
 def _preconditioner(ends: Pairs, branch: PerBond3, diagonal: Floats) -> LinearOperator:
-    """Return the inverse of the scalar Laplacian on its diagonal alone, plus that on groups of cells."""
+    """Return the preconditioner: the inverse of the diagonal, plus that of the Laplacian between groups of cells."""
     n, weight = len(diagonal), (branch**2).sum(axis=1) / 3.0
     inverse = np.divide(1.0, diagonal, out=np.zeros(n), where=diagonal > 0.0)[:, None]
     begin = np.arange(0, n, _GROUP)

@@ -1,4 +1,4 @@
-"""Balanced shares: the part of each facet in the dilatation of its cells, so that uniform stresses are exact.
+"""Balanced shares: contributions of facets to the dilatation of their cells that make uniform stresses exact.
 
 With shares s the dilatation of cell p is V_p θ_p = Σ s_p·δ over its facets, of area A, unit normal n outwards and
 opening δ. Two conditions make every uniform stress an exact solution in every cell:
@@ -35,7 +35,7 @@ _ROUNDING = 1e-13
 
 
 class Shares(NamedTuple):
-    """Shares of all inner facets.
+    """Shares of all inner facets in the dilatation of their cells, and the error that they leave.
 
     Attributes:
         i, j: s of both sides [m²], shape (m, 3).
@@ -51,7 +51,7 @@ def balanced_shares(
     pairs: Pairs, vector: PerBond3, weight: tuple[PerBond, PerBond], branch: PerBond3,
     free: FreeFacets, volume: PerElement, position: PerElement3,
 ) -> Shares:  # fmt: skip
-    """Return the shares of all inner facets.
+    """Compute the shares of all inner facets in the dilatation of their cells.
 
     Args:
         pairs: cells i, j of each facet, (m, 2).
@@ -84,7 +84,7 @@ def balanced_shares(
 
 
 def _tensors(a: Floats, b: Floats) -> Floats:
-    """Return sym(a ⊗ b) of vectors, (k, 6)."""
+    """Return sym(a ⊗ b) of vectors (k, 3) as rows of six components, (k, 6)."""
     return 0.5 * (a[:, ROW] * b[:, COLUMN] + a[:, COLUMN] * b[:, ROW])
 
 

@@ -22,7 +22,7 @@ from bondem.specimen.tessellation.polygon_buffer import (
 
 
 def new_splitting(position: PerElement3, tolerance: float) -> Splitting:
-    """Return the tables with which cells begin to be split by walls."""
+    """Return initial work tables for splitting cells by walls, with a tolerance of depth [m]."""
     found, below, cell, end = (np.empty(64, np.int64) for _ in range(4))
     lid, work, other = (polygon_buffer() for _ in range(3))
     return Splitting(position, tolerance, found, below, lid, work, other, cell, end, np.zeros(2, np.int64))
@@ -41,12 +41,12 @@ def with_more_pieces(splitting: Splitting) -> Splitting:
 
 
 def trimmed(solids: Solids, position: PerElement3, walls: WallTree, tolerance: float) -> Solids:
-    """Return the pieces of cells between walls, those inside and those outside.
+    """Split cells by walls; return all pieces, inside and outside the shape.
 
     Args:
         solids: cells.
         position: centres of all elements [m], shape (n, 3).
-        walls: the walls.
+        walls: search tree of the triangles of the walls.
         tolerance: depth of a wall in a cell below which it does not split the cell [m].
     """
     splitting = new_splitting(position, tolerance)

@@ -32,32 +32,32 @@ from bondem.specimen.tessellation.solids import (
     solid_of_face,
 )
 
-# Cells that are made at once, in memory as well as between two words about the progress.
+# Number of cells that are computed at once, between two reports of progress.
 _BATCH = 4096
-# Half the width of the boxes that cells begin as, over the usual distance of the farthest neighbour.
+# Half the width of the initial boxes of cells, over the usual distance of the farthest neighbour.
 _HALF = 0.67
 # Width of the flat pieces of curved walls, about half an element, over that distance.
 _FLAT = 0.25
-# How far walls must reach in to split a cell, over that distance; facets of less area are left out, over its square.
+# Least depth of a wall that splits a cell, over that distance, and least area of a facet, over its square.
 _REACHED, _SLIVER = 3e-12, 1e-11
-# Volumes of combined shapes are known to about 1e-3; more than this share of it is a lost part.
+# Relative difference of volumes from which a part of the shape is lost; those of combined shapes are known to 1e-3.
 _LOST = 0.02
-# Centres may lie outside the walls by this much, over that distance: rounding.
+# Largest distance of centres outside the walls by rounding, over the usual distance.
 _OUTSIDE = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
 class Tessellation:
-    """All cells, whole ones as tables and cut ones as pieces.
+    """All cells of a tessellation: whole cells, and those that walls cut into pieces.
 
     Attributes:
-        centres: the elements.
-        faces: polygons of the whole cells; those between elements from the lower number only.
+        centres: centres and radii of the elements, sorted into boxes.
+        faces: polygons of the whole cells; between two elements only that of the lower number.
         whole: elements whose cells are whole, shape (w,).
-        whole_bulk: volumes and moments of these.
+        whole_bulk: volumes and moments of the whole cells.
         cut: pieces of all other cells, inside the shape.
         is_cut: mask of the elements whose cells are cut by walls, shape (n,).
-        outlines: the whole cells as solids, if requested, else none.
+        outlines: whole cells as solids, if requested, else an empty list.
     """
 
     centres: Bins
@@ -71,7 +71,7 @@ class Tessellation:
 
 @dataclass(frozen=True, eq=False)
 class _Walls:
-    """Walls of a flat-walled shape, which cut the cells."""
+    """Flat walls that cut cells: their shape, the search tree of their triangles, and distances of the centres."""
 
     shape: Shape
     tree: WallTree
@@ -80,11 +80,11 @@ class _Walls:
 
 @dataclass(frozen=True, eq=False)
 class _Batch:
-    """Result of one batch of cells.
+    """Result of one batch of cells: whole cells (`plain`), with faces and volumes, and pieces inside the walls.
 
     Attributes:
         again: elements whose boxes were too small.
-        ended: elements whose cells end at their boxes, but outside the shape only.
+        ended: elements whose cells end at their boxes, but only outside the shape.
     """
 
     plain: Solids
@@ -98,7 +98,7 @@ class _Batch:
 
 
 def _walls(particles: Particles, shape: Shape, reach: float) -> tuple[Shape, tuple[_Walls, ...]]:
-    """Return a shape with flat walls, and these; none for a box, because its sides end all cells anyway.
+    """Return the shape with flat walls, and its walls: none for a box, whose sides end all cells anyway.
 
     Raises:
         InputError: Centres lie outside the shape.
@@ -118,7 +118,7 @@ def _walls(particles: Particles, shape: Shape, reach: float) -> tuple[Shape, tup
 
 
 def _retained_faces(plain: Solids, retained: np.ndarray, position: PerElement3) -> Polygons:
-    """Return the faces of whole cells on walls, and those to elements of higher number."""
+    """Return the faces of the `retained` cells that lie on walls, or have an element of higher number behind them."""
     of_face = solid_of_face(plain)
     cell = plain.cell[of_face]
     rows = np.flatnonzero(retained[of_face] & ((plain.tag < 0) | (plain.tag > cell)))
@@ -129,7 +129,7 @@ def _retained_faces(plain: Solids, retained: np.ndarray, position: PerElement3) 
 
 
 def _batch(centres: Bins, walls: tuple[_Walls, ...], chosen: Ints, half: Floats) -> _Batch:
-    """Compute some cells."""
+    """Compute the cells of chosen elements in boxes of half widths (k,) [m], and cut them by walls."""
     plain = plain_cells(centres, chosen, half)
     measures = bulk(plain)
     local = np.bincount(solid_of_face(plain), weights=plain.tag == LOCAL, minlength=len(chosen)) > 0
@@ -160,7 +160,7 @@ def _batch(centres: Bins, walls: tuple[_Walls, ...], chosen: Ints, half: Floats)
 def _batches(
     centres: Bins, walls: tuple[_Walls, ...], chosen: Ints, half: Floats, report: Callable[[float], None]
 ) -> Iterator[_Batch]:
-    """Compute some cells, and repeat those that outgrow their boxes in larger ones; `half`, (n,), is then doubled."""
+    """Yield batches of cells; cells that outgrow their boxes follow again in boxes twice as wide, `half` changed."""
     waiting, done = chosen, 0
     with ThreadPoolExecutor(current_threads()) as pool:
         while waiting.size:
@@ -178,7 +178,7 @@ def _batches(
 def tessellation(
     particles: Particles, progress: Callable[[float], None] | None = None, *, outlines: bool = False
 ) -> Tessellation:
-    """Cut the shape of particles into cells; see `tessellate`. With `outlines` it keeps the whole cells as solids."""
+    """Cut the shape of particles into cells, before `tessellate` makes tables of them; keep `outlines` if requested."""
     shape, n = particles.envelope, len(particles)
     reach = usual_reach(particles)
     flat, walls = _walls(particles, shape, reach)
@@ -255,12 +255,12 @@ def tessellate(
 
 
 def cell_centroids(particles: Particles) -> PerElement3:
-    """Return the centroids of the cells alone [m], shape (n, 3); see `tessellate`."""
+    """Return the centroids of the Laguerre cells of particles [m], (n, 3), without the cost of their facets."""
     return _solid_tables(tessellation(particles))[1]
 
 
 def _check_volume(shape: Shape, volume: float) -> None:
-    """Reject cells that leave a part of the shape empty, far from all elements, beyond a gap."""
+    """Raise InputError if the volume of all cells [m³] differs from that of the shape: a part has no elements."""
     whole = shape.volume
     if abs(volume / whole - 1.0) > _LOST:
         raise InputError(

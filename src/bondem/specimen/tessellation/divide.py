@@ -1,4 +1,4 @@
-"""Division among elements of pieces that a wall separates from the centre of their cell."""
+"""Division of pieces that a wall separates from the centre of their cell among other elements."""
 
 import numpy as np
 
@@ -29,12 +29,12 @@ def divided(solids: Solids, sphere: Floats, near: Ints, start: Ints, tolerance: 
     Args:
         solids: k solids.
         sphere: centres and radii of all elements [m], shape (n, 4).
-        near: elements that solid s is divided among, near[start[s]] … near[start[s + 1] - 1].
-        start: start of these, shape (k + 1,).
+        near: elements among which solid s is divided, near[start[s]] … near[start[s + 1] - 1].
+        start: start of the elements of each solid in `near`, shape (k + 1,).
         tolerance: depth of a plane in a solid below which it does not divide the solid [m].
 
     Returns:
-        The parts, and the element that each belongs to; the planes between them are splits of the cells.
+        The parts, and the element to which each belongs. Faces on planes between parts have tags of splits.
     """
     cell, owner, end = (np.empty(64, np.int64) for _ in range(3))
     lid, work = polygon_buffer(), polygon_buffer()

@@ -11,15 +11,15 @@ from bondem.specimen.particles import Particles, freeze
 from bondem.specimen.tessellation.balanced_shares import balanced_shares
 from bondem.specimen.tessellation.facets import Facets, FreeFacets
 
-# Directions and places of free polygons that count as one wall: relative to 1 and to the width of a cell.
+# Differences of normals, and of depths over the width of a cell, below which free polygons lie on one wall.
 _EQUAL = 1e-9
-# How far inside a wall it is tested which face of the shape it is, over the width of a cell.
+# Distance inside a wall, over the width of a cell, at which the face of the shape is determined.
 _INSIDE = 0.1
 
 
 @dataclass(frozen=True, eq=False)
 class Polygons:
-    """Flat polygons of element `a`; on the other side is element `b`, or -1 on a wall.
+    """Flat polygons between element `a` and element `b` on the other side, which is -1 on a wall; p of them.
 
     Attributes:
         a, b: elements, shape (p,).
@@ -37,11 +37,11 @@ class Polygons:
     moment: Floats
 
     def chosen(self, rows: np.ndarray) -> "Polygons":
-        """Return some of the polygons."""
+        """Return the polygons in the given rows."""
         return Polygons(*(values[rows] for values in vars(self).values()))
 
     def facing(self) -> "Polygons":
-        """Return the polygons with a < b."""
+        """Return the polygons with `a` and `b` exchanged, and the normal reversed, where a > b."""
         turn = self.a > self.b
         return Polygons(
             np.minimum(self.a, self.b), np.maximum(self.a, self.b), self.area,
@@ -50,7 +50,7 @@ class Polygons:
 
 
 def together(parts: list[Polygons]) -> Polygons:
-    """Return the polygons of several lists in one."""
+    """Concatenate lists of polygons."""
     return Polygons(*(np.concatenate(column) for column in zip(*(vars(p).values() for p in parts), strict=True)))
 
 
@@ -78,7 +78,7 @@ def facets(
 
     Args:
         particles: the elements.
-        polygons: polygons from the element of lower number to that of higher number.
+        polygons: polygons with a < b.
         free: facets on the surface.
         volume: volumes of the cells [m³], (n,).
 
@@ -108,7 +108,7 @@ def facets(
 
 
 def _check_depths(pairs: Pairs, depth_i: PerBond, depth_j: PerBond) -> None:
-    """Reject facets that do not lie between their centres, because their springs would have a negative length."""
+    """Raise InputError for facets that do not lie between their centres: their springs would have negative length."""
     bad = np.flatnonzero(~((depth_i > 0.0) & (depth_j > 0.0)))
     if bad.size:
         i, j = map(int, pairs[bad[0]])
@@ -140,17 +140,17 @@ def free_facets(shape: Shape, position: PerElement3, width: float, polygons: Pol
 
 
 def _faces(shape: Shape, centroid: Floats, normal: Floats, inside: float) -> Ints:
-    """Return the face of each point on a wall: a near face whose depth grows along the inward normal.
+    """Return the index of the face of each point on a wall: a near face whose depth grows along the inward normal.
 
-    Walls of a notch or of a re-entrant corner may belong to no face of the shape: they have -1.
+    Walls of a notch or of a re-entrant corner may belong to no face of the shape; their index is -1.
     """
-    # across a wall the depth of another face does not grow: that misses by `inside` at least
+    # the depth of another face does not grow along the normal, and so misses by about `inside`
     least, number = np.full(len(centroid), 0.9 * inside), np.full(len(centroid), -1)
     if len(centroid):
         for k, face in enumerate(shape.faces):
             here = shape.face_depth(face, centroid)
             there = shape.face_depth(face, centroid - inside * normal)
-            with np.errstate(invalid="ignore"):  # a part of joined shapes may know no depth here
+            with np.errstate(invalid="ignore"):  # the depth below a face of joined shapes may be infinite here
                 miss = np.abs(here) + np.abs(there - here - inside)
             nearer = np.where(np.isnan(miss), np.inf, miss) < least
             least, number = np.where(nearer, miss, least), np.where(nearer, k, number)

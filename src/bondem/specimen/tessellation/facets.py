@@ -13,7 +13,7 @@ from bondem.specimen.tessellation.symmetric_columns import SymmetricColumn
 
 T = TypeVar("T", "Facets", "FreeFacets", "Cells")
 
-#: How the columns of the tables turn with their body; the others do not.
+#: Columns of the tables that rotate with their body as points, vectors and tensors; the others do not change.
 _POINTS, _VECTORS, _TENSORS = {"centroid"}, {"normal", "share", "share_i", "share_j"}, {"moment", "inertia"}
 
 
@@ -32,7 +32,7 @@ def _placed(table: T, turn: Floats, by: Floats) -> T:
 
 
 def _stacked(kind: type[T], tables: Sequence[T], **given: Any) -> T:
-    """Return the tables of several bodies as one, but for the columns that are given."""
+    """Concatenate the tables of several bodies; `given` columns are taken as they are."""
     rows: dict[str, Any] = {
         item.name: freeze(np.concatenate([getattr(table, item.name) for table in tables]))
         for item in fields(kind) if item.name not in given
@@ -47,7 +47,7 @@ class Facets:
     Attributes:
         area: A [m²], shape (m,).
         normal: unit vectors from cell i to cell j [-], shape (m, 3).
-        centroid: centroids in the image next to centre i [m], shape (m, 3).
+        centroid: centroids, in the periodic image next to centre i [m], shape (m, 3).
         moment: second moments of area about the centroid, ∫ r⊗r dA [m⁴], shape (m, 3, 3).
         depth_i, depth_j: distances of centres i and j from the plane, positive on their own sides [m], shape (m,).
         share_i, share_j: shares of the facet in the dilatation of cells i and j [m²], shape (m, 3): V θ is Σ share·δ

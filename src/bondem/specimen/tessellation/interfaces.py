@@ -1,4 +1,4 @@
-"""Interfaces between pieces of cells: faces in one plane, laid over each other.
+"""Interfaces between pieces of cells: common parts of faces that lie in one plane.
 
 Two pieces that face each other across a plane share the common part of their faces; a part that no other piece covers
 is free. Both are patches, again convex polygons.
@@ -29,7 +29,7 @@ class Patches(NamedTuple):
     """Convex polygons, each a face of a piece or part of one, in no order.
 
     Attributes:
-        piece: piece of each face, shape (p,).
+        piece: piece to which each patch belongs, shape (p,).
         other: piece on the other side, or -1, shape (p,).
         element: element whose whole cell is on the other side, or -1, shape (p,).
         normal: normals away from `piece` [-], shape (p, 3).
@@ -55,7 +55,7 @@ class Patches(NamedTuple):
 
 
 def _match(solids: Solids, groups: FaceGroups) -> tuple[Ints, Ints, Ints, Floats]:
-    """Return patches of all groups: face, face on the other side or -1, first corner of each, and all corners."""
+    """Return the patches of all groups: own face, face on the other side or -1, first corner, and all corners."""
     rest, left, pile = new_buffer(64, 512), new_buffer(64, 512), new_buffer(1024, 8192)
     while (ended := run_pass(calls.match_faces(solids, groups, rest, left, pile))) != "all_matched":
         if ended == "patches_full":
@@ -69,7 +69,7 @@ def _match(solids: Solids, groups: FaceGroups) -> tuple[Ints, Ints, Ints, Floats
 def _grouped(
     pieces: Solids, of_face: Ints, inner: Ints, position: PerElement3, tolerance: float
 ) -> FaceGroups:
-    """Group the faces `inner` of pieces by the plane between cells, or between pieces of one, that they lie in."""
+    """Group the faces `inner` of pieces by their plane, between two cells or between pieces of the same cell."""
     n, tag, own = len(position), pieces.tag[inner], pieces.cell[of_face[inner]]
     split = tag <= SPLIT
     number = np.unique(np.where(split, (SPLIT - tag) // 2, 0), return_inverse=True)[1]

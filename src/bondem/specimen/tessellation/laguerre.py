@@ -29,18 +29,18 @@ from bondem.specimen.tessellation.polygon_buffer import (
     roomier_buffer,
 )
 
-# Most faces of one cell.
+# Largest number of faces of a cell.
 _FACES = 400
-# Elements of a box among which neighbours are nearer than usual.
+# Number of elements in a box from which neighbours are first searched within less than the usual distance.
 _CROWD = 8.0
 # κ: slope at which bounds of the radii fall with the distance from large spheres.
 _SLOPE = 0.5
-# A plane that reaches less deep does not cut, over the spacing of the centres; rounding of coordinates, over extents.
+# Least depth of a plane that cuts, over the spacing of the centres, and over the largest coordinate, for rounding.
 _SHALLOW, _ROUNDING = 1e-12, 4e-15
 
 
 def usual_reach(particles: Particles) -> float:
-    """Return the distance within which most elements have all their neighbours [m], about twice that of two of these.
+    """Return the distance within which most elements have all their neighbours [m], about twice that of the nearest.
 
     Raises:
         InputError: Centres coincide.
@@ -60,7 +60,7 @@ def usual_reach(particles: Particles) -> float:
 
 
 def bins(particles: Particles, lower: Vector, upper: Vector, reach: float) -> Bins:
-    """Sort the centres of particles that fill the box from `lower` to `upper` [m]; see `usual_reach`."""
+    """Sort centres in the box from `lower` to `upper` [m] into a grid of boxes; `reach` is that of `usual_reach`."""
     x, n = particles.position, len(particles)
     lower, upper = np.array(lower, dtype=float), np.array(upper, dtype=float)
     extent = upper - lower
@@ -83,7 +83,7 @@ def bins(particles: Particles, lower: Vector, upper: Vector, reach: float) -> Bi
 
 
 def _bounds(radius: Floats, box: Ints, count: Ints, width: Vector) -> Floats:
-    """Return B of elements in boxes of some widths: the largest radius of near boxes, and less of far ones, (n,)."""
+    """Return bounds B around elements [m], (n,): the largest radius in any box less κ times its distance."""
     most = np.zeros(int(count.prod()))
     np.maximum.at(most, box, radius)
     most = most.reshape(tuple(count))
@@ -101,7 +101,7 @@ def _bounds(radius: Floats, box: Ints, count: Ints, width: Vector) -> Floats:
 
 
 def new_cell_request(chosen: Ints, half: Floats) -> CellRequest:
-    """Return a request of which no cell is made yet."""
+    """Return a request for the cells of chosen elements (k,), in boxes of half widths (k,) [m]; none is made yet."""
     return CellRequest(chosen, half, *_lists(256), np.zeros(len(chosen) + 1, np.int64), np.zeros(2, np.int64))
 
 
@@ -115,7 +115,7 @@ def _lists(room: int) -> tuple[Ints, Floats, Ints]:
 
 
 def new_cell_room() -> CellRoom:
-    """Room for the largest cell."""
+    """Return work arrays for the largest possible cell."""
     faces = _FACES + 2
     return CellRoom(
         np.empty((faces, 4)), np.empty(faces, np.int64), np.empty(faces, np.int64),
@@ -129,10 +129,10 @@ def plain_cells(centres: Bins, chosen: Ints, half: Floats) -> Solids:
     Args:
         centres: all elements.
         chosen: elements of the cells, (k,).
-        half: half the widths of their boxes [m], (k,); remaining sides of these have the tag LOCAL.
+        half: half the widths of their boxes [m], (k,); faces that remain on these have the tag LOCAL.
 
     Raises:
-        InputError: A cell has no volume, or reaches half a period.
+        InputError: A cell has no volume or too many faces, or reaches half a period.
     """
     request, room = new_cell_request(chosen, half), new_cell_room()
     pile = new_buffer(20 * len(chosen) + 20, 100 * len(chosen) + 100)

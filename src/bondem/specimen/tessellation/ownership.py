@@ -1,8 +1,8 @@
 """Ownership of the pieces of cut cells by elements.
 
-A wall may divide a cell, for example a slot thinner than the cell, or a notch. The part connected to the centre is
-the cell. The rest is divided again, by the same rule, among the elements to whose cells it is connected. So no facet
-reaches through a slot, and every facet lies in the radical plane of its two elements.
+A wall may divide a cell, for example at a slot thinner than the cell, or at a notch. The part connected to the centre
+is the cell. The rest is divided by the same rule among the elements to whose cells it is connected. No facet extends
+across a slot, and every facet lies in the radical plane of its two elements.
 """
 
 from dataclasses import dataclass
@@ -18,21 +18,21 @@ from bondem.specimen.tessellation.divide import divided
 from bondem.specimen.tessellation.interfaces import Patches, patches
 from bondem.specimen.tessellation.solids import bulk, chosen_solids, joined, solid_count
 
-# Parts of less volume, over that of a cell, that hang together with nothing are rounding.
+# Volume, over that of a cell, below which parts without any neighbour are rounding errors.
 _NOTHING = 1e-9
-# Rounds of dividing: parts beyond parts, as in the windings of a labyrinth.
+# Largest number of rounds of division, for parts that are connected only to other parts.
 _ROUNDS = 100
 
 
 @dataclass(frozen=True, eq=False)
 class Owned:
-    """Pieces and their owners.
+    """Pieces of cut cells, and the elements to which they belong.
 
     Attributes:
         pieces: p pieces.
         measures: volumes and moments of the pieces.
-        found: patches where they meet.
-        owner: element that each piece belongs to, shape (p,).
+        found: patches at which the pieces meet.
+        owner: element to which each piece belongs, shape (p,).
     """
 
     pieces: Solids
@@ -46,8 +46,8 @@ def owned(pieces: Solids, measures: Bulk, found: Patches, sphere: Floats, width:
 
     Args:
         pieces: pieces of cut cells, inside the shape.
-        measures: volumes of the pieces.
-        found: patches where they meet.
+        measures: volumes and moments of the pieces.
+        found: patches at which the pieces meet.
         sphere: centres and radii [m], shape (n, 4).
         width: usual width of a cell [m].
         sliver: area below which patches are left out [m²].
@@ -74,11 +74,11 @@ def owned(pieces: Solids, measures: Bulk, found: Patches, sphere: Floats, width:
 
 
 def _with_centre(cell: Ints, measures: Bulk, found: Patches) -> Mask:
-    """Return a mask of the pieces connected to the piece that holds, or is nearest to, their cell's centre, (p,)."""
+    """Return a mask (p,) of the pieces connected to the piece of their cell that is nearest to its centre."""
     a, b = found.piece, found.other
     same = (b >= 0) & (cell[a] == cell[b])
     part = _parts(a[same], b[same], len(cell))
-    # of two pieces that touch the centre the larger
+    # the larger of two pieces that touch the centre
     order = np.lexsort((-measures.volume, np.maximum(measures.beyond, 0.0), cell))
     first = order[np.unique(cell[order], return_index=True)[1]]
     return np.isin(part, part[first])
@@ -90,10 +90,10 @@ def _parts(a: Ints, b: Ints, count: int) -> Ints:
 
 
 def _claims(owner: Ints, found: Patches) -> tuple[Ints, Ints, Ints]:
-    """Find connected sets of pieces without owner, of any cells, and the elements that they are connected to.
+    """Find connected sets of pieces without owner, of any cells, and the elements to which they are connected.
 
     Returns:
-        Pieces, shape (k,), the elements of all of them, and where those of each begin, shape (k + 1,).
+        Pieces, shape (k,), the elements of all pieces one after the other, and the start of those of each, (k + 1,).
     """
     a, b = found.piece, found.other
     two = b >= 0

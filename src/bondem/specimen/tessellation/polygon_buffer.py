@@ -1,4 +1,4 @@
-"""Growing lists of polygons, to which the passes that cut cells append."""
+"""Growing buffers of polygons, to which the compiled passes that cut cells append."""
 
 import numpy as np
 
@@ -6,40 +6,40 @@ from bondem._core import room_for
 from bondem._tables.tessellation_tables import PolygonBuffer
 from bondem._types import Floats, Ints
 
-#: Columns of the integers of a polygon.
+#: Columns of `PolygonBuffer.what`, the integers of each polygon.
 KIND, TAG, START, SIZE = 0, 1, 2, 3
-#: Most corners of one polygon, and so the rows of a buffer for one.
+#: Largest number of corners of a polygon.
 MOST_CORNERS = 512
 
 
 def polygon_count(pile: PolygonBuffer) -> int:
-    """Number of polygons."""
+    """Return the number of polygons in a buffer."""
     return int(pile.used[0])
 
 
 def first_corners(pile: PolygonBuffer) -> Ints:
-    """First corner of each polygon, and the end of the last one, shape (size + 1,)."""
+    """Return the first corner of each polygon, and the end of the last one, shape (count + 1,)."""
     return np.append(pile.what[: polygon_count(pile), START], pile.used[1])
 
 
 def buffer_corners(pile: PolygonBuffer) -> Floats:
-    """Corners of all polygons [m], shape (v, 3)."""
+    """Return the corners of all polygons [m], shape (v, 3)."""
     return pile.vertex[: pile.used[1]]
 
 
 def roomier_buffer(pile: PolygonBuffer) -> PolygonBuffer:
-    """Return a copy of a list of polygons, with room for twice as many."""
+    """Return a copy of a buffer, with room for twice as many polygons and corners."""
     used = np.array([*pile.used[:2], 0])
     what, plane, vertex = (room_for(values, 2 * len(values)) for values in pile[:3])
     return PolygonBuffer(what, plane, vertex, used)
 
 
 def new_buffer(polygons: int, corners: int) -> PolygonBuffer:
-    """An empty pile with room for some polygons and corners."""
+    """Return an empty buffer with room for given numbers of polygons and corners."""
     what, used = np.empty((polygons, 4), np.int64), np.zeros(3, np.int64)
     return PolygonBuffer(what, np.empty((polygons, 4)), np.empty((corners, 3)), used)
 
 
 def polygon_buffer() -> Floats:
-    """Room for one polygon, shape (MOST_CORNERS, 3)."""
+    """Return a work array for the corners of one polygon, shape (MOST_CORNERS, 3)."""
     return np.empty((MOST_CORNERS, 3))

@@ -15,7 +15,7 @@ from bondem.specimen.tessellation.solids import ranges, solid_of_face
 
 @dataclass(frozen=True, eq=False)
 class Polyhedra:
-    """Boundary polygons of all cells, sorted by cell. At a facet both cells have one polygon, in the same place.
+    """Boundary polygons of all cells, sorted by cell. Each facet occurs twice, once for either cell.
 
     Attributes:
         vertex: corners, polygon by polygon, counter-clockwise seen from outside [m], shape (v, 3).
@@ -39,7 +39,7 @@ def polyhedra(lattice: Lattice) -> Polyhedra:
         lattice: a body of cells, from `bd.connect(..., method="laguerre")`.
 
     Returns:
-        Convex polygons. In a periodic cell they lie in the image next to the centre.
+        Convex polygons. In a periodic cell those of an element lie in the image at its centre.
 
     Raises:
         InputError: The lattice has no cells.
@@ -60,7 +60,7 @@ def polyhedra(lattice: Lattice) -> Polyhedra:
 
 
 def _moved_on(solid: Polyhedra, own: Ints) -> Polyhedra:
-    """Return polyhedra of a body with the numbers `own` that its elements have in the scene."""
+    """Renumber the cells of a body by `own`, the numbers of its elements in the scene."""
     if len(own) == 0 or own[-1] == len(own) - 1:
         return solid
     neighbour = np.where(solid.neighbour >= 0, own[np.maximum(solid.neighbour, 0)], -1)

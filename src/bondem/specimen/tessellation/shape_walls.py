@@ -15,11 +15,11 @@ from bondem.geometry.shape import Cut, Joined, Overlap, Placed, Shape
 from bondem.geometry.surface import Surface
 from bondem.geometry.triangles import boxes_of_tree
 
-# Fewest sides of a cylinder, and fewest times that the triangles of an icosahedron are quartered to make a ball.
+# Least number of sides of a cylinder, and of divisions of the triangles of an icosahedron into four for a ball.
 _SIDES, _QUARTERED = 64, 3
 _GOLDEN = 0.5 * (1.0 + math.sqrt(5.0))
 
-# Two triangles a side of a box, counter-clockwise from outside; corner k is at (k // 4, k // 2 % 2, k % 2).
+# Two triangles per side of a box, counter-clockwise from outside; corner k is at (k // 4, k // 2 % 2, k % 2).
 _BOX = np.array([
     [0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1],
     [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3],
@@ -27,7 +27,7 @@ _BOX = np.array([
 
 
 def faceted(shape: Shape, size: float) -> Shape:
-    """Return the shape with flat walls only.
+    """Return a shape with flat walls in place of curved ones.
 
     Args:
         shape: any shape.
@@ -51,7 +51,7 @@ def faceted(shape: Shape, size: float) -> Shape:
 def wall_triangles(shape: Shape) -> Floats:
     """Return corners of triangles that together cover all walls of a shape with flat walls, (t, 3, 3) [m].
 
-    There may be more triangles than walls: those of one part that lie within or outside the other.
+    Triangles of one part of a combined shape that are no walls are included. Other shapes raise InputError.
     """
     if isinstance(shape, Surface):
         return shape.vertices[shape.triangles]
@@ -74,7 +74,7 @@ class Prism(Shape):
     """A regular prism with axis y = z = 0 and x in [0, length].
 
     Attributes:
-        radius: radius of its edges [m].
+        radius: distance of its edges along x from the axis [m].
         length: length along x [m].
         sides: number of sides.
     """
@@ -165,7 +165,7 @@ def _geodesic(shape: Ball, quartered: int) -> Surface:
 
 
 def wall_tree(corner: Floats) -> WallTree:
-    """Build the tree of triangles (t, 3, 3) [m], without those that have no area."""
+    """Build the search tree of wall triangles (t, 3, 3) [m], without those that have no area."""
     normal = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
     size = np.linalg.norm(normal, axis=1)
     longest = np.linalg.norm(corner - np.roll(corner, 1, axis=1), axis=2).max(axis=1)
@@ -176,7 +176,7 @@ def wall_tree(corner: Floats) -> WallTree:
     leaves = 1 << max(count - 1, 1).bit_length()
     order = np.full((1, leaves), -1)
     order[0, :count] = np.arange(count)
-    middle = np.concatenate([corner.mean(axis=1), np.full((1, 3), np.inf)])  # those without triangle come last
+    middle = np.concatenate([corner.mean(axis=1), np.full((1, 3), np.inf)])  # leaves without a triangle come last
     while order.shape[1] > 1:
         there = middle[order]
         known = np.where(np.isfinite(there), there, np.nan)
@@ -192,7 +192,7 @@ def wall_tree(corner: Floats) -> WallTree:
 
 
 def _spread(points: Floats) -> Floats:
-    """Return the extent of each group of points along each axis [m], (g, 3); unknown points are ignored."""
+    """Return the extent of each group of points along each axis [m], (g, 3); points with NaN are ignored."""
     return np.where(np.isnan(points), -np.inf, points).max(axis=1) - np.where(
         np.isnan(points), np.inf, points
     ).min(axis=1)

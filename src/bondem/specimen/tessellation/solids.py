@@ -12,36 +12,36 @@ from bondem._passes import calls
 from bondem._tables.tessellation_tables import Bulk, PolygonMeasures, Solids
 from bondem._types import Floats, Ints
 
-# What is behind a face: an element from 0 up, or one of these; from SPLIT down, a plane that cut the cell.
+# Tag of a face: the element behind it, from 0 up, or one of these; from SPLIT down, a plane that divided the cell.
 BOX, LOCAL, SPLIT = -1, -7, -16
 
 
 def solid_count(every: Solids) -> int:
-    """Number k of solids."""
+    """Return the number of solids."""
     return len(every.cell)
 
 
 def solid_of_face(every: Solids) -> Ints:
-    """Solid of each face, shape (f,)."""
+    """Return the solid to which each face belongs, shape (f,)."""
     return np.repeat(np.arange(solid_count(every)), np.diff(every.face))
 
 
 def chosen_solids(every: Solids, solids: Ints) -> Solids:
-    """Return some of the solids, by number."""
+    """Return the solids with the given numbers."""
     faces, face = ranges(every.face, solids)
     corners, corner = ranges(every.corner, faces)
     return Solids(every.cell[solids], face, every.tag[faces], every.plane[faces], corner, every.vertex[corners])
 
 
 def ranges(start: Ints, chosen: Ints) -> tuple[Ints, Ints]:
-    """Return rows start[c] … start[c + 1] - 1 of all `chosen` c one after another, and where those of each begin."""
+    """Return rows start[c] … start[c + 1] - 1 of all `chosen` c, one after another, and the start of each c."""
     size = start[chosen + 1] - start[chosen]
     begin = np.concatenate([[0], np.cumsum(size)])
     return np.arange(begin[-1]) + np.repeat(start[chosen] - begin[:-1], size), begin
 
 
 def joined(parts: Sequence[Solids]) -> Solids:
-    """Return the solids of several lists in one."""
+    """Concatenate lists of solids."""
     none = np.zeros(0, dtype=np.int64)
     faces = np.concatenate([none, *(np.diff(part.face) for part in parts)])
     corners = np.concatenate([none, *(np.diff(part.corner) for part in parts)])
@@ -64,7 +64,7 @@ def polygon_measures(corner: Ints, vertex: Floats) -> tuple[Floats, Floats, Floa
 
 
 def chosen_bulk(every: Bulk, solids: Ints) -> Bulk:
-    """Return the values of some solids, by number."""
+    """Return volumes and moments of the solids with the given numbers."""
     return Bulk(*(values[solids] for values in every))
 
 

@@ -6,14 +6,14 @@ import numpy as np
 
 from bondem.specimen.particles import freeze
 
-#: Six components of a symmetric tensor among its nine, xx, yy, zz, xy, xz, yz, and the nine among the six.
+#: Indices of the components xx, yy, zz, xy, xz, yz among the nine of a tensor, and of the nine among these six.
 SIX, NINE = [0, 4, 8, 1, 2, 5], [0, 3, 4, 3, 1, 5, 4, 5, 2]
 
 
 class SymmetricColumn:
-    """Column of tensors (k, 3, 3) of a frozen table, stored as (k, 6) where this loses no bit, else whole.
+    """Column of tensors (k, 3, 3) of a frozen table, stored as (k, 6) if this loses no bit, else as it is.
 
-    Each access makes the tensors anew. Those of rotated bodies are not symmetric to the last bit.
+    Each access builds the tensors anew. Tensors of rotated bodies are not symmetric to the last bit.
     """
 
     def __init__(self, name: str, *tables: type) -> None:
