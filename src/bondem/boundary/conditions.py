@@ -126,7 +126,7 @@ def _check_friction(owner: str, region: Region, components: tuple[int, ...], fri
     """Check the friction of a platen.
 
     Raises:
-        InputError: The friction is negative, or the condition is not along a single axis on a face.
+        InputError: The friction is not a number from 0 up, or the condition is not along a single axis on a face.
     """
     if friction is None:
         return

@@ -13,9 +13,7 @@ from bondem.geometry.rotations import turned_vectors
 
 @dataclass(frozen=True, eq=False)
 class Couple:
-    """A moment on a region, applied by forces at k points of its elements.
-
-    The moment keeps its direction, while the forces rotate with the points.
+    """A moment of constant direction on a region, applied by forces at k points, which rotate with the points.
 
     Attributes:
         element: element of each point, internal order, shape (k,).

@@ -13,7 +13,7 @@ from bondem.specimen.lattice import Lattice
 
 @dataclass(frozen=True, eq=False)
 class Faces:
-    """Geometry of k facets, or of the middle sections of k beams, in a state.
+    """Geometry of k facets, or of the sections of k beams at their contact points, in a state.
 
     Attributes:
         area: area in the reference, or of the section of a beam [m²], shape (k,).

@@ -69,10 +69,7 @@ def points_of(shape: Shape, x: Floats, width: float) -> Particles:
 
 
 def moved_inside(shape: Shape, x: Floats, before: Floats, margin: PerElement) -> Floats:
-    """Move centres from `before` to `x`, only half-way or not at all if walls are nearer than `margin` [m], (n,).
-
-    Centres that are still too near are pushed inwards. In a periodic cell, centres are wrapped instead.
-    """
+    """Move centres to `x`, half-way or not at all where walls are nearer than `margin` [m], or push them inwards."""
     if shape.period is not None:
         return np.mod(x, shape.period)
     x = x.copy()

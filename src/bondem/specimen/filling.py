@@ -19,7 +19,7 @@ from bondem.geometry.elementary_shapes import BoundingBox, Shape
 _OUTSIDE, _OUT, _AWAY, _APART = 0.1, 0.1, 0.5, 2.5
 # Gap that is tolerated over the extent of the shape, as in fine dust, and times n, as in a gas of n spheres.
 _SHARE, _DILUTE = 0.005, 4.0
-# Largest share of centres outside, and largest number of spheres that stick out, over n^(2/3): half of those at a face.
+# Largest share of centres outside, and largest number of spheres that stick out over n^(2/3): half a face.
 _STRAY, _MANY = 0.01, 0.4
 
 

@@ -13,8 +13,7 @@ from bondem.specimen.quasirandom import ball_points, points_inside, spread_rotat
 _SAMPLES = 1 << 16
 _SOLID_POINTS = 1 << 19
 _SOLID_MOST = 256
-# Depths of surfaces and combined shapes take about 1 µs per point: for these the share 1 / 4 of the points is used,
-# and at most so many points per sphere.
+# Depths of surfaces and combined shapes take about 1 µs each: fewer points in all by this factor, and per sphere.
 _SLOW_SHARE = 4
 _SLOW_MOST = 32
 

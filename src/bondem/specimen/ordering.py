@@ -25,7 +25,7 @@ class Adjacency(NamedTuple):
 
 
 class Reversed(NamedTuple):
-    """Inverse permutations, from user's to internal order, with the names of those in `Layout`."""
+    """Permutations that reorder arrays from internal to user's order, named as the inverse ones of `Layout`."""
 
     order: Ints
     rank: Ints
@@ -91,7 +91,7 @@ class Layout:
 
     @property
     def reversed(self) -> Reversed:
-        """Inverse permutations, which reorder arrays in internal order into user's order."""
+        """Permutations that reorder arrays from internal to user's order."""
         place = np.empty_like(self.bond_order)
         place[self.bond_order] = np.arange(len(place))
         return Reversed(self.rank, self.order, place, self.flipped[place])

@@ -99,7 +99,7 @@ class Particles:
 
     def _check_overlap(self) -> None:
         tree = KDTree(self.position, boxsize=self.period)
-        # if radii have another unit than centres, nearly all pairs overlap, too many for the memory: check a few first
+        # if radii have another unit than centres, nearly all pairs overlap, too many for memory: check a few first
         some = np.linspace(0, len(self) - 1, min(len(self), 100)).astype(int)
         two = np.asarray(tree.query(self.position[some], k=2)[1])
         nearest = np.where(two[:, 1] == some, two[:, 0], two[:, 1])  # either of two coincident centres comes first

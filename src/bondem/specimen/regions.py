@@ -153,7 +153,7 @@ class Index(Region):
 
 @dataclass(frozen=True)
 class Within(Region):
-    """Elements whose centre lies inside a shape; for a cell, the centre of its particle.
+    """Elements whose particle has its centre inside a shape.
 
     Attributes:
         shape: any shape, in the coordinates of the specimen.
@@ -170,7 +170,7 @@ class Within(Region):
 
 @dataclass(frozen=True, kw_only=True)
 class Plane(Region):
-    """Elements whose centre, or that of their particle for cells, is on the side of a plane to which its normal points.
+    """Elements on the side of a plane to which its normal points, by the centre of their particle.
 
     `bd.pack(..., around=plane)` makes cells end on the plane.
 

@@ -30,8 +30,8 @@ _LISTENED = 20_000  # largest number of centres from which layers are computed
 class Strata:
     """Differences between slices of the core across x, y and z, beyond those of chance.
 
-    A value is NaN along an axis that is too short: below two slices of two mean diameters, or four diameters for
-    layers. The level that chance exceeds with a probability of about 2 % is subtracted, except from gradients.
+    A value is NaN along an axis shorter than two slices of two mean diameters, or four diameters for layers. Mean and
+    two standard deviations of chance are subtracted; for layers the expected largest wave, for gradients nothing.
 
     Attributes:
         density: relative rms deviation of the solid fraction of slices from their mean [-], (3,).
@@ -40,8 +40,8 @@ class Strata:
             correlation ratio is 1 if elements are sorted by size, and 0 if all radii are equal.
         density_gradient: change of the solid fraction along a fitted line, from end to end, over its mean [-], (3,).
         coordination_gradient: change of the bonds per element along a fitted line, over their mean [-], (3,).
-        layers: amplitude of the density of centres as a wave of 0.65 to 1.25 mean diameters, over its
-            mean [-], (3,): 0 in a random packing, up to 2 in plane layers.
+        layers: largest amplitude of waves of 0.65 to 1.25 mean diameters in the density of centres, over its mean
+            [-], (3,): 0 in a random packing, up to 2 in plane layers.
     """
 
     density: Vector

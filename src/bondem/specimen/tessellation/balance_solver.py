@@ -21,11 +21,10 @@ from bondem.geometry.morton import morton_code
 
 # Largest number of iterations; bodies of 1e5 cells take about 130.
 _MOST = 2000
-# Number of cells in a group, and addition to the diagonal of the matrix of groups, over its mean, because the matrix
-# is singular for constants.
+# Number of cells in a group, and addition to the diagonal of the singular matrix of groups, over its mean.
 _GROUP, _FREE = 32, 1e-8
-# Share of the diagonal that is added to N, because rounding errors of the right-hand side in the null space of N would
-# make the iteration diverge.
+# Share of the diagonal that is added to N, because rounding errors of the right-hand side in the null space of N
+# would make the iteration diverge.
 _RESISTED = 1e-11
 #: Components of a symmetric tensor in the order of the core, and their scale in rows: √2 off the diagonal.
 ROW, COLUMN = np.array([0, 1, 2, 0, 0, 1]), np.array([0, 1, 2, 1, 2, 2])

@@ -178,7 +178,7 @@ def _batches(
 def tessellation(
     particles: Particles, progress: Callable[[float], None] | None = None, *, outlines: bool = False
 ) -> Tessellation:
-    """Cut the shape of particles into cells, before `tessellate` makes tables of them; keep `outlines` if requested."""
+    """Cut the shape of particles into cells, for the tables of `tessellate`; keep whole cells for `outlines=True`."""
     shape, n = particles.envelope, len(particles)
     reach = usual_reach(particles)
     flat, walls = _walls(particles, shape, reach)

@@ -14,7 +14,7 @@ LEVER_BITS, CENTRE_BITS = 30, 28
 
 
 def pitch(length: float, period: Floats | None, bits: int) -> Floats:
-    """Return the pitch along x, y and z [m], (3,), of the finest grid on which `length` [m] is at most 2^bits pitches.
+    """Return the pitch along x, y, z [m], (3,), of the finest grid on which `length` [m] is at most 2^bits pitches.
 
     Pitches are powers of two, or edges of the periodic cell over powers of two. The finer of two grids therefore
     has all points of the coarser one.
