@@ -41,11 +41,14 @@ class Fix:
 
     Attributes:
         region: constrained elements.
-        translation: axes along which the centres are constrained, a part of "xyz".
-        rotation: axes about which the orientations are constrained, a part of "xyz".
+        translation: axes along which the centres are constrained, a subset of "xyz".
+        rotation: axes about which the orientations are constrained, a subset of "xyz".
         friction: coefficient of friction μ of a platen [-], on a face of cells constrained along one axis. Facets
             stick across this axis up to a shear force of μ times their normal force, and slide beyond. None is a
             smooth platen, as is 0 in explicit runs. Static solutions make facets stick for any number, also for 0.
+
+    Raises:
+        InputError: No axis is named, an axis is unknown, or the friction is not that of a platen.
     """
 
     region: Region
@@ -90,6 +93,9 @@ class Drive:
         rx, ry, rz: rotations of each element [rad].
         wx, wy, wz: angular velocities [rad/s].
         friction: coefficient of friction of a platen [-], see `Fix`.
+
+    Raises:
+        InputError: A component is unknown or given twice, none is given, or the friction is not that of a platen.
     """
 
     region: Region
@@ -123,11 +129,7 @@ class Drive:
 
 
 def _check_friction(owner: str, region: Region, components: tuple[int, ...], friction: object) -> None:
-    """Check the friction of a platen.
-
-    Raises:
-        InputError: The friction is not a number from 0 up, or the condition is not along a single axis on a face.
-    """
+    """Raise InputError if a friction is negative, or its condition is not along a single axis on a face."""
     if friction is None:
         return
     number(owner, "friction", friction, least=0.0, advice="a coefficient of zero or more, or None")

@@ -120,6 +120,9 @@ class Pressure:
         pressure: pressure [Pa]; negative for tension.
         schedule: factor over time [-].
         follows: True if the normals rotate with the cells; only for bodies of cells.
+
+    Raises:
+        InputError: The region is not on a face, or the pressure is not finite.
     """
 
     region: Region
@@ -169,6 +172,9 @@ class Absorbing:
         E: Young's modulus of the specimen [Pa].
         nu: Poisson's ratio of the specimen [-].
         c: speed of the waves along the normal [m/s], such as √(E/ρ) in a thin bar; None for that of plane waves.
+
+    Raises:
+        InputError: The region is not on a face, or a constant is out of range.
 
     Reference: Lysmer and Kuhlemeyer, J. Eng. Mech. Div. ASCE 95 (1969) 859–877.
     """
@@ -301,11 +307,7 @@ def acts_on_facets(region: Region, lattice: Lattice) -> bool:
 
 
 def face_of(owner: str, region: Region) -> Face:
-    """Return the face that a region equals or is part of.
-
-    Raises:
-        InputError: The region is not on a face.
-    """
+    """Return the face that a region equals or is part of; raise InputError if there is none."""
     match region:
         case Face():
             return region

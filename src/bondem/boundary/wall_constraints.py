@@ -116,7 +116,7 @@ class Supports:
         k: stiffness 2 G A / d, d the distance of the facet from the centre of its cell [N/m], shape (g,).
         lever: lever from the centre of mass of the cell to the centroid of the facet [m], shape (g, 3).
         arm: lever without stress, longer for cells with a stress-free strain [m], shape (g, 3).
-        share: A m along the fixed axes: V θ of the cell is Σ share·δ [m²], shape (g, 3).
+        share: A m (see `way`) along the fixed axes; a jump δ adds share·δ to V θ of the cell [m²], shape (g, 3).
         H: resistance to rotation, times the share of the normal that is fixed [N·m], shape (g, 3, 3).
         axes: 1 for fixed and 0 for free axes x, y, z, shape (g, 3).
         motion: displacement of the wall at the end of all schedules [m], shape (g, 3).
@@ -204,7 +204,7 @@ class Supports:
         return np.concatenate([fixed, turned]).reshape(-1, motion.shape[-1])
 
     def blocks(self, lever: Floats | None = None) -> tuple[Floats, Floats]:
-        """Return the shares of half facets in the diagonal blocks of stiffness, (g, 6, 6), and in V θ, (g, 6).
+        """Return what half facets add to 6 × 6 diagonal blocks of stiffness, (g, 6, 6), and to V θ of cells, (g, 6).
 
         Args:
             lever: levers as rotated by the cells [m], (g, 3); None for those of the reference.

@@ -45,7 +45,7 @@ class Driven:
         spin: angular velocity about `axis` [rad/s], in place of the angle.
 
     Raises:
-        InputError: An unknown component, one given twice, an axis of no length, or an axis without a turn.
+        InputError: A component is unknown or given twice, the axis has no length, or it is given without a turn.
     """
 
     motion: tuple[tuple[int, Schedule, bool], ...]
@@ -104,6 +104,9 @@ class Servo:
         speed: largest speed [m/s].
         mass: mass of the platen [kg]; None for the mass of all elements together.
         damping: share of the missing force that resists the motion [-], in [0, 1).
+
+    Raises:
+        InputError: The force is negative at any time, or speed, mass or damping is out of range.
     """
 
     force: Schedule

@@ -50,7 +50,7 @@ class WallTable:
 
     @property
     def turning(self) -> Ints:
-        """Numbers of the walls that may turn."""
+        """Numbers of the walls that can turn, by a prescribed motion or freely, ascending."""
         free = named_rows("WallInertia", self.inertia)["inverse_moment"].any(axis=1)
         return np.union1d(self.drive_wall[self.drive_component == TURN], np.flatnonzero(free))
 

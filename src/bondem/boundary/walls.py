@@ -36,6 +36,9 @@ class PlaneWall:
         friction: μ against the elements [-]; None for that of the contact law.
         outer: radius of a disc [m]; None for an infinite plane.
         inner: radius of the hole [m].
+
+    Raises:
+        InputError: A value is out of range, or the growth of a radius is prescribed.
     """
 
     point: Triple
@@ -149,10 +152,6 @@ def pivot(wall: Wall) -> Triple:
 
 
 def check_walls(walls: object) -> tuple[Wall, ...]:
-    """Return an argument that must be one wall or several, as a tuple.
-
-    Raises:
-        InputError: A value is not a wall.
-    """
+    """Return one wall or several as a tuple; raise InputError if a value is not a wall."""
     kinds = PlaneWall, CylinderWall, SphereWall
     return several("Model", "walls", walls, kinds, "bd.PlaneWall, bd.CylinderWall and bd.SphereWall")

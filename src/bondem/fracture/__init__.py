@@ -1,1 +1,1 @@
-"""Results of fracture: fragments, cracks and emissions. Functions take arrays and return arrays."""
+"""Evaluation of fracture in a model or state: implied properties, fragments, cracks and acoustic emission."""

@@ -41,7 +41,7 @@ class Cracks:
         normal: mean of the normals of both faces, from element i to j [-], shape (k, 3).
         opening: distance of the two faces along the normal, negative where they overlap [m], shape (k,).
         sliding: displacement between the faces across the normal [m], shape (k,).
-        surface: surface that each facet belongs to, shape (k,).
+        surface: number of the surface to which each facet belongs, shape (k,).
         surfaces: sets of connected facets. Facets of cells are connected by a common edge, broken beams if their
             middles lay within 1.5 mean diameters of each other.
         polygons: outlines, for pictures and files.

@@ -8,11 +8,7 @@ from bondem.errors import InputError
 
 
 def unit_vector(owner: str, name: str, value: object) -> Floats:
-    """Return a direction as a unit vector.
-
-    Raises:
-        InputError: The value is not three finite components, or has zero length.
-    """
+    """Return a direction as a unit vector, (3,); raise InputError if it is not finite or has no length."""
     found = np.array(vector(owner, name, value))
     size = float(np.linalg.norm(found))
     if size == 0.0:

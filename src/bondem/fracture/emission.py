@@ -33,7 +33,7 @@ class AcousticEmission:
         energy: energy released [J], shape (c,).
         magnitude: 2/3 log10(E / J) - 3.2, from log10(E / J) = 1.5 M + 4.8; -inf for zero energy, shape (c,).
         count: number of breakages, shape (c,).
-        mode: mode in which most energy was released, shape (c,).
+        mode: failure mode in which most energy was released, shape (c,).
         label: emission of each row of the events, shape (e,).
 
     Reference: Gutenberg and Richter (1956), log10(E / erg) = 1.5 M + 11.8.

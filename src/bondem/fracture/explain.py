@@ -28,8 +28,8 @@ class Explanation:
         implied: strength, fracture energy and toughness, as medians of bonds or facets.
         doubts: one text for each property that is hardly intended or not resolved.
         nearest: user's numbers of the bonds or facets nearest to failure, the nearest first; empty without a state.
-        index: failure index of these, 1 at breakage or onset of softening [-].
-        position: middle of these in the reference [m], shape (k, 3).
+        index: failure index of each of `nearest`, 1 at breakage or onset of softening [-], shape (k,).
+        position: middle of each of `nearest` in the reference [m], shape (k, 3).
         broken: number of broken bonds or facets.
         softening: number of softening bonds or facets.
         yielding: largest yield index of the cells, 1 where a cell yields [-]; 0 if no cell can yield.

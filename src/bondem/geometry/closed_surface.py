@@ -1,4 +1,4 @@
-"""Check and repair of triangles that shall enclose a body: closed, facing outwards, of solids that do not touch.
+"""Check and repair of triangles that must enclose a body: closed, facing outwards, of solids that do not touch.
 
 Files of CAD programs are repaired where the result is unique. Equal corners of several solids are merged. Duplicate
 triangles are removed, and so are opposite ones, as between two bodies that share a face.

@@ -28,7 +28,7 @@ class Moments:
 
     @property
     def inertia(self) -> Floats:
-        """Return the inertia tensor about the centre over the density, ∫ (r² 1 - r rᵀ) dV [m⁵], (3, 3)."""
+        """Inertia tensor about the centre at density 1, ∫ (r² 1 - r rᵀ) dV [m⁵], (3, 3)."""
         return np.trace(self.second) * np.eye(3) - self.second
 
     def __add__(self, other: "Moments") -> "Moments":

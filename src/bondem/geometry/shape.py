@@ -43,7 +43,7 @@ class Shape(Walled):
         return place_shape(self, turn_about(axis, angle), np.zeros(3))
 
     def cut(self, tool: "Shape", *, name: str = "cut") -> "Shape":
-        """Return the shape without `tool`, such as a notch or a hole, whose walls become the face `name`."""
+        """Return the shape without `tool`, such as a notch, whose walls become the face `name`; not for a `Cell`."""
         return Cut(self, tool, name)
 
     def __bool__(self) -> bool:

@@ -54,7 +54,7 @@ class Constraints:
             shape (r, 6), or (0, 6) without any.
         body_on: factor of each body force for each element [-], shape (b, n); body_value, body_schedule: its
             acceleration [m/s²], (b, 3), and schedule, (b,).
-        strain_part: stress-free strain of each bond, shape (g, m); strain_schedule: (g,).
+        strain_part: strain of each bond by each `Eigenstrain` at factor 1 [-], (g, m); strain_schedule: (g,).
         weight: mass of each connected element, else 0 [kg], shape (n,).
         press_value: contribution of tractions on free facets to V θ of each cell [m³], (l, n); press_schedule: (l,).
         supported: True if walls constrain facets of cells.

@@ -1,10 +1,10 @@
 """Division of a step into blocks that fit into the cache, and into domains for threads.
 
-Bonds are sorted by their farther element j, so a contiguous range of elements owns a contiguous range of bonds: those
-with j in it. A block computes its bonds and adds their forces to the sums of both ends. An element moves, while it is
-still in the cache, with the block that holds the last of its bonds. Domains are ranges of blocks. A bond between
-domains belongs to that of j, and its contribution to i has a row of its own: such elements i are shared, and move
-when all domains are done.
+Bonds are sorted by their farther element j, so that the bonds with j in a range of elements are contiguous too. A
+block consists of such a range and its bonds, and adds their forces to the sums of both ends. An element moves, while
+it is still in the cache, with the block of its last bond. Domains are ranges of blocks. A bond between domains
+belongs to the domain of j, and its contribution to i has a row of its own. Such elements i are shared, and move when
+all domains are done.
 
 Contributions to an element are added one by one in the order of its bonds, for any division into blocks and domains.
 The division, and with it the number of threads, therefore changes no bit.

@@ -12,7 +12,7 @@ from bondem.specimen.regions import Region, as_region
 
 
 class StateMotion:
-    """Positions, orientations and velocities; the arrays are those of `State`, in internal order."""
+    """Positions, orientations and velocities of the n elements of a state, as properties in the user's order."""
 
     model: Origin
     layout: Layout

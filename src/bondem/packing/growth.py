@@ -44,7 +44,7 @@ def grow(
     random: np.random.Generator,
     on_step: Callable[[int], None],
 ) -> SoftSpheres:
-    """Grow spheres until they jam, or to the requested volume fraction if that comes first.
+    """Grow spheres of relative radii (n,) until they jam, or to the requested volume fraction if that comes first.
 
     Raises:
         InputError: The shape is not Box, Cylinder, Ball or Cell.

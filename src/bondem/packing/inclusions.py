@@ -126,7 +126,7 @@ def around_balls(
         report: function called with the completed share.
 
     Raises:
-        InputError: The cells are too large for the balls, too few, or balls lie partly outside the shape.
+        InputError: The cells are too large for the balls or too few, or balls lie partly outside the shape.
     """
     h = float(np.cbrt(shape.volume / count))
     centre, radius = np.array(balls.position), np.array(balls.radius)

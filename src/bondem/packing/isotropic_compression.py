@@ -30,7 +30,7 @@ def compress(
     random: np.random.Generator,
     on_step: Callable[[int], None],
 ) -> SoftSpheres:
-    """Compress a dilute gas of spheres until it jams, or to the requested volume fraction if that is lower."""
+    """Compress a gas of spheres of relative radii (n,) until it jams, or to a lower requested volume fraction."""
     start = _START_FRACTION
     if isinstance(target, Fraction):
         start = min(start, 0.9 * target.volume_fraction)

@@ -30,7 +30,7 @@ def quench(
 ) -> SoftSpheres:
     """Relax random spheres far above jamming, or just above it if jamming is the target.
 
-    `Target.reach` then decompresses them.
+    `relative_radius` (n,) are radii up to a common factor. `Target.reach` then decompresses the spheres.
     """
     start = _just_above_jamming(relative_radius) if isinstance(target, Jammed) else _START_FRACTION
     spheres = thrown(shape, relative_radius, start, random)

@@ -84,7 +84,7 @@ def sheared(
     random: np.random.Generator,
     on_step: Callable[[int], None],
 ) -> SoftSpheres:
-    """Compact spheres under shear to fill the shape, to a small part of a radius; the target has no effect here.
+    """Compact spheres of relative radii (n,) under shear to fill the shape; the target has no effect here.
 
     Raises:
         InputError: The shape lacks the walls that the method needs.

@@ -88,7 +88,7 @@ class Lognormal(SizeLaw):
 
 @dataclass(frozen=True)
 class Sieve(SizeLaw):
-    """Radii by a grading curve. Between two sieves mass is distributed uniformly over the logarithm of the diameter.
+    """Radii of a grading curve. Between two sieves mass is distributed uniformly over the logarithm of the diameter.
 
     Args:
         diameters: sieve openings [m or any other unit, because the packing sets the scale], ascending.

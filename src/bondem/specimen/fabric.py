@@ -52,8 +52,8 @@ class Fabric:
             divided by evenly spread points, at most 256 each: ± 0.003 at 1000 spheres, ± 0.001 at 10 000.
         loose: number of elements with fewer than four contacts with walls and other elements, counted repeatedly
             without the elements already found: rattlers in the sense of jamming.
-        backbone_coordination_number: mean number of bonds among the remaining elements [-]; NaN if none remain.
-        backbone_histogram: number of remaining elements with 0, 1, 2, ... bonds between them.
+        backbone_coordination_number: mean number of bonds among elements that are not `loose` [-]; NaN if all are.
+        backbone_histogram: number of elements that are not `loose` with 0, 1, 2, ... bonds among them.
         fineness: edge of the cube with the volume of the shape, over the mean diameter [-]: macro over micro.
         smallest_extent: smallest extent of the shape along x, y or z, over the mean diameter [-].
         strata: differences between slices of the core across x, y and z, and layers; near 0 in a homogeneous packing.

@@ -36,7 +36,7 @@ def _simple(shape: Shape) -> bool:
 
 
 def core_volume(shape: Shape, depth: float) -> float:
-    """Return the volume of the region `depth` or more from every wall [m³].
+    """Return the volume of the region whose distance from every wall is at least `depth` [m³].
 
     The volume is exact for cylinder, box, ball and cell. For other shapes 16 384 evenly spread points give it to ±
     0.5 %.
@@ -64,8 +64,8 @@ class Solid:
     """The volume of spheres represented by points, so that it can be counted in any region.
 
     Attributes:
-        position: points inside the spheres [m], shape (n · k, 3), k per sphere.
-        volume: volume that each point represents [m³], shape (n · k,).
+        position: points inside the spheres [m], shape (p, 3).
+        volume: volume that each point represents [m³], shape (p,).
     """
 
     position: PerElement3

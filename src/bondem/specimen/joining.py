@@ -35,9 +35,9 @@ def join(
         A lattice whose elements, bonds and cells are those of the arguments, in their order.
 
     Raises:
-        InputError: Fewer than two arguments, two names alike, a periodic body, cells together with any spheres,
-            bonds between cells, or spheres of two bodies that overlap by more than 0.001 of the smaller radius. Of
-            cells the largest spheres inside them are compared, so that bodies may stand face to face.
+        InputError: There are fewer than two arguments, equal names, a periodic body, cells together with spheres,
+            bonds between cells, or spheres of two bodies that overlap by more than 0.001 of the smaller radius. For
+            cells, the largest spheres inside them are compared, so that bodies may touch face to face.
     """
     for one in bodies:
         instance("join", "bodies", one, (Lattice, Particles), "lattices, or bd.Particles for loose grains")
@@ -108,7 +108,7 @@ def replicate(
 
 
 def turns_of(owner: str, rotations: ArrayLike | str | None, number: int, seed: int) -> Floats:
-    """Return the rotation matrices of copies, shape (number, 3, 3)."""
+    """Return rotation matrices (number, 3, 3) from unit quaternions (number, 4), "random", or None for none."""
     if rotations is None:
         return np.tile(np.eye(3), (number, 1, 1))
     if isinstance(rotations, str):

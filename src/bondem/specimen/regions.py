@@ -63,7 +63,7 @@ class Everything(Region):
 
 @dataclass(frozen=True)
 class Face(Region):
-    """Elements whose surface lies at a named face of the shape; in a body, cells with a facet on that face.
+    """Elements whose surface lies at a named face of the shape; for a body of cells, those with a facet on the face.
 
     Without a shape the face is a side of the bounding box of the spheres. In a loose or cut packing few spheres reach
     it; `depth=1.0` then selects a layer. A `FaceWarning` is given if far fewer elements are selected than lie near.
@@ -115,7 +115,7 @@ class Index(Region):
 
     Attributes:
         elements: indices of the elements.
-        size: number of elements in the mask that was given; None for indices.
+        size: number of elements that the lattice must have, such as the length of a mask; None for any number.
 
     Args:
         elements: one index, indices (k,), or truth values (n,).

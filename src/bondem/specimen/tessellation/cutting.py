@@ -160,7 +160,7 @@ def _batch(centres: Bins, walls: tuple[_Walls, ...], chosen: Ints, half: Floats)
 def _batches(
     centres: Bins, walls: tuple[_Walls, ...], chosen: Ints, half: Floats, report: Callable[[float], None]
 ) -> Iterator[_Batch]:
-    """Yield batches of cells; cells that outgrow their boxes follow again in boxes twice as wide, `half` changed."""
+    """Yield batches of cells; cells that outgrow their boxes follow in boxes twice as wide, which doubles `half`."""
     waiting, done = chosen, 0
     with ThreadPoolExecutor(current_threads()) as pool:
         while waiting.size:

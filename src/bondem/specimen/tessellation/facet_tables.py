@@ -26,7 +26,7 @@ class Polygons:
         area: areas [m²], shape (p,).
         normal: normals away from a [-], shape (p, 3).
         centroid: centroids in the image next to a [m], shape (p, 3).
-        moment: second moments about it [m⁴], shape (p, 3, 3).
+        moment: second moments of area about the centroid [m⁴], shape (p, 3, 3).
     """
 
     a: Ints

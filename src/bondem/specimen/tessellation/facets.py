@@ -45,7 +45,7 @@ class Facets:
     """Facets between cells, one per pair, in the order of `Lattice.pairs`.
 
     Attributes:
-        area: A [m²], shape (m,).
+        area: areas A [m²], shape (m,).
         normal: unit vectors from cell i to cell j [-], shape (m, 3).
         centroid: centroids, in the periodic image next to centre i [m], shape (m, 3).
         moment: second moments of area about the centroid, ∫ r⊗r dA [m⁴], shape (m, 3, 3).
@@ -111,7 +111,7 @@ class Cells:
     """Cells, one per element, in the order of the elements.
 
     Attributes:
-        volume: V [m³], shape (n,).
+        volume: volumes V [m³], shape (n,).
         centroid: centre of mass [m], shape (n, 3); in a periodic cell in the image next to the centre.
         inertia: tensor of inertia about the centroid at density 1 [m⁵], shape (n, 3, 3).
         remainder: error of the dilatation under a unit uniform strain that the shares leave [-], shape (n,); below

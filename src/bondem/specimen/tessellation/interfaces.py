@@ -37,7 +37,7 @@ class Patches(NamedTuple):
         vertex: corners [m], shape (v, 3).
         area: areas [m²], shape (p,).
         centroid: centroids [m], shape (p, 3).
-        moment: second moments about it [m⁴], shape (p, 3, 3).
+        moment: second moments of area about the centroid [m⁴], shape (p, 3, 3).
         expected: elements whose cells should lie behind patches without a neighbour: a wall lies there, or those
             cells ended too early.
     """
