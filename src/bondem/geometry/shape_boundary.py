@@ -10,7 +10,7 @@ from bondem._types import Mask, PerElement, PerElement3, Vector
 from bondem.errors import InputError
 from bondem.geometry.planes import Planes
 
-# Most names of patches that a message lists.
+# Largest number of names of patches that a message lists.
 _LISTED = 8
 
 BOX_FACES = ("x_min", "x_max", "y_min", "y_max", "z_min", "z_max")

@@ -80,7 +80,7 @@ def long_slips(model: Model) -> tuple[LongSlip, ...]:
     if not len(f):
         return ()
     i, j, A, normal = layout.i[f].astype(np.int64), layout.j[f].astype(np.int64), table.area[f], cells.normal[f]
-    axis = np.eye(3)[np.argmin(np.abs(normal).sum(axis=0))]  # the same for a flat plane
+    axis = np.eye(3)[np.argmin(np.abs(normal).sum(axis=0))]  # so that all facets of a flat plane have one direction
     first = np.cross(normal, axis)
     lost = np.linalg.norm(first, axis=1) < 1e-3
     first[lost] = np.cross(normal[lost], np.roll(axis, 1))

@@ -130,7 +130,7 @@ def fabric(lattice: Lattice) -> Fabric:
     shape, R = region(particles), particles.mean_radius
     inside = shape.depth(particles.position) >= _CORE_DEPTH * R
     core = _isotropy(direction[inside[lattice.pairs].all(axis=1)])
-    # of the spheres: cells have their centres elsewhere
+    # between the centres of spheres, because cells have their centres of mass elsewhere
     i, j = lattice.pairs.T
     between = particles.nearest(particles.position[j] - particles.position[i])
     overlap = particles.radius[i] + particles.radius[j] - np.linalg.norm(between, axis=1)
