@@ -25,12 +25,12 @@ _SUNK, _SUNK_PAIR = 0.6, 0.75
 
 
 class ListedContacts(NamedTuple):
-    """Contacts of a list, as far as checks need them."""
+    """Columns of a neighbour list that the checks of contacts read."""
 
     first: np.ndarray  #: elements of each pair, (c,)
     second: np.ndarray
     bond: Ints  #: the bond of each pair, or -1, (c,)
-    joined: Floats  #: above 0 of bonds that join their elements
+    joined: Floats  #: above 0 for each bond that joins its elements, (m,)
     element: Uint32s  #: element of each contact with a wall, (b,)
     velocity: Floats  #: velocity of its wall there [m/s], (b, 3)
     deepest: float  #: deepest overlap so far over the smaller radius [-]
@@ -39,8 +39,8 @@ class ListedContacts(NamedTuple):
 class ContactCheck:
     """Check that warns once of overlaps beyond the law, and once of motion beyond the step.
 
-    It is made when the list of contacts is renewed, every few steps for fast elements, and at the end of each
-    compiled call.
+    The loop calls `examine` after each call of the core: at the end of its steps, and when the neighbour list is out
+    of date, every few steps for fast elements.
     """
 
     def __init__(self, contacts: ContactModel, dt: float) -> None:
@@ -50,15 +50,16 @@ class ContactCheck:
         self._deep = self._fast = False
 
     def examine(self, c: ListedContacts, motion: Floats, time: float) -> None:
-        """Check the contacts of a list.
+        """Warn about listed contacts that overlap too far or move too fast.
 
         Args:
-            c: list of contacts.
+            c: contacts to check.
             motion: motion of the elements, velocities in the first three columns.
             time: present time [s].
 
         Warns:
-            ContactWarning: An overlap is beyond the law, or a motion beyond the step; each once.
+            ContactWarning: An overlap exceeds the range of the law, or an element moves too far per step; each given
+                once.
         """
         if not self._deep and c.deepest > self._deepest:
             self._deep = True
@@ -81,7 +82,8 @@ class ContactCheck:
     def _fastest(self, c: ListedContacts, velocity: Floats) -> float:
         """Return the largest relative velocity over the smaller radius [1/s].
 
-        It covers listed pairs, elements and their walls, and each element against the mean of all.
+        The velocities are those of listed pairs without a bond, of elements relative to walls, and of elements
+        relative to the mean of all.
         """
         speed = [np.linalg.norm(velocity - velocity.mean(axis=0), axis=1) / self._radius]
         free = (c.bond < 0) | (c.joined[np.maximum(c.bond, 0)] <= 0.0) if len(c.joined) else c.bond < 0
@@ -93,10 +95,10 @@ class ContactCheck:
 
 
 class SinkingCheck:
-    """Check that warns once where only a contact law could carry pressure, and the model has none.
+    """Check that warns once where elements of a model without contact law would have to touch.
 
-    These are cells of a joint whose faces have slid off each other, and separated elements that overlap. Only
-    elements with a broken bond, or a facet whose faces have separated, are checked.
+    It finds cells of a joint whose faces have slid off each other, and separated elements that overlap. Only elements
+    with a broken bond, or a facet whose faces have separated, are checked.
     """
 
     def __init__(self, model: Model) -> None:
@@ -104,7 +106,7 @@ class SinkingCheck:
         self._radius = model.contact_radius[model.layout.order]
 
     def examine(self, state: State) -> None:
-        """Check a state.
+        """Warn if elements of a state would have to touch.
 
         Warns:
             ContactWarning: Faces of a joint have slid off each other, or elements overlap; given once.

@@ -1,4 +1,4 @@
-"""The loop of the CPU by the core: a step is a list of passes, which the core walks on its own threads."""
+"""Loop over the steps of a run on the CPU, where the core calls lists of passes on its own threads."""
 
 import numpy as np
 
@@ -17,22 +17,22 @@ from bondem.model.domain_blocks import Blocks
 from bondem.model.model import Model
 from bondem.model.state import State
 
-# Number of bonds, with elements in contact, below which threads cost more than they gain, and those of a domain.
+# Number of bonds and elements in contact below which threads cost more than they gain, and least number per domain.
 SERIAL_BONDS = 2000
 _DOMAIN = SERIAL_BONDS // 4
 
 #: Columns of kinetic and elastic energies in a record.
 STORED = slice(HistoryColumn.TRANSLATION, HistoryColumn.CONTACT + 1)
-# Elements of a block: they stay in the L2 cache from their bonds to their motion.
+# Elements of a block: their data stay in the L2 cache from the loads of their bonds to their motion.
 BLOCK = 4000
-# Elements that move by this share of their radius a step have an energy below which no guard acts.
+# Motion per step over the mean radius: guards ignore energies below that of all elements in this motion.
 _STILL = 1e-6
 
 _ENDINGS = {"sound": FINE, "not_finite": NOT_FINITE, "runaway": RUNAWAY}
 
 
 class CoreLoop:
-    """Lists of passes of one run, and the calls that carry them out."""
+    """Lists of passes of one run, with the calls of the core that take its steps."""
 
     def __init__(self, model: Model, plan: Plan, state: State, dt: float) -> None:
         self.state = state
@@ -74,7 +74,7 @@ class CoreLoop:
         )
 
     def _begin(self) -> None:
-        """Call the passes that begin a run, at the time of the state."""
+        """Call the passes of the stage "begin" once, at the time of the state."""
         first = composed(self._parts, "begin")
         if not first:
             return
@@ -90,7 +90,7 @@ class CoreLoop:
         return self._compose(composed(self._parts, *stages))
 
     def _renew(self) -> bool:
-        """Renew lists of contacts that are out of date; return False if a number is not finite."""
+        """Search for contacts again and renew the lists; return False if the centre of an element is not finite."""
         parts = [part if part.renewed is None else part.renewed() for part in self._parts]
         self._parts = [part for part in parts if part is not None]
         self._make_lists()
@@ -99,7 +99,10 @@ class CoreLoop:
     def _take(
         self, steps: int, records: np.ndarray, *, records_present: bool = False, moved: bool = False
     ) -> tuple[str, list[int]]:
-        """Take steps, or record the present; return the ending, and counts of steps and records."""
+        """Take steps, or record the present state, in one call of the core.
+
+        Returns why the call ended, and counts: steps, records, bonds turned far, and unbroken bonds turned too far.
+        """
         state, t, done = self.state, self._tables, np.zeros(4, dtype=np.int64)
         stale = records_present and state.stale
         span = StepSpan(state.step, steps, self._every, records_present, stale, moved, self._n, self._m, done)
@@ -114,9 +117,9 @@ class CoreLoop:
         return ending, done.tolist()
 
     def record_present(self) -> np.ndarray:
-        """Bring the acceleration up to date and record the present."""
+        """Update the acceleration and return a record of the present state, (1, columns)."""
         state, budget = self.state, self._tables.ledger.budget
-        begins = state.stale or budget[0] == 0.0  # what a run gains as it goes on is no budget of its own
+        begins = state.stale or budget[0] == 0.0  # set at the start only: energy gained later must not raise it
         records = np.zeros((1, self._width))
         self._take(0, records, records_present=True)
         state.stale = False
@@ -125,7 +128,7 @@ class CoreLoop:
         return records
 
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
-        """Take steps; return the records, bonds turned wide, bonds lost, and whether the run is sound."""
+        """Take steps and return the values of `Loop.run`: records, two counts of turned bonds, and the verdict."""
         if self.state.stale:
             self.record_present()
         records = np.zeros((steps // self._every + 1 if self._every else 0, self._width))
@@ -143,6 +146,6 @@ class CoreLoop:
 
 
 def noticeable(model: Model, dt: float) -> float:
-    """Return the energy below which no guard acts [J]: of negligible motion, and released by adhesion."""
+    """Return the energy that guards ignore [J]: that of negligible motion, and that which adhesion may release."""
     rest = 0.5 * float(model.mass.sum()) * (_STILL * model.lattice.particles.mean_radius / dt) ** 2
     return rest + model.contact_laws.released(model.contact_radius)

@@ -13,7 +13,7 @@ class LocalDamping:
 
     It vanishes in equilibrium and where the net force vanishes, and does not depend on the mass; it has no
     counterpart in a real material. A free oscillation loses the factor √((1 - γ) / (1 + γ)) of its amplitude every
-    half period. Reference: Chen et al. (2022) eqs (11), (12), whose printed F U/U is F.
+    half period. Reference: Chen et al. (2022) eqs (11), (12), where the printed F U/U stands for F.
 
     Attributes:
         gamma: damping coefficient γ [-], in [0, 1).
@@ -33,7 +33,7 @@ class MassDamping:
     not conserved. The damping does not lower the time step.
 
     Attributes:
-        alpha: α [1/s].
+        alpha: damping coefficient α [1/s].
     """
 
     alpha: float
@@ -55,8 +55,8 @@ class BondDamping:
     Reference: Chen et al. (2022) eqs (9), (10), each component with its own k.
 
     Attributes:
-        eta: η [-].
-        beta: β [s].
+        eta: share η of the critical damping of a pair [-].
+        beta: coefficient β of damping in proportion to stiffness [s].
     """
 
     eta: float = 0.0
@@ -87,7 +87,7 @@ class DampingTerms:
 
     @classmethod
     def of(cls, damping: Any) -> "DampingTerms":
-        """Return the terms of one kind of damping, of several in a sequence, or of None.
+        """Return the coefficients of one kind of damping, of several in a tuple or list, or of None (all zero).
 
         Raises:
             InputError: A value is not damping, or one kind is given twice.

@@ -1,4 +1,4 @@
-"""The fastest decay by dashpots of bonds, which bounds the time step."""
+"""Fastest decay rate of motions by the dashpots of bonds, which bounds the time step."""
 
 from typing import Any
 
@@ -12,7 +12,7 @@ from bondem.dynamics.damping import DampingTerms
 from bondem.dynamics.dashpots import bond_dashpots
 from bondem.model.model import Model
 
-# Relative tolerance of the eigenvalue, which is raised by twice as much.
+# Relative tolerance of the eigenvalue. The result is raised by twice as much, to be an upper bound.
 _TOLERANCE = 1e-3
 
 
@@ -21,7 +21,7 @@ def fastest_decay(model: Model, terms: DampingTerms) -> float:
     """Compute the largest eigenvalue of M⁻¹ C of the dashpots of all bonds at rest [1/s].
 
     The largest c / k times ω²_max is a bound, too. For a share of the critical damping, however, c / k grows as 1 /
-    √k, so that the smallest facet, which moves nothing, would determine the bound.
+    √k, so that the smallest facet would determine the bound, although it transmits hardly any force.
     """
     cn, cs, cb, ct = bond_dashpots(model, terms)
     layout, table, order = model.layout, model.bonds, model.layout.order
@@ -52,7 +52,7 @@ def fastest_decay(model: Model, terms: DampingTerms) -> float:
 
 
 def largest_eigenvalue(operator: Any, start: Floats) -> float:
-    """Return an upper bound of the largest eigenvalue of a symmetric operator (k, k), found from a vector (k,)."""
+    """Return an upper bound of the largest eigenvalue of a symmetric operator (k, k), iterated from `start`, (k,)."""
     options = {"tol": _TOLERANCE, "v0": start, "return_eigenvectors": False}
     found = np.asarray(eigsh(operator, k=1, which="LA", **options))
     return (1.0 + 2.0 * _TOLERANCE) * float(found[0])

@@ -1,4 +1,4 @@
-"""Dashpots of bonds, from their damping."""
+"""Dashpot coefficients of bonds, from their stiffness and the damping of the run."""
 
 import numpy as np
 
@@ -8,7 +8,7 @@ from bondem.model.model import Model
 
 
 def bond_dashpots(model: Model, terms: DampingTerms) -> Floats:
-    """Return cn, cs [N·s/m], cb, ct [N·m·s] of each bond, internal order, shape (4, m)."""
+    """Return dashpot coefficients cn, cs [N·s/m], cb, ct [N·m·s] of each bond, internal order, shape (4, m)."""
     stiffness, inert = _stiffness(model)
     return 2.0 * terms.eta * np.sqrt(stiffness * inert) + terms.beta * stiffness
 

@@ -1,9 +1,9 @@
-"""Explicit dynamics on a device, where the whole step stays.
+"""Loop over the steps of a run on a device, which carries out whole steps.
 
 The parts of a step compose its lists of passes as for the CPU, and `bondem.dynamics.on_device` translates them.
-Records are formed on the device and copied once a call, together with the state. All launches between two pauses are
-the same for every step, because the number of the step is on the device: they are recorded once, as graphs of 1, 2,
-4 … 64 steps.
+The device also forms the records. They are copied to the host once per call, together with the state. All launches
+between two pauses are the same for every step, because the number of the step is on the device: they are recorded
+once, as graphs of 1, 2, 4 … 64 steps.
 """
 
 from collections.abc import Callable, Sequence
@@ -29,21 +29,21 @@ from bondem.model.state import State
 
 # Steps between two guards of relative rotations, of numbers that are not finite, and of the energy.
 GUARD_INTERVAL = 100
-# Steps of a graph at most.
+# Largest number of steps in a graph.
 _RECORDED = 64
 # Word of the clock that is the number of the step.
 _STEP = 5
 
 
 def _postponement(passes: Passes) -> Postponement | None:
-    """Return bonds that fail in a step and elements that this postpones, or None where nothing fails."""
+    """Return the tables of failing bonds and of postponed elements among those of passes, or None without any."""
     found = [(candidates, postponed) for name, tables in passes if name == "postpone_elements"
              for _, candidates, postponed in [tables]]  # fmt: skip
     return found[0] if found else None
 
 
 class DeviceLoop:
-    """The steps of one run on a device; `integrate` uses it like the loop of the CPU."""
+    """Loop over the steps of one run on a device, with the interface `Loop` that `integrate` requires."""
 
     def __init__(self, model: Model, plan: Plan, state: State, dt: float, device: Device) -> None:
         self.state = state
@@ -95,7 +95,7 @@ class DeviceLoop:
         return launches_of(composed(self._parts, *stages), self._run)
 
     def _recording(self, rows: HistoryRows) -> list[Launch]:
-        """Return the launches that write one of some rows of the history."""
+        """Return the launches that write the next row of the history."""
         passes = [one for part in self._parts for one in part.record(rows)]
         return [*launches_of(passes, self._run), (kernels.count_record(self._run.span), 1)]
 
@@ -103,9 +103,9 @@ class DeviceLoop:
         return kernels.set_clock(self._run.span, self._scheme, Tick(ahead, goes_on, still, first)), 1
 
     def record_present(self) -> np.ndarray:
-        """Bring the acceleration up to date and record the present state."""
+        """Update the acceleration and return a record of the present state, (1, columns)."""
         state, budget = self.state, self._ledger.budget
-        begins = state.stale or budget[0] == 0.0  # what a run gains as it goes on is no budget of its own
+        begins = state.stale or budget[0] == 0.0  # set at the start only: energy gained later must not raise it
         self._set_clock()
         _run(self._begin)
         if state.stale:
@@ -121,7 +121,7 @@ class DeviceLoop:
         return found
 
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
-        """Take steps; see `Loop`."""
+        """Take steps and return the values of `Loop.run`."""
         if self.state.stale:
             self.record_present()
         state, every = self.state, self._every
@@ -151,7 +151,7 @@ class DeviceLoop:
         return records.finished(taken), wide, lost, sick
 
     def _advance(self, now: int, goal: int, records: "_Records") -> tuple[int, bool]:
-        """Take steps up to a pause; return the number of the last one, and whether all numbers are finite."""
+        """Take steps up to `goal`; return the number of the last one, and False if a centre is not finite."""
         while now < goal:
             taken = self._enqueue(goal - now)
             stopped = self._stopped() if self._listed else None
@@ -167,8 +167,8 @@ class DeviceLoop:
         return now, True
 
     def _enqueue(self, steps: int) -> int:
-        """Enqueue some of the steps to a pause, as a graph where possible; return their number."""
-        if steps == 1 or not self._graphs:  # what is recorded must have been loaded
+        """Enqueue some of the next `steps` steps, as a graph where possible, and return their number."""
+        if steps == 1 or not self._graphs:  # the first step loads the kernels, which recording requires
             _run(self._pause if steps == 1 else self._go_on)
             if self._graphed and not self._graphs:
                 self._graphs[1] = self._tables.device.recorded(self._go_on)
@@ -191,7 +191,7 @@ class DeviceLoop:
         return int(span.clock[_STEP])
 
     def _renew(self, step: int) -> bool:
-        """Renew the lists of contacts at a step; return False if a number is not finite."""
+        """Search for contacts again at a step and renew the lists; return False if a centre is not finite."""
         self._set_time(step)
         self._fetch()
         before = lists_of_contacts(composed(self._parts, "travel", *FORCES))
@@ -216,7 +216,7 @@ class DeviceLoop:
         return int(found[GuardNumber.WIDE]), int(found[GuardNumber.LOST]), int(found[GuardNumber.ENDING])
 
     def _set_clock(self) -> None:
-        """Set the clock of the device to the step of the state; records and events begin with the first row."""
+        """Set the clock of the device to the step of the state, and empty its records and logs of events."""
         clock = self._run.span.clock
         clock[:] = 0
         clock[_STEP] = self.state.step
@@ -226,7 +226,7 @@ class DeviceLoop:
         return _Records(self, HistoryRows(np.zeros((max(rows, 1), self._width))))
 
     def _fetch(self) -> None:
-        """Copy all arrays that passes have written, and with them the state, from the device."""
+        """Copy all arrays that passes have written from the device, and store them in the state."""
         self._tables.fetch_written()
         for log in self._run.logs:
             self._tables.fetch(log.event[: log.written[LogCount.EVENTS]])
@@ -237,7 +237,7 @@ class DeviceLoop:
 
 
 class _Records:
-    """Records of one call, and the launches that write one of them."""
+    """Rows of the history that one call of `run` fills, with the launches that write a row."""
 
     def __init__(self, loop: DeviceLoop, rows: HistoryRows) -> None:
         self._loop, self._rows = loop, rows
@@ -248,7 +248,7 @@ class _Records:
         self.row = self._loop._tables.prepared(self._loop._recording(self._rows))
 
     def finished(self, steps: Sequence[int]) -> np.ndarray:
-        """Return the records of some steps in the form of the history, and free their memory."""
+        """Return the records of steps with their times, (s, columns), and free the memory of the device."""
         loop, found = self._loop, self._rows.record
         if len(steps):
             loop._tables.fetch(found)

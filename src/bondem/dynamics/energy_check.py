@@ -18,8 +18,9 @@ _SUSTAINED = 200
 # Displacement per step over the mean radius, and in units of the rounding of a coordinate: energies of motions below
 # it are those of rounding errors.
 _STILL, _ROUNDING = 1e-9, 1e3
-# Velocity Verlet swings the energy of the shortest waves, by a quarter of that of noise at 0.9 of the critical step.
-# That neither grows nor breaks anything, and so much of the vibration there is stops no run.
+# Velocity Verlet lets the energy of the shortest waves oscillate, by a quarter of that of noise at 0.9 of the
+# critical step. This oscillation does not grow. An error up to this share of the vibration energy therefore stops no
+# run.
 _SWING = 0.25
 _STORED = ("translation", "rotation", "normal", "shear", "bending", "twisting", "contact")
 

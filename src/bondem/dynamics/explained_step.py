@@ -1,4 +1,4 @@
-"""The passes of one step of an explicit run, in words."""
+"""Explanation of one step of an explicit run: its passes, with the purpose of each."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -27,12 +27,12 @@ _RECORD = {"record": "a row of the history, every `every` steps"}
 
 
 class ExplainedPass(NamedTuple):
-    """A pass of a step."""
+    """Description of one pass of a step."""
 
     stage: str  #: stage of the step that it belongs to
     name: str  #: name in the core
-    over: str  #: what it runs over
-    purpose: str  #: what it is for, a sentence
+    over: str  #: items that the pass runs over
+    purpose: str  #: purpose of the pass, as a sentence
 
 
 @dataclass(frozen=True)

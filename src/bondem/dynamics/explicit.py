@@ -21,12 +21,12 @@ from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observables.fracture_energy import fracture_energies
 
-# Steps in one call of the core at most, so that progress and interrupts are not far away, and between copies of a
-# state that is good: copying costs about as much as two steps.
+# Largest number of steps in one call of the core, so that interrupts and progress act soon, and steps between copies
+# of a sound state: copying costs about as much as two steps.
 _CHUNK = 5_000
-# Steps in which what ends a run comes up from rounding: a copy must be older than that to be given back.
+# Steps in which an instability may grow from rounding errors: only a copy that is older is a sound state to return.
 _RISE = 1_000
-# Wall time of one call, about [s], and the elements and bonds times steps that the first one takes.
+# Intended wall time of one call [s], and steps times elements and bonds of the first call.
 _PATIENCE, _WORK = 1.0, 20_000_000
 
 
@@ -43,7 +43,7 @@ def integrate(
     remark: str = "",
     halt: Halt | None = None,
 ) -> ExplicitResult:
-    """Carry out a plan, from rest or from the end of `state` and `history` of the same plan.
+    """Carry out a plan from rest, or continue from `state` and `history` of the same plan.
 
     Args:
         model: model to run; its geometry is the reference configuration.
@@ -58,7 +58,7 @@ def integrate(
         remark: addition to the message of the result.
         halt: function called repeatedly; the run stops, with a checkpoint, if it returns a signal.
 
-    A given dt is used without a check, which `settled` makes.
+    A given dt is not checked, because `settled` has done so.
     """
     if callback is not None and not plan.every:
         raise InputError("callback= is called with each record, but every = 0; give every= of at least 1")
@@ -80,7 +80,7 @@ def integrate(
     status, message = Status.COMPLETED, f"{total} steps of {dt:.4g} s"
     copies = (state.copy(),)
     strains = StrainGauges(model, plan)
-    start = loop.record_present()  # whether it is kept or not: guards need its energy
+    start = loop.record_present()  # also if it is not kept, because guards need its energy
     strains.fill(start, state)
     fresh = plan.every > 0 and len(written.so_far) == 0
     if fresh:
@@ -89,7 +89,7 @@ def integrate(
     warning = f"; {remark}" if remark else ""
     turned = ""
     if sink is not None and plan.snapshot_every and state.step == 0:
-        sink.checkpoint(state, written.so_far)  # a file that can be seen can be gone on from
+        sink.checkpoint(state, written.so_far)  # so that a run file with snapshots can always be resumed
         sink.snapshot(state)
     before = written.so_far.records
     sent, first = None, (before if len(before) else start)[:1]
@@ -138,7 +138,7 @@ def integrate(
             sent = _progress(sent, state, total, steps / max(taken, 1e-9), since)
             send(sent)
         if plan.snapshot_every and state.step % plan.snapshot_every == 0 and sink is not None:
-            # before the checkpoint: a run that goes on from there does not take it again
+            # before the checkpoint, so that a resumed run does not store the same snapshot again
             sink.snapshot(state)
         if plan.save_every and state.step % plan.save_every == 0 and sink is not None:
             sink.checkpoint(state, written.so_far)

@@ -1,4 +1,4 @@
-"""Gauges of a plan in the layout of the core."""
+"""Table of the gauges of a plan, in the layout of the core."""
 
 import numpy as np
 
@@ -11,7 +11,7 @@ from bondem.model.model import Model
 
 
 def gauge_tables(model: Model, plan: Plan) -> Gauges:
-    """Return gauges in the layout of the core."""
+    """Return the table of the gauges of a plan: their elements or walls, quantities and reductions."""
     gauges = list(plan.gauges.values())
     members = [_members(model, gauge) for gauge in gauges]
     return Gauges(

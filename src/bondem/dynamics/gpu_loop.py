@@ -1,4 +1,4 @@
-"""The loop of a run on a GPU. A device carries out whatever the CPU does (`bondem.dynamics.on_device`)."""
+"""Loop of a run on a GPU, which supports every model that the CPU runs (`bondem.dynamics.on_device`)."""
 
 from bondem import _cuda
 from bondem.dynamics.device_loop import DeviceLoop
@@ -7,15 +7,15 @@ from bondem.errors import InputError
 from bondem.model.model import Model
 from bondem.model.state import State
 
-# Bonds from which on their numbers, and those of the halves of cracks, need more than 32 bits.
+# Numbers of bonds, and of facets that may crack, from which on an index or that of half a crack needs over 32 bits.
 _MOST_BONDS, _MOST_FACETS = 2**31, 2**30 - 1
 
 
 def require_gpu(model: Model) -> None:
-    """Check that a model fits the tables of a GPU, and that there is one.
+    """Check that a GPU is available and can index the bonds of a model.
 
     Raises:
-        InputError: a model of too many bonds, or there is no device.
+        InputError: The model has too many bonds, or no device or driver was found.
         ImportError: a package is missing.
     """
     count, most = len(model.layout.i), _MOST_BONDS if model.softening is None else _MOST_FACETS

@@ -60,16 +60,16 @@ class History:
         dashpots; the loss to "friction" of contacts, walls and closed cracks; and five more:
 
         - "non-local work": work of the extra forces of the non-local law, which have no potential;
-        - "fracture": energy that bonds and facets released as they broke or softened, of each that has a fracture
-          energy up to that, G_f times its own area;
-        - "crushing": energy that they released beyond it, and all that facets of cells without cohesion released:
-          stored energy for which there was no more surface;
+        - "fracture": energy that bonds and facets released as they broke or softened; with a fracture energy, at most
+          G_f times the area of each;
+        - "crushing": energy that they released beyond that limit, and all energy released by facets of cells without
+          cohesion;
         - "plastic": energy that cells dissipated as they yielded;
         - "balance": kinetic + elastic + loss + friction + non-local work + fracture + crushing + plastic - work, less
           its value in the first record. It should be zero.
 
-        Bonds and facets without a fracture energy release their stored energy as "fracture". Records of run files
-        before schema 10 have all of it there. See docs/decisions/0049-kinds-of-loss.md.
+        Bonds and facets without a fracture energy release their stored energy as "fracture". In run files before
+        schema 10, "fracture" also contains "crushing". See docs/decisions/0049-kinds-of-loss.md.
         """
         ledger = {name: self.records[:, 1 + k] for k, name in enumerate(_ENERGIES)}
         released, crushing = ledger.pop("released"), ledger.pop("crushing")
@@ -85,7 +85,7 @@ class History:
 
     @property
     def parts(self) -> dict[str, Floats]:
-        """Work and the energies that it becomes [J], with elastic and kinetic energies as sums, (s,) each."""
+        """Work of loads, elastic and kinetic energy, and dissipated energies by name [J], (s,) each."""
         energy = self.energy
         return {
             "work": energy["work"],
@@ -132,7 +132,7 @@ class History:
 
 
 class GrowingHistory:
-    """Records of a run to which further ones are appended; each costs the time of its own copy on average."""
+    """Records of a run to which further rows are appended, in a time proportional to these rows on average."""
 
     def __init__(self, history: History) -> None:
         """Begin with the records so far."""
@@ -150,5 +150,5 @@ class GrowingHistory:
 
     @property
     def so_far(self) -> History:
-        """All records so far."""
+        """History of all records so far."""
         return History(self._rows[: self._count], self._gauges)

@@ -1,7 +1,7 @@
-"""The stable time step of laws whose forces lag, found by trial steps of the lagged operator.
+"""Stable time step of laws whose forces lag one step behind, found by trial steps of small motions.
 
-ω_max of the springs is not a bound: a stress that is one step old drives the fastest motions, the more so the larger
-ν is. Undamped, the lag adds energy at any step; dashpots or local damping remove it, up to some ν.
+ω_max of the springs is no bound, because a stress that is one step old drives the fastest motions, the more so the
+larger ν is. Undamped, the lag adds energy at any step; dashpots or local damping remove it, up to some ν.
 """
 
 import math
@@ -22,9 +22,9 @@ from bondem.model.model import Model
 
 #: Shares of the critical step of the springs that are tried.
 SHARES = (1.0, 0.5, 0.25, 0.125, 0.0625)
-# Steps of a trial, and the growth of its motion over the last half of them that is taken for stable.
+# Steps of a trial, and largest growth of its motion over the last half of them that counts as stable.
 _STEPS, _GROWTH = 400, 1.2
-# Energy over that of the first step from which on a motion is taken to grow without end.
+# Energy over that of the first step from which on the growth of a motion counts as infinite.
 _BEYOND = 1e30
 
 
@@ -42,10 +42,10 @@ def lagged_limits(
         model: model that will move.
         law: law of its bonds.
         scheme: time integration scheme.
-        terms: terms of damping.
+        terms: coefficients of damping.
         springs: ω_max of all bonds [rad/s].
-        matters: the value without dashpots is found only where it is larger than the critical step by this factor;
-            else the critical step is returned twice.
+        matters: factor over the critical step above which the value without dashpots is computed [-]; if it is not
+            larger, the critical step is returned twice.
 
     Warns:
         StepWarning: Lagged steps are unstable at any share.
@@ -106,9 +106,9 @@ def _fastest_decay(model: Model, law: LaggedInteraction, kn: PerBond, beta: PerB
 def growth(
     model: Model, law: LaggedInteraction, dt: float, terms: DampingTerms, *, steps: int = _STEPS
 ) -> float:
-    """Return the growth of small motions over the last half of a number of steps [-], infinite beyond numbers.
+    """Return the growth of small motions over the last half of some steps [-], infinite where they overflow.
 
-    Local and bond damping act; the motions start from a fixed random field and nothing is held.
+    Local and bond damping act. The motions start from a fixed random field, and no element is constrained.
     """
     weight = np.repeat(np.column_stack([model.mass, model.inertia]), 3, axis=1)
     speed = np.random.default_rng(0).standard_normal(weight.shape) / np.sqrt(weight)

@@ -1,4 +1,4 @@
-"""The list of contacts of a run, renewed before a pair that it lacks may touch."""
+"""Neighbour list of a run: contacts that may form, renewed before any other pair may touch."""
 
 from dataclasses import dataclass
 
@@ -13,8 +13,8 @@ from bondem.interactions.contact.contact_search import found_pairs, found_walls,
 from bondem.model.model import Model
 from bondem.model.state import State
 
-# Gap up to which pairs enter the list, over the mean radius: a longer list is made more seldom. Still elements
-# get the short one, and each list that does not last makes the next one longer.
+# Gap up to which pairs enter the list, over the mean radius: the least, the largest, and the factor by which it grows
+# after each list that did not last. A longer list is renewed less often.
 _SKIN_LEAST, _SKIN_MOST, _FACTOR = 0.1, 0.5, 1.4
 # Steps a list should last: making one costs about as much as ten steps.
 _LASTING = 100
@@ -30,11 +30,11 @@ class FoundContacts:
         least: distance at which each pair touches: `whole`, or less after contact by faces inside it [m], (c,).
         faces: faces by which pairs touch, as one number, 0 for none, (c,).
         own: normal stiffness of the pairs of bonds, or 0 [N/m], (c,).
-        of_bond: the pair of each bond, or -1, (m,).
+        of_bond: place of the pair of each bond in the list, or -1, (m,).
         walls: contacts with walls.
         wall_start: start of the wall contacts of each element, (n + 1,).
         position: centres [m], (n, 3).
-        reach: motion of an element or a wall for which the list is made [m].
+        reach: motion of an element or a wall up to which the list is complete [m].
         rolled: rotation that each pair stores, as `State.rolled` [m], (c, 3).
         wall_rolled: rotation that each contact with a wall stores [m], (b, 3).
     """
@@ -79,7 +79,7 @@ class ContactSearch:
         self._made = state.step - _LASTING
 
     def find(self, step: int) -> FoundContacts | None:
-        """Return the contacts of the present places of the elements; None if a centre is not a number."""
+        """Return the contacts at the present positions; None if a centre is not finite. `step` is the step number."""
         state, contacts, layout, radius = self._state, self._contacts, self._state.layout, self._contacts.radius
         if not np.isfinite(state.pose[:, :3]).all():
             return None
@@ -141,7 +141,7 @@ class ContactSearch:
         return listed.astype(np.uint8)
 
     def _faces_of(self, pairs: FoundPairs) -> Floats:
-        """Return the faces by which pairs touch, of the state, (c,)."""
+        """Return the code of the two faces by which each pair touches, from the state, 0 for none, (c,)."""
         state, n, found = self._state, len(self._state.pose), np.zeros(len(pairs.first))
         known = state.touching[:, 1] * n + state.touching[:, 0]
         stored = np.flatnonzero(pairs.touch != TouchState.SEPARATE)
@@ -164,7 +164,7 @@ class ContactSearch:
         """
         state, at_wall = self._state, walls.touch == TouchState.TOUCHING
         bonded = pairs.bond >= 0
-        # that of faces which have parted since the list was made is less, as it is in a list made later
+        # for faces that have parted since the list was made it is smaller, as in a list made later
         whole = whole.copy()
         whole[bonded] = np.minimum(whole[bonded], self._apart[pairs.bond[bonded]])
         touch, less = pairs.touch, pairs.reach < whole
@@ -184,7 +184,7 @@ class ContactSearch:
 
 
 def _recalled(pairs: FoundPairs, whole: Floats) -> Floats:
-    """Set the kind of contact of pairs with a memory; return the distances at which spheres touch [m], (c,)."""
+    """Set the kind of contact of pairs from their memory; return the distances at which pairs touch [m], (c,)."""
     kind, start = pairs.memory[:, KIND], pairs.memory[:, START]
     stored = pairs.touch == TouchState.TOUCHING
     pairs.touch[stored & ((kind > 0.0) | (kind == BETWEEN))] = TouchState.FACING
@@ -199,14 +199,14 @@ def _recalled(pairs: FoundPairs, whole: Floats) -> Floats:
 def _matched(
     values: Floats, known: Ints, first: np.ndarray, second: np.ndarray, count: int
 ) -> Floats:  # fmt: skip
-    """Return the rows of kept contacts for those of a list, zero where there are none.
+    """Return the rows of stored contacts in the order of a list, (c, 3), zero for contacts that are not stored.
 
     Args:
-        values: rows of the kept contacts, or none at all, (k, 3).
-        known: both numbers of each kept contact, sorted, (k, 2).
+        values: rows of the stored contacts, (k, 3) or (0, 3).
+        known: both numbers of each stored contact, sorted, (k, 2).
         first: first number of each contact of the list, (c,).
         second: second number, below `count`, (c,).
-        count: numbers that the second may have.
+        count: bound of the second numbers.
     """
     found = np.zeros((len(first), 3))
     if len(values):

@@ -1,14 +1,15 @@
 """Check of cracks that open in few time steps, whose fracture energy depends on the step.
 
-Forces act at the ends of steps, and the trapezoidal rule counts their work. Along a line it is exact. Over the corner
-at the strength it misses at most d²/8 times the change of the slope, or, from rest, half the strength times d, with
-the opening d in a step. A crack that softens within n steps, whose opening at the strength is the share β of the last
-one, opens by d ≤ (1 - β) / (n - 1) of that. Of the fracture energy of a straight softening curve this is
+The trapezoidal rule computes the work of forces at the ends of steps. It is exact along a straight line. Let a crack
+open by d in the step that passes the corner at the strength. The error of the work is then at most d²/8 times the
+change of slope there, and at most half the strength times d. A crack that softens within n steps has d ≤ (1 - β) / (n
+- 1) times the last opening, where β is the opening at the strength over the last one. Relative to the fracture energy
+of a straight softening curve the error is
 
     error ≤ min((1 - β) / (n - 1), (1 - β) / (4 β (n - 1)²))
 
-The corner at the last opening counts less. Below two steps nothing is known: a step that ends beyond the last opening
-takes more than the rest. Beams have the work of their softening line in any number of steps
+The corner at the last opening causes a smaller error. For n < 2 the error may be all of the energy, because one step
+may end far beyond the last opening. Beams dissipate the exact energy in any number of steps
 (`core/laws/beam_softening.hpp`).
 """
 
@@ -23,19 +24,19 @@ from bondem.damage.softening_table import SofteningTable
 from bondem.errors import UnresolvedOpeningWarning
 from bondem.model.state import State
 
-# Error of the fracture energy from which on a run says so, as a share of all of it.
+# Relative error of the fracture energy above which a run warns.
 _LIMIT = 0.15
 
 
 def warn_of_openings(state: State, dt: float) -> None:
-    """Issue a warning if much of the fracture energy of a run comes from openings of few time steps.
+    """Issue a warning if cracks that opened in few time steps make the fracture energy of a run uncertain.
 
     Args:
         state: state at the end of the run.
         dt: time step of the run [s].
 
     Warns:
-        UnresolvedOpeningWarning: the fracture energy may be off by more than 15 %.
+        UnresolvedOpeningWarning: The fracture energy may be off by more than 15 %.
     """
     text = doubt_about_openings(state, dt)
     if text:
@@ -43,7 +44,7 @@ def warn_of_openings(state: State, dt: float) -> None:
 
 
 def doubt_about_openings(state: State, dt: float) -> str:
-    """Return a text about cracks that open in too few steps; empty if the fracture energy is known to 15 %."""
+    """Return the text of the warning of `warn_of_openings`; empty if the fracture energy is known to 15 %."""
     table = state.model.softening
     if table is None:
         return ""
@@ -68,12 +69,12 @@ def doubt_about_openings(state: State, dt: float) -> str:
 
 
 def opening_error(table: SofteningTable, facet: np.ndarray, steps: Floats) -> Floats:
-    """Return bounds of the error of the fracture energy of facets that lost all in some steps [-], (e,).
+    """Return bounds of the relative error of the fracture energy of broken facets [-], (e,).
 
     Args:
-        table: facets of the model.
+        table: softening properties of the facets of the model.
         facet: internal numbers of the facets, (e,).
-        steps: steps from onset to complete loss, (e,).
+        steps: number of steps from onset to zero integrity of each, (e,).
     """
     first = table.strength[facet] / table.last[facet]
     step = (1.0 - first) / np.maximum(steps - 1.0, 1.0)

@@ -159,7 +159,7 @@ class ExplicitResult(Solution, PlottedState):
 
     @property
     def table(self) -> dict[str, Floats]:
-        """Energies and gauges of the history in time, by name and unit, (s,) each."""
+        """Times, energies and gauges of the history, by name and unit, (s,) each."""
         history = self.history
         found = {"time [s]": history.time} | {f"{name} [J]": values for name, values in history.energy.items()}
         for name in history.gauges:
@@ -168,12 +168,12 @@ class ExplicitResult(Solution, PlottedState):
 
     @property
     def drawn(self) -> dict[str, Floats]:
-        """Work and the energies that it becomes in time, without those that are zero."""
+        """Curves of the plot of a run: time [s], and `History.parts` [J] that are not always zero, (s,) each."""
         parts = {f"{name} [J]": values for name, values in self.history.parts.items() if np.any(values)}
         return {"time [s]": self.history.time} | parts
 
 
-# What a loop finds of a run.
+# Verdicts of a loop on a run.
 FINE, NOT_FINITE, RUNAWAY = range(3)
 
 
@@ -183,21 +183,21 @@ class Loop(Protocol):
     state: State
 
     def record_present(self) -> np.ndarray:
-        """Bring the acceleration up to date and record the present state."""
+        """Update the acceleration and return a record of the present state, (1, columns)."""
         ...
 
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
-        """Carry out time steps of a run.
+        """Take time steps.
 
         Returns:
-            Records, the numbers of bonds turned beyond the valid range of their energy and beyond its end, and FINE,
-            NOT_FINITE or RUNAWAY.
+            Records, (s, columns); the number of bonds turned beyond the accurate range of their energy; the number
+            turned so far that it has no meaning; and FINE, NOT_FINITE or RUNAWAY.
         """
         ...
 
 
 def _limits(given: tuple[float, float] | None) -> tuple[float, float] | None:
-    """Return both limits of the imbalance, checked.
+    """Return the checked limits of the imbalance, or None.
 
     Raises:
         InputError: The value is not a pair of positive shares in ascending order.
@@ -216,10 +216,11 @@ def _limits(given: tuple[float, float] | None) -> tuple[float, float] | None:
 
 
 def settled(model: Model, plan: Plan) -> Plan:
-    """Return the same plan with a time step: chosen, or checked if given.
+    """Return the plan with its time step: the given one after a check, or a chosen one.
 
     Raises:
-        UnstableStepError: dt exceeds the critical step of the lattice.
+        UnstableStepError: dt is not positive, or exceeds the critical step; or the lattice has no stiffness to choose
+            by.
     """
     step = choose_step(model, plan.scheme, plan.dt, safety=plan.safety, damping=plan.damping)
     return replace(plan, dt=step.dt)

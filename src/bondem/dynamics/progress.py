@@ -1,7 +1,7 @@
 """Progress of an explicit run, sent about once a second to a listener such as a terminal or a log.
 
-Runs are deep inside of tests and studies. A listener is set for the context, so that progress need not pass through
-all the functions in between.
+Laboratory tests and studies call runs through many functions. A listener belongs to the context (`contextvars`), so
+that none of these functions has to pass it.
 """
 
 from collections.abc import Callable, Iterator
@@ -72,12 +72,12 @@ def listening(listener: Callable[[RunProgress], None]) -> Iterator[None]:
 
 
 def has_listener() -> bool:
-    """Return True if there is a listener."""
+    """Return True if progress has a receiver: a listener of this context, or the note of a running study."""
     return _listener.get() is not None or _progress.noted()
 
 
 def send(progress: RunProgress) -> None:
-    """Send progress to the listener."""
+    """Send progress to the listener of this context, if any, and note it for a running study."""
     _progress.note(progress.words if progress.step < progress.steps else "")
     listener = _listener.get()
     if listener is not None:

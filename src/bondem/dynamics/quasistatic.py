@@ -52,7 +52,7 @@ class Quasistatic:
         """Issue a warning for a run that is meant to be quasi-static and is not.
 
         Warns:
-            NotQuasistaticWarning: a measure is beyond its limit.
+            NotQuasistaticWarning: A measure is beyond its limit.
         """
         if self.faults:
             warnings.warn(

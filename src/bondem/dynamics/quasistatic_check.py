@@ -1,8 +1,9 @@
 """Measurement of runs that are meant to be quasi-static: kinetic energy, forces at both ends and of servo walls.
 
-A run counts as meant to be quasi-static if it has a servo wall, or if it squeezes or stretches the specimen between
-two ends, at least one of which is driven, and it either has local or mass damping, or gauges of force and
-its largest elastic energy late in the run. Impacts, waves, vibrations and pulses of pressure are not checked.
+A run with a servo wall counts as meant to be quasi-static. So does a run that loads the specimen between two ends,
+one of them driven, on one of two further conditions. It has local or mass damping, or it records a force and reaches
+its largest elastic energy only after many transits of a wave. Impacts, waves, vibrations and pulses of pressure are
+not checked.
 """
 
 from collections.abc import Iterator
@@ -30,16 +31,16 @@ _ELASTIC = ("normal", "shear", "bending", "twisting", "contact")
 
 
 def measured(model: Model, plan: Plan, history: History, state: State) -> Quasistatic:
-    """Evaluate a run from its records and its last state."""
+    """Return the measures of equilibrium of a run, from its records and its last state."""
     kinetic = difference = None
     passes = 0.0
     if len(history) > 1:
         energy = history.energy
         elastic = np.sum([energy[name] for name in _ELASTIC], axis=0)
         top = int(np.argmax(elastic))
-        # what only servo walls load is to be at rest at the end
+        # a specimen that only servo walls load must be at rest at the end
         whole = chosen = slice(len(history) - max(1, len(history) // 10), len(history))
-        # where ends are driven, the initial motion is prescribed, and what breaks moves at any speed of loading
+        # with driven ends, the initial motion is prescribed, and broken parts move at any speed of loading
         if any(any(_ends(model, axis)) for axis in range(3)):
             broken = BrokenBonds.of(state).time.min(initial=np.inf)
             whole, chosen = slice(1, top + 1), slice(1, min(top + 1, int(np.searchsorted(history.time, broken))))
@@ -56,9 +57,9 @@ def measured(model: Model, plan: Plan, history: History, state: State) -> Quasis
 
 
 def _difference(plan: Plan, history: History, whole: slice, chosen: slice) -> float | None:
-    """Largest difference of the forces of two gauges in chosen records, over the largest force of the whole [-].
+    """Return the largest sum of two opposite forces in `chosen` records over the largest force in `whole` [-].
 
-    None unless exactly two gauges record opposite forces.
+    The result is None unless exactly two gauges record opposite forces.
     """
     names = _force_gauges(plan)
     if len(names) != 2:
@@ -72,7 +73,7 @@ def _difference(plan: Plan, history: History, whole: slice, chosen: slice) -> fl
 
 
 def _force_gauges(plan: Plan) -> list[str]:
-    """Names of the gauges that record the whole force on a region or a wall."""
+    """Return the names of the gauges that record the whole force on a region or a wall."""
     return [
         name for name, gauge in plan.gauges.items()
         if isinstance(gauge, Gauge | WallGauge) and gauge.quantity == "force"
@@ -81,7 +82,10 @@ def _force_gauges(plan: Plan) -> list[str]:
 
 
 def _share_of_a_step(model: Model) -> float:
-    """Share of the specimen that a wave passes in a step: an element at most [-]."""
+    """Return the mean diameter of an element over the largest extent of the specimen [-].
+
+    A wave passes less than one element per step, so that this bounds its way per step.
+    """
     lower, upper = model.lattice.particles.envelope.bounds
     extent = float(np.max(np.asarray(upper) - np.asarray(lower)))
     return 2.0 * model.lattice.particles.mean_radius / extent
@@ -100,13 +104,13 @@ def _meant(model: Model, plan: Plan, passes: float) -> str:
 
 
 def _squeezed(model: Model, axis: int) -> bool:
-    """True if two ends hold the specimen along an axis, and one of them is driven."""
+    """Return True if conditions act on two ends of the specimen along an axis, and drive one of them."""
     ends = list(_ends(model, axis))
     return len(ends) > 1 and any(ends)
 
 
 def _ends(model: Model, axis: int) -> Iterator[bool]:
-    """True for each end that is driven along an axis, False for each that is fixed along it."""
+    """Yield True for each end that is driven along an axis, and False for each that is fixed along it."""
     for condition in model.boundary:
         if isinstance(condition, Fix) and (axis in condition.components or condition.friction):
             yield False

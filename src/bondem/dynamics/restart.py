@@ -1,4 +1,4 @@
-"""The start of a run from a state, and the meaning of its schedules there."""
+"""Start of a run from a state, with checks of the schedules at its time."""
 
 import math
 import warnings
@@ -27,8 +27,8 @@ from bondem.model.state import State
 from bondem.model.state_check import check_arrays
 from bondem.model.state_compatibility import Origin
 
-# What a prescribed displacement may differ from where the element is: rounding of many steps, as a share of the
-# displacement and, where anything has moved, of the extent of the specimen or of one radian.
+# Tolerated difference between a prescribed displacement and that of its element, for rounding of many steps: as a
+# share of the displacement and, where anything has moved, of the extent of the specimen or of one radian.
 _SHARE, _ROUNDING = 1e-6, 1e-10
 
 _DOF = ("x", "y", "z", "rx", "ry", "rz")
@@ -42,8 +42,8 @@ def begin(model: Model, state: State | None) -> State:
             fit them, or displacements would jump.
 
     Warns:
-        StageWarning: A schedule began before the time of the state, and was not in the run that made the state. Or a
-            load or strain is not that of the equilibrium from which the run begins.
+        StageWarning: A schedule that was not in the run that made the state began before its time. Or a load or
+            strain differs from that of the equilibrium from which the run begins.
         ContactWarning: A wall faces away from all elements, or elements begin behind a wall.
     """
     if state is not None:
@@ -66,7 +66,7 @@ def begin(model: Model, state: State | None) -> State:
 
 
 def check_gauges(model: Model, plan: Plan) -> None:
-    """Reject gauges that could only read zero.
+    """Reject force gauges that can only record zero.
 
     Raises:
         InputError: A force gauge has a region where nothing is held, driven or loaded.
@@ -116,13 +116,13 @@ def _refuse_jumps(model: Model, state: State, before: Sequence[object]) -> None:
 
 
 def _angle(orientation: Floats, axis: Triple, near: float) -> float:
-    """Return the angle of a wall about an axis [rad], with the number of whole turns that is closest to `near`."""
+    """Return the angle of a wall about an axis [rad], with as many whole turns as bring it closest to `near`."""
     found = 2.0 * math.atan2(float(orientation[1:] @ np.array(axis)), float(orientation[0]))
     return found + 2.0 * math.pi * round((near - found) / (2.0 * math.pi))
 
 
 def _refuse_wall_jumps(supports: Supports, state: State, *, at_rest: bool) -> None:
-    """Reject jumps of walls that hold cells; in a state `at_rest` the walls are in the reference."""
+    """Reject jumps of walls that hold cells; in a state `at_rest` these walls have not moved yet."""
     extent = float(np.ptp(state.rest, axis=0).max()) if state.time > 0.0 else 0.0
     for s, (schedule, rate) in enumerate(zip(supports.fixed.drives, supports.fixed.rate, strict=True)):
         moved = supports.fixed.drive == s

@@ -1,6 +1,6 @@
 """Time integration schemes, as three coefficients of one update.
 
-Both schemes close a step by v += finish · a and open the next by v += begin · a, x += dt v + extra · a. Angular
+Every scheme closes a step by v += finish · a and opens the next by v += begin · a, x += dt v + extra · a. Angular
 velocities follow the same update (ω̇ = τ/I for a sphere), and orientations follow it through the exponential map.
 """
 
@@ -29,9 +29,8 @@ class Scheme(ABC):
         """Return the factors of the acceleration in a step of the duration dt [s].
 
         Returns:
-            Factors a, b [s] and c [s²]: the velocity grows by a times the acceleration at the end of the step
-            before and b times the one of this step; the displacement grows by dt times the velocity and c times the
-            acceleration.
+            Factors finish, begin [s] and extra [s²]. The acceleration a at the end of a step adds finish · a to the
+            velocity v; the next step begins with v += begin · a and moves x by dt v + extra · a.
         """
 
 

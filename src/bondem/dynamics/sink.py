@@ -10,9 +10,9 @@ class Sink(Protocol):
     """A receiver of checkpoints and snapshots."""
 
     def checkpoint(self, state: State, history: History) -> None:
-        """Store all that is needed to continue from here."""
+        """Store the complete state and the records, from which a restart continues."""
         ...
 
     def snapshot(self, state: State) -> None:
-        """Store the visible part of a state."""
+        """Store the fields of a state that pictures show."""
         ...

@@ -1,4 +1,4 @@
-"""Walls that hold facets of cells, as a stage continues them from its initial state."""
+"""Initial places of walls that hold facets of cells, for a stage that begins from a state."""
 
 from typing import cast
 
@@ -21,11 +21,11 @@ def goes_on(model: Model, state: State) -> bool:
 
 
 def stage_walls(model: Model, state: State) -> Floats:
-    """Return the initial places of walls that hold facets of cells (`State.grips`), shape (g, 7).
+    """Return the initial places [m] and orientations of walls that hold facets of cells, as `State.grips`, (g, 7).
 
     A wall that held a facet along an axis continues from its place, even if another condition moves it now. A wall
     that did not begins at the facet. The facet then initially carries the loads on it that have been removed, or
-    nothing. A cell whose wall holds more of the normal of its facet than before keeps the moment.
+    nothing. If a wall resists the rotation of its facet more than before, the moment on the cell does not jump.
 
     Args:
         model: model of the new stage.
@@ -35,7 +35,7 @@ def stage_walls(model: Model, state: State) -> Floats:
     base = reference_base(len(supports.cell))
     if not len(base):
         return base
-    rest = wall_places(model, state, base)  # of schedules that count from the reference
+    rest = wall_places(model, state, base)  # for schedules that count from the reference
     base[:, 3:] = state.orientation[supports.cell]
     if goes_on(model, state):
         return state.grips.copy()
@@ -54,7 +54,7 @@ def stage_walls(model: Model, state: State) -> Floats:
 
 
 def _both(supports: Supports, before: Supports) -> tuple[np.ndarray, np.ndarray]:
-    """Return the rows in both tables of the facets that walls of both models hold."""
+    """Return the rows, in both tables, of the facets that walls of both models hold, (k,) each."""
     _, mine, theirs = np.intersect1d(supports.fixed.facet, before.fixed.facet, return_indices=True)
     return mine, theirs
 
@@ -70,7 +70,7 @@ def _same_motion(supports: Supports, before: Supports, mine: np.ndarray, theirs:
 
 
 def _origins(supports: Supports, before: Supports, mine: np.ndarray, theirs: np.ndarray, state: State) -> Floats:
-    """Return the reference orientations for rotations of cells, of facets that both hold, (k, 4)."""
+    """Return the orientations from which rotations of cells count, of the facets that both models hold, (k, 4)."""
     now, origin = state.orientation[supports.cell[mine]], state.grips[theirs, 3:]
     was = before.flatness(state.grips[:, 3:])[theirs]
     more = supports.flatness(state.orientation[supports.cell])[mine]
@@ -82,7 +82,7 @@ def _origins(supports: Supports, before: Supports, mine: np.ndarray, theirs: np.
 
 
 def _of_facets(model: Model, state: State, fresh: Floats) -> Floats:
-    """Return displacements of facets that were free, (g, 3): that of the rigid cell, and the opening by its stress.
+    """Return displacements of facets that were free [m], (g, 3): motion of the rigid cell, and opening by its stress.
 
     `fresh` is 1 along the axes along which walls begin to hold them, (g, 3). Loads that continue there act on the
     cell itself from now on, and do not open the facet: its stress becomes that without these loads.

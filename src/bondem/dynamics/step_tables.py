@@ -1,4 +1,4 @@
-"""Room for the energy balance of a run."""
+"""Empty table for the energy balance of a run."""
 
 import numpy as np
 
@@ -8,6 +8,6 @@ from bondem._tables.step_tables import Ledger
 
 
 def new_ledger() -> Ledger:
-    """Return an energy balance whose sums are empty."""
+    """Return a table of the energy balance with all sums zero."""
     counts = np.zeros(3, dtype=np.int64), np.zeros(4, dtype=np.int64)
     return Ledger(exact_sums(HistoryColumn.COUNT), counts[0], np.zeros(2), counts[1])

@@ -13,10 +13,10 @@ from bondem.observables.affine_strain import gradient_weights
 
 
 class StrainGauges:
-    """Strain gauges of a plan; False without any."""
+    """Strain gauges of a plan; the object is False if the plan has none."""
 
     def __init__(self, model: Model, plan: Plan) -> None:
-        """Compute the weights of the displacements.
+        """Compute the weights of the displacements in each strain.
 
         Raises:
             InputError: The elements of a gauge lie in a plane.

@@ -1,4 +1,4 @@
-"""The stable time step, from the highest frequency of the assembled lattice."""
+"""Stable time step, from the highest frequency of the assembled lattice."""
 
 import math
 import warnings
@@ -18,9 +18,9 @@ from bondem.model.highest_frequency import highest_frequency
 from bondem.model.long_slip import long_slips
 from bondem.model.model import Model
 
-# A given step above this share of the critical one is warned of: what a run does to bonds may raise ω_max.
+# Share of the critical step above which a given step causes a warning: deformation may raise ω_max during a run.
 _WARNED = 0.9
-# How much dashpots lower the default step before a message says so, and before a warning does.
+# Factor by which dashpots lower the default step before a remark says so, and before a warning does.
 _DAMPED, _MUCH = 2.0, 10.0
 # Steps in which a collision is resolved. The first step of a contact changes its energy by (ω dt)² (1/6 - x (1 - x)),
 # with x its phase within the step: with 20 steps a few parts in a thousand for free elements. Spheres of bodies meet
@@ -37,11 +37,10 @@ def critical_step(
 ) -> float:
     """Return the largest stable time step of a scheme on a model [s]; infinite without bonds and contacts.
 
-    It also holds for contacts before they appear, because each is counted with the largest number that can touch at
-    once. Local damping multiplies a decelerating force by 1 + γ, and with it the effective stiffness and dashpots.
-    Dashpots lower the limit by √(1 + ζ²) - ζ, with 2 ζ ω the largest eigenvalue of M⁻¹ C. Mass damping and absorbing
-    boundaries do not. For a law that lags it is the largest stable share by its own steps
-    (`bondem.dynamics.lagged_timestep`).
+    It also holds for contacts that form later, because every element counts with the largest number of contacts that
+    it can have. Local damping multiplies a decelerating force by 1 + γ, and with it the effective stiffness and
+    dashpots. Dashpots lower the limit by √(1 + ζ²) - ζ, with 2 ζ ω the largest eigenvalue of M⁻¹ C. Mass damping and
+    absorbing boundaries do not. For a law that lags, trial steps find it (`bondem.dynamics.lagged_timestep`).
 
     Args:
         model: model that will move.
@@ -86,7 +85,7 @@ def _damped_limit(scheme: Scheme, omega: float, decay: float) -> float:
 
 
 def _with_broken(model: Model, highest: float) -> tuple[float, float]:
-    """Return ω_max, and an upper bound of M⁻¹ C of contacts [1/s], whichever bonds are broken and touch.
+    """Return ω_max [rad/s] and a bound of M⁻¹ C of contacts [1/s] that hold whichever bonds are broken.
 
     A contact of a broken bond is at most as stiff as the bond along the normal; across, the stiffer of both counts.
     Its lever arms are assumed to be those of the bond.
@@ -105,7 +104,7 @@ def _with_broken(model: Model, highest: float) -> tuple[float, float]:
 
 
 def _decay_bound(model: Model, kn: PerBond, beta: PerBond, soft: PerBond) -> float:
-    """Return a bound of M⁻¹ C [1/s], if all bonds were contacts with dashpots instead.
+    """Return a bound of the eigenvalues of M⁻¹ C [1/s] if all bonds were contacts with dashpots.
 
     The square of the velocity of one end against the other at a contact is at most 2 Σ (1/m + b²/I) (m v² + I ω²)
     over both ends, with their levers b. The sum of 2 c (1/m + b²/I) over the contacts of an element is therefore a
@@ -129,7 +128,7 @@ class Step:
 
     Attributes:
         dt: time step [s].
-        remark: remark about it; empty if it is well below the limit.
+        remark: remark about the choice for the message of a run; empty for none.
     """
 
     dt: float
@@ -175,7 +174,7 @@ def choose_step(
 
 
 def _default_step(model: Model, critical: float, free: float, safety: float) -> Step:
-    """Return the step of a run without dt=, and a remark if it is not governed by the stiffness.
+    """Return the time step of a run without dt=, with a remark if dashpots or collisions determine it.
 
     Args:
         model: model that will move.
@@ -204,8 +203,8 @@ def _default_step(model: Model, critical: float, free: float, safety: float) -> 
 def _resolved_step(model: Model) -> tuple[float, int]:
     """Return the longest step that resolves collisions [s], infinite without any, and the number of steps of each.
 
-    These are collisions of elements that no bond holds, and of the elements of several bodies that can touch: of
-    cells that do not break, those at the surface.
+    The collisions are those of elements without bonds, and those between several bodies. If cells do not break, only
+    cells at the surface can collide.
     """
     contacts, layout, lattice = model.contacts, model.layout, model.lattice
     bonded = np.bincount(layout.i, minlength=len(layout.order)) + np.bincount(layout.j, minlength=len(layout.order))
