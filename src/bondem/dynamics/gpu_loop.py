@@ -16,7 +16,6 @@ def require_gpu(model: Model) -> None:
 
     Raises:
         InputError: The model has too many bonds, or no device or driver was found.
-        ImportError: a package is missing.
     """
     count, most = len(model.layout.i), _MOST_BONDS if model.softening is None else _MOST_FACETS
     if count >= most:

@@ -1,4 +1,4 @@
-"""Beams on a device."""
+"""Counterparts on a device of the passes of beams."""
 
 from bondem._passes import kernels
 from bondem._tables.device_tables import LoadsOfBonds
@@ -14,7 +14,7 @@ from bondem.dynamics.on_device.translation import (
     portions_of_bonds,
 )
 
-#: Loads of bonds are those of their dashpots.
+#: Table of the loads of dashpots, for launches that read or write loads of bonds.
 DASHED: Made = {LoadsOfBonds: lambda run, _: run.dashed}
 
 

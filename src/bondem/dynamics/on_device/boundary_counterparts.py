@@ -1,4 +1,4 @@
-"""Boundary conditions and body forces on a device."""
+"""Counterparts on a device of the passes of boundary conditions and body forces."""
 
 from bondem._passes import kernels
 from bondem._tables.step_tables import BodyForces, Drives, RowLoads, Rows

@@ -1,4 +1,4 @@
-"""Breakage of beams on a device."""
+"""Counterparts on a device of the passes by which beams break."""
 
 import numpy as np
 
@@ -27,7 +27,7 @@ from bondem.dynamics.on_device.translation import (
 
 
 def marks_of(run: Translation) -> BondMarks:
-    """Return the marks of the bonds of a run."""
+    """Return the table of the bonds that are near to failure or fail, the same one for all launches of a run."""
 
     def make() -> BondMarks:
         m = run.span.m
@@ -40,12 +40,12 @@ def marks_of(run: Translation) -> BondMarks:
 
 #: Marks of bonds.
 MARKS: Made = {BondMarks: lambda run, _: marks_of(run)}
-#: The launch that puts bonds that fail into their order.
+#: Launch that sorts the failing bonds of a step.
 RANKED = over(kernels.rank_failing, bonds, MARKS)
 
 
 def counted(run: Translation, candidates: Candidates, log: EventLog) -> Launch:
-    """Return the launch that counts the events of a step, whose rows are filled, and adds up their energies."""
+    """Return the launch that counts the events written in a step and adds up their energies."""
     run.keep_log(log)
     return kernels.count_failures(candidates, log), 1
 
@@ -66,16 +66,16 @@ def _break(
     ]
 
 
-#: Bonds that fail in a step, and elements that this postpones.
+#: Tables of the bonds that fail in a step, and of the elements whose motion this postpones.
 Postponement = tuple[Candidates, Postponed]
 
 
 def resuming(late: Postponement) -> dict[str, Counterpart]:
-    """Return the counterparts of passes that act on postponed elements only."""
+    """Return counterparts that act on postponed elements only, by the names of the passes."""
     _, postponed = late
     late_ones: Made = {Postponed: lambda *_: postponed}
     return {
-        "list_postponed": in_order(),  # each thread asks whether its element is postponed
+        "list_postponed": in_order(),  # each thread checks whether its element is postponed
         "move_elements": over(kernels.resume_free, free, late_ones),
         "move_resisted": over(kernels.resume_resisted, free, late_ones),
         "move_rows": over(kernels.resume_row, owners, late_ones),

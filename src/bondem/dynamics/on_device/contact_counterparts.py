@@ -1,4 +1,4 @@
-"""Contacts and walls on a device."""
+"""Counterparts on a device of the passes of contacts and walls."""
 
 from typing import Any
 
@@ -40,7 +40,7 @@ from bondem.interactions.step_part import Passes
 
 
 def earlier_pairs(run: Translation, pairs: ContactPairs) -> EarlierPairs:
-    """Return the pairs of each element in which it is the earlier one."""
+    """Return, for each element, the pairs of the list in which it is `first`."""
 
     def make() -> EarlierPairs:
         counts = np.bincount(pairs.first, minlength=run.span.n)
@@ -108,7 +108,7 @@ COUNTERPARTS: dict[str, Counterpart] = {
 
 
 def deepest_overlaps(run: Translation, passes: Passes) -> list[Launch]:
-    """Return the launches that measure the deepest overlap of each portion, given the passes of a step."""
+    """Return the launch that measures the deepest overlap of each portion of elements; none without contacts."""
     named = dict(passes)
     pressed = named.get("press_pairs", named.get("press_pairs_and_faces"))
     if pressed is None:
@@ -120,7 +120,7 @@ def deepest_overlaps(run: Translation, passes: Passes) -> list[Launch]:
 
 
 def _none(n: int) -> WallContacts:
-    """Return no contacts of n elements with walls."""
+    """Return an empty table of contacts of n elements with walls."""
     short = np.zeros(0, dtype=np.uint32)
     return WallContacts(
         np.zeros(n + 1, dtype=np.int64), short, short, np.zeros(0), np.zeros((0, 6)), np.zeros(0, dtype=np.uint8),
@@ -135,5 +135,5 @@ def lists_of_contacts(passes: Passes) -> list[Any]:
 
 
 def walls_listed(passes: Passes) -> list[np.ndarray]:
-    """Return the places of walls when the list was made, which change with it."""
+    """Return the positions of walls at which the list was made, which each new list changes."""
     return [tables[1].listed for name, tables in passes if name == "check_travel"]

@@ -1,8 +1,8 @@
-"""The counterparts of all passes: for each pass that a step is composed of, the launches that do the same.
+"""Counterparts of all passes of a step: the launches on a device that compute the same.
 
 The parts of a step (`bondem.dynamics.parts`) compose it once, for the CPU and for devices. Each of its passes has a
-counterpart, so that a device runs whatever the CPU runs. Most follow from the tables of the pass: their launches are
-named with the numbers of indices (`translation.over`, `in_order`). Those that also change the run are functions.
+counterpart, so that a device runs whatever the CPU runs. Most are given by kernels with their numbers of indices
+(`translation.over`, `in_order`). Counterparts that also make tables of the run are functions.
 """
 
 from collections.abc import Mapping
@@ -28,11 +28,11 @@ for _module in iter_modules(on_device.__path__, f"{on_device.__name__}."):
 
 
 def launches_of(passes: Passes, run: Translation, instead: Mapping[str, Counterpart] | None = None) -> list[Launch]:
-    """Return the launches that correspond to passes.
+    """Return the launches that compute what passes compute on the CPU, in their order.
 
     Args:
         passes: passes of a step.
-        run: tables of the run.
+        run: translation that owns the tables of the run.
         instead: counterparts to use instead of the usual ones.
     """
     counterparts = COUNTERPARTS if instead is None else {**COUNTERPARTS, **instead}

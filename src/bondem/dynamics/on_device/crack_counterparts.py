@@ -1,4 +1,4 @@
-"""Cracks of bodies of cells on a device: their beginning in a run, opening, rest, softening, and forces."""
+"""Counterparts on a device of the passes of cracks between cells: start of a run, opening, softening, forces."""
 
 import numpy as np
 
@@ -19,7 +19,7 @@ from bondem.dynamics.on_device.translation import Counterpart, Made, Translation
 
 
 def _fallen(run: Translation, cracks: CohesiveCracks) -> FallenCracks:
-    """Return the table of cracks that break in a step."""
+    """Return the table of the cracks that break in a step, the same one for all launches of a run."""
 
     def make() -> FallenCracks:
         made = FallenCracks(np.zeros(run.span.m, dtype=np.int64), np.zeros(1, dtype=np.int64))
@@ -33,7 +33,7 @@ def _link(
     run: Translation, facets: ElasticFacets, stored: FacetForces, strengths: FacetStrengths, cracks: CohesiveCracks,
     lists: CrackLists,
 ) -> list[Launch]:  # fmt: skip
-    """Link the cracks of the state to their facets, whose numbers are their places in the lists."""
+    """Index the cracks of a state: on a device, the place of a crack in the lists is the number of its facet."""
     count, m = int(cracks.size[CrackNumber.CRACKS]), run.span.m
     facet = cracks.order[:count]
     cracks.listed[facet] = 1 + cracks.history[facet, 0].astype(np.uint8)

@@ -1,4 +1,4 @@
-"""Stresses of cells, and facets that begin to crack, on a device; and energies of bodies with cracks."""
+"""Counterparts on a device of the passes of cell stresses, initiation of cracks, and energies with cracks."""
 
 import numpy as np
 
@@ -36,7 +36,7 @@ def _arms(run: Translation, stored: FacetForces) -> FacetArms:
 
 
 def on_surface(run: Translation, walls: WallConstraints) -> RowOrder:
-    """Return the walls of each cell."""
+    """Return the table that lists the walls of each cell."""
     return run.once(walls.cell, lambda: new_row_order(walls.cell, run.span.n))
 
 

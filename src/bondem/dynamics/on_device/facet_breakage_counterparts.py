@@ -1,4 +1,4 @@
-"""Breakage of facets of cells on a device."""
+"""Counterparts on a device of the passes by which facets of cells break."""
 
 from bondem._device import Launch
 from bondem._passes import kernels

@@ -1,4 +1,4 @@
-"""Sums of loads and motion of elements on a device."""
+"""Counterparts on a device of the passes that sum loads and move elements."""
 
 from bondem._passes import kernels
 from bondem.dynamics.on_device.beam_counterparts import DASHED

@@ -1,4 +1,4 @@
-"""Bonds of the non-local law on a device: forces, stresses of elements, and breakage."""
+"""Counterparts on a device of the passes of the non-local law: forces, stresses of elements, breakage."""
 
 from bondem._device import Launch
 from bondem._passes import kernels
@@ -48,7 +48,7 @@ COUNTERPARTS: dict[str, Counterpart] = {
     "add_non_local_loads": in_order(),  # together with the forces
     "add_lasting_loads": _FORCES,
     "find_stresses_of_block": over(kernels.find_stress_of_element, elements),
-    "mark_pairs": in_order(),  # each thread asks whether its bond reaches the bounds
+    "mark_pairs": in_order(),  # each thread checks whether its bond reaches the bounds
     "judge_pairs": in_order(over(kernels.judge_pair, bonds, MARKS), RANKED),
     "break_pairs": _break_pairs,
     "relieve_pairs": in_order(

@@ -1,4 +1,4 @@
-"""Records and the guard of the energy on a device."""
+"""Counterparts on a device of the passes that write records and check the energy."""
 
 import numpy as np
 
@@ -9,7 +9,7 @@ from bondem._tables.device_tables import GaugeParts
 from bondem._tables.step_tables import Gauges, HistoryRows, Moving, Rows
 from bondem.dynamics.on_device.translation import Counterpart, Translation, one_thread, over, portions_of_elements
 
-# Elements of a part of a gauge, about, and parts of a gauge at most.
+# Intended number of elements in a part of a gauge, and largest number of parts.
 _GAUGED, _PARTS = 256, 1024
 
 

@@ -1,4 +1,4 @@
-"""Beams that soften on a device, and the contact of beams that have broken."""
+"""Counterparts on a device of the passes of softening beams, and of their contact after failure."""
 
 from bondem._device import Launch
 from bondem._passes import kernels

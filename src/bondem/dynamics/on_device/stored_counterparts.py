@@ -1,4 +1,4 @@
-"""Beams of the incremental formulation on a device."""
+"""Counterparts on a device of the passes of beams of the incremental formulation."""
 
 from bondem._passes import kernels
 from bondem.dynamics.on_device.translation import Counterpart, bonds, over, portions_of_bonds

@@ -1,4 +1,4 @@
-"""Facets that begin to crack by a function of the stress, on a device; a function of a user is the CPU's."""
+"""Counterparts on a device of crack initiation by a function of the stress; a user's function runs on the CPU."""
 
 import numpy as np
 
@@ -35,7 +35,7 @@ def _find_candidates(
 
 
 def _call(_: Translation, candidates: StressCandidates, function: StressFunction) -> list[Launch]:
-    """Return the call of a function of the CPU for all candidates, in the order of the bonds."""
+    """Return the launch that calls a user's function on the host, for all candidates in the order of the bonds."""
 
     def work(tables: DeviceTables) -> None:
         tables.fetch(candidates.number[:1])

@@ -1,4 +1,4 @@
-"""Translation of the passes of a step into launches: the common part of all counterparts."""
+"""Translation of the passes of a step into launches on a device, with what all counterparts share."""
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
@@ -25,13 +25,13 @@ _T = TypeVar("_T")
 
 
 class Translation:
-    """Tables of one run that counterparts share.
+    """Tables of one run on a device, which the counterparts of all passes share.
 
     Args:
         layout: elements and bonds.
-        blocks: division of a step into one block, whose list has the elements that own rows of the boundary last.
+        blocks: division of a step into one block, which lists elements that own rows of the boundary last.
         ledger: sums of a record or a guard.
-        rows: number of rows of the boundary.
+        rows: number of rows, one per element that is fixed, driven or loaded.
         postponed: elements that failures postpone, uint8, (n,), or (0,) where nothing fails.
         further: True if loads act on elements in addition to those of bonds; their sums are in memory then.
 
@@ -45,7 +45,7 @@ class Translation:
         further: True if loads act on elements in addition to those of bonds.
         owners: number of elements that own rows.
         logs: events of the run, whose rows are copied as far as they are filled.
-        scratch: arrays of zeros of counterparts that only the device reads.
+        scratch: arrays of zeros that counterparts have made and only the device reads.
         before_keeping: functions that convert tables copied from the device to the form of the CPU.
     """
 
@@ -68,7 +68,7 @@ class Translation:
 
     @property
     def work_spaces(self) -> list[np.ndarray]:
-        """Arrays that only the device reads."""
+        """Arrays that exist on the device only."""
         return [self.loads.load, self.dashed.load, self.blocks.sums, *self.scratch, *(log.event for log in self.logs)]
 
     def keep_log(self, log: EventLog) -> None:
@@ -77,13 +77,13 @@ class Translation:
             self.logs.append(log)
 
     def once(self, of: Any, make: Callable[[], _T]) -> _T:
-        """Return the object of a table or an array, which is made at the first request."""
+        """Return the object that belongs to a table or array; `make` makes it at the first request."""
         if id(of) not in self._made:
             self._made[id(of)] = of, make()
         return self._made[id(of)][1]
 
     def dropped(self, tables: Iterable[Any]) -> list[Any]:
-        """Remove and return the objects of tables that are out of date."""
+        """Remove and return the objects that `once` has made for tables that are out of date."""
         return [self._made.pop(id(table))[1] for table in tables if id(table) in self._made]
 
     def order_of(self, row: np.ndarray) -> RowOrder:
@@ -91,15 +91,15 @@ class Translation:
         return self.once(row, lambda: new_row_order(row, self._rows))
 
 
-#: Passes over an index, of their tables (`bondem._passes.kernels`).
+#: Function that returns a pass over an index, given its tables (`bondem._passes.kernels`).
 KernelOf = Callable[..., Kernel]
-#: Launches that do what a pass does, of the tables of the pass.
+#: Function that returns the launches for a pass, given its tables.
 Counterpart = Callable[..., list[Launch]]
 #: Tables of a pass by their classes.
 Given = Mapping[type, Any]
-#: Number of indices of a launch.
+#: Function that returns the number of indices of a launch.
 Count = Callable[[Translation, Given], int]
-#: Tables that only a device has, by their classes, each found or made of a run and the tables of a pass.
+#: Functions that return tables that only a device has, by the class of the table.
 Made = Mapping[type, Callable[[Translation, Given], Any]]
 
 _OF_RUN: Made = {
@@ -113,13 +113,13 @@ _OF_RUN: Made = {
 
 @dataclass(frozen=True)
 class Launches:
-    """Counterpart that follows from the tables of the pass.
+    """Counterpart that launches kernels with the tables of the pass, and changes nothing else.
 
-    A table of a launch is found by its class: it is that of the pass, or else one that only the device has. No pass
-    has two tables of one class.
+    The class of a table selects it: among the tables of the pass, or else among those that only the device has. No
+    pass has two tables of one class.
 
     Attributes:
-        parts: passes over an index in their order, with the number of indices and the tables that are made for it.
+        parts: kernels in their order, each with its number of indices and the tables to make for it.
     """
 
     parts: tuple[tuple[KernelOf, Count, Made], ...] = ()
@@ -157,7 +157,7 @@ def in_order(*launches: Launches) -> Launches:
 
 
 def gathered_or_summed(gathered: KernelOf, summed: KernelOf, count: Count) -> Launches:
-    """Return the launches that correspond to a pass that reads sums of loads.
+    """Return the counterpart of a pass that reads sums of loads.
 
     Args:
         gathered: pass over an index that adds up the loads of the bonds of its element.
@@ -201,22 +201,22 @@ def owners(run: Translation, _: Given) -> int:
 
 
 def one_thread(_: Translation, __: Given) -> int:
-    """Return 1."""
+    """Return 1, for a launch of one thread."""
     return 1
 
 
 def length_of(kind: type[_T], column: Callable[[_T], np.ndarray]) -> Count:
-    """Return the function that counts the rows of a column of a table of the pass."""
+    """Return the `Count` of a launch over the rows of a column of a table of the pass."""
     return lambda _, given: len(column(given[kind]))
 
 
 def elements_where(kind: type[_T], column: Callable[[_T], np.ndarray]) -> Count:
-    """Return the function that counts the elements, or none where a column of a table of the pass is empty."""
+    """Return the `Count` of a launch over elements, which is 0 if a column of a table of the pass is empty."""
     return lambda run, given: run.span.n if len(column(given[kind])) else 0
 
 
 def ordered(kind: type[_T], row: Callable[[_T], np.ndarray]) -> Made:
-    """Return the order of the loads and walls that act on rows of the boundary."""
+    """Return the rule that makes the order of loads or walls by their rows, from a column of a table of the pass."""
     return {RowOrder: lambda run, given: run.order_of(row(given[kind]))}
 
 

@@ -1,4 +1,4 @@
-"""Cells that yield, facets of material planes, and cracks under strains that change, on a device."""
+"""Counterparts on a device of the passes of yielding cells, material planes, and changing strains at cracks."""
 
 from bondem._passes import kernels
 from bondem._tables.cell_tables import (
@@ -23,7 +23,7 @@ from bondem.dynamics.on_device.translation import (
 
 
 def _pressed_rows(run: Translation, given: Given) -> int:
-    """Return the number of elements that own rows, or none where no surface carries a pressure."""
+    """Return the number of elements that own rows, or 0 if no surface carries a pressure."""
     return run.owners if len(given[StressesOfCells].pressed) else 0
 
 

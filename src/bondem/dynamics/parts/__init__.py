@@ -1,1 +1,1 @@
-"""Parts of a step: one module per subject, each with the passes that it adds to the stages of a step."""
+"""Parts of a step: each module gives the passes of one subject, by the stages of a step."""

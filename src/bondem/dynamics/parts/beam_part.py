@@ -1,4 +1,4 @@
-"""Beams of the total formulation: forces, energies, the guard of large rotations, and strains that change."""
+"""Part of a step for beams of the total formulation: forces, energies, check of rotations, changing strains."""
 
 import numpy as np
 
@@ -19,7 +19,7 @@ from bondem.model.state import State
 def beams(
     _: Interaction, model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, __: float
 ) -> BondParts:
-    """Return the parts of beams, with or without dashpots: their forces, and their breakage."""
+    """Return the parts of beams: forces, with dashpots if given, and breakage or softening."""
     moving, blocks, ledger = shared.moving, shared.blocks, shared.ledger
     strain = _changing_strain(model, state)
     bonds = model.bonds.stretched(state.eigenstrain)
@@ -46,7 +46,7 @@ def beams(
 
 
 def _changing_strain(model: Model, state: State) -> Strain | None:
-    """Return the stress-free strains of the boundary conditions, added to those of the state, or None."""
+    """Return the table of stress-free strains that conditions add to those of the state, or None without any."""
     constraints, plain = model.constraints, model.bonds
     if not len(constraints.strain_part):
         return None
@@ -74,7 +74,7 @@ def _loads(
     damage: DamageTables | None,
     soft: SofteningTables | None,
 ) -> StepEntry:
-    """Return the pass of forces: of beams that share their constants or not, and that break, soften, or do not."""
+    """Return the pass of beam forces for shared or separate constants, and for beams that break, soften or last."""
     if damage is None:
         if uniform is None:
             return steps.add_beam_loads(moving, table, blocks)

@@ -1,4 +1,4 @@
-"""Body forces: accelerations of groups of elements, and their work."""
+"""Part of a step for body forces: accelerations of groups of elements, and their work."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Boundary conditions of elements: loads, couples and drives that follow schedules."""
+"""Part of a step for boundary conditions: loads, couples and drives that follow schedules."""
 
 import numpy as np
 
@@ -10,7 +10,7 @@ from bondem.model.constraints import Schedules
 
 
 def boundary(shared: SharedTables) -> Part:
-    """Return the part that brings loads and prescribed velocities to the present time."""
+    """Return the part that evaluates loads and prescribed velocities at the present time."""
     moving, rows, timeline, schedules = shared.moving, shared.rows, shared.timeline, shared.schedules
     present: Passes = []
     loaded, turned = len(schedules.load_row) > 0, len(schedules.couples.schedule) > 0

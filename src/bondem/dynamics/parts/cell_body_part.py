@@ -1,4 +1,4 @@
-"""Bodies of cells: elastic ones, and those whose facets break at once or crack."""
+"""Parts of a step for bodies of cells: elastic, with facets that break at once, or with cracks."""
 
 import numpy as np
 
@@ -47,7 +47,7 @@ def body_of_cells(
 
 
 def _pressed_moments(model: Model) -> Floats:
-    """Return b⊗F of loads on free facets, xx, yy, zz, xy, xz, yz, in internal order [J], (l, n, 6)."""
+    """Return symmetric b⊗F per load and cell [J], (l, n, 6), of forces F on free facets at arms b; internal order."""
     _, cells = body_of(model.lattice)
     free, found = cells.free, []
     for condition in model.boundary:

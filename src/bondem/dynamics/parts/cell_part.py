@@ -1,4 +1,4 @@
-"""Bodies of cells: dilatation, forces of facets, walls that hold facets, tractions, and strains that change."""
+"""Part of a step for elastic cells: dilatation, facets, walls that hold facets, tractions, changing strains."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -43,7 +43,8 @@ class BodyOfCells(NamedTuple):
     def of(
         cls, model: Model, constants: CellConstants, state: State, shared: SharedTables, dashpots: Dashpots | None
     ) -> "BodyOfCells":
-        """Return the tables of a run from a state, whose arrays they share, with or without dashpots of facets."""
+        """Return the tables of a run from a state, whose arrays they share; `dashpots` are those of facets, or None.
+        """
         layout, period = model.layout, model.period
         to_i = _places(shared.blocks, layout.i, len(layout.order))
         facets, cells = cell_tables(constants, layout, period, state.integrity, to_i)
@@ -73,18 +74,18 @@ def cells(
     stretch: Sequence[StepEntry] = (),
     powers: Sequence[StepEntry] = (),
 ) -> Part:
-    """Return the part of a body of cells, with or without dashpots of its facets.
+    """Return the part of an elastic body of cells.
 
     Args:
         shared: tables of the run.
         model: model of the body.
         state: state from which the run begins.
         body: tables of the body.
-        stored: forces of facets and moments of cells where cracks need them, or None. Then the energies of dilatation
-            are those of another part, which knows the stresses of cells with cracks.
+        stored: forces of facets and moments of cells, for a body with cracks, or None. With cracks another part
+            records the energy of dilatation, which depends on their stresses.
         damage: tables of facets that break at once, or None.
-        stretch: passes that follow where stress-free strains have changed levers.
-        powers: passes that compute ∂U/∂factor of these strains at cracks, at the start of a run.
+        stretch: passes to call after stress-free strains have changed levers.
+        powers: passes that compute ∂U/∂factor of these strains at cracks, when a run begins.
     """
     moving, blocks, rows, ledger = shared.moving, shared.blocks, shared.rows, shared.ledger
     walls, walled = body.walls, len(body.walls.cell) > 0
@@ -123,7 +124,7 @@ def cells(
 
 
 def _of_gradients(shared: SharedTables, body: BodyOfCells) -> tuple[Passes, Passes, Passes]:
-    """Return passes of gradients of the dilatation: of stresses, torques, and energies."""
+    """Return the passes of gradients of the dilatation: those of stresses, of torques, and of energies."""
     moving, gradients = shared.moving, body.gradients
     stresses: Passes = []
     torques: Passes = []
@@ -143,7 +144,7 @@ def _of_gradients(shared: SharedTables, body: BodyOfCells) -> tuple[Passes, Pass
 def _changing(
     shared: SharedTables, body: BodyOfCells, stretch: Sequence[StepEntry], powers: Sequence[StepEntry]
 ) -> tuple[Passes, Passes, Passes]:
-    """Return passes of changing conditions: of present factors, beside the pass of stresses, and after it."""
+    """Return passes of changing tractions, strains and walls: at `present`, before the walls act, and after."""
     moving, timeline, rows, walls = shared.moving, shared.timeline, shared.rows, body.walls
     present: Passes = []
     beside: Passes = []
@@ -163,13 +164,13 @@ def _changing(
 
 
 def _places(blocks: StepBlocks, i: np.ndarray, n: int) -> np.ndarray:
-    """Return the row of V θ to which each facet adds for its cell i; rows from n on are extra, uint32, (m,)."""
+    """Return the row of V θ that each facet adds to for its cell i, uint32, (m,); other domains' from row n on."""
     row = blocks.row_i[: len(i)].astype(np.int64)
     return np.where(row < blocks.parts, i, n + row - blocks.parts).astype(np.uint32)
 
 
 def _tractions(model: Model) -> tuple[FacetTractions, ...]:
-    """Return the table of tractions on free facets, if there are any."""
+    """Return the table of tractions on free facets, or an empty tuple without any."""
     constraints = model.constraints
     count = len(constraints.press_schedule)
     if count == 0:
@@ -179,7 +180,7 @@ def _tractions(model: Model) -> tuple[FacetTractions, ...]:
 
 
 def _strains(model: Model, state: State) -> tuple[CellStrains, ...]:
-    """Return the table of stress-free strains of the conditions, on top of those of the state, if there are any."""
+    """Return the table of strains that conditions add to those of the state, or an empty tuple without any."""
     constraints, cells, layout = model.constraints, model.cell_law.constants, model.layout
     if not len(constraints.strain_part):
         return ()

@@ -1,4 +1,4 @@
-"""Contacts of elements with each other and with walls: forces, motion of walls, energies, gauges, and their lists."""
+"""Part of a step for contacts: forces between elements and at walls, motion of walls, energies, and lists."""
 
 import numpy as np
 
@@ -32,7 +32,7 @@ from bondem.interactions.step_part import Part, Passes
 from bondem.model.model import Model
 from bondem.model.state import State
 
-# Distances of all pairs are measured again when an element has moved this share of the reach of the list.
+# Share of the reach of the list by which an element may move before the distances of all pairs are computed anew.
 _FRESH = 0.1
 
 
@@ -45,7 +45,7 @@ class ContactTables:
         state: state of the run; its arrays are shared.
         shared: tables of all parts.
         gauges: gauges of the run.
-        joints: bonds that join the elements.
+        joints: bonds as joints, whose elements touch only after they have failed.
         dt: time step [s].
     """
 
@@ -83,7 +83,7 @@ class ContactTables:
             self._list(found)
 
     def _list(self, found: FoundContacts) -> None:
-        """Make the tables of a list."""
+        """Make the tables of a new neighbour list."""
         pairs, at_walls = found.pairs, found.walls
         c, portions = len(pairs.first), self._portions
         self._whole = found.whole
@@ -182,7 +182,7 @@ class ContactTables:
         }
 
     def moments(self, stresses: LaggedStresses) -> Part:
-        """Return the part of contacts in stresses of elements (`bondem.interactions.interaction.LawParts`)."""
+        """Return the part that adds contact forces to the stresses of elements of a non-local law."""
         s, law, walls = self._shared, self._law, self._walls
         passes: Passes = [steps.add_pair_moments(s.moving, law, self._pairs, self._near, stresses)]
         if len(walls.body):
@@ -209,7 +209,7 @@ class ContactTables:
         return passes
 
     def _keep(self) -> None:
-        """Write the memory of contacts into the state, and check them."""
+        """Write the memory of contacts into the state, and warn about contacts out of range."""
         pairs, at_walls = self._pairs, self._at_walls
         chosen = None if self._face_pairs is None else self._face_pairs.chosen
         rolled = None if self._rolled is None else (self._rolled.rolled, self._rolled_walls.rolled)
@@ -222,7 +222,7 @@ class ContactTables:
         self._check.examine(listed, self._state.motion, self._state.time)
 
     def _velocity_of_walls(self) -> Floats:
-        """Return the velocity of the wall at the element of each contact with one [m/s], (b, 3)."""
+        """Return the velocity of the wall at the element of each contact with a wall [m/s], (b, 3)."""
         at, walls = self._at_walls, self._walls
         row, about = wall_rows(walls.body)[at.wall], named_rows("WallShape", walls.shape)["about"][at.wall]
         arm = self._state.pose[at.element, :3] - about - row["displacement"]

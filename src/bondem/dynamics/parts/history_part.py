@@ -1,4 +1,4 @@
-"""Rows of the history: the energies of a run and its gauges, and the guard of its energy."""
+"""Part of a step that writes energies and gauges to the history, and checks the energy."""
 
 from bondem._passes import steps
 from bondem._tables.step_tables import Gauges, HistoryRows
@@ -7,7 +7,7 @@ from bondem.interactions.step_part import Part, Passes
 
 
 def history(shared: SharedTables, gauges: Gauges, kinetic: Passes) -> Part:
-    """Return the part that checks the energy, and writes it and the gauges; it comes after all others.
+    """Return the part that checks the energy and writes it with the gauges; it must follow all other parts.
 
     `kinetic` are the passes that correct the kinetic energies of elements.
     """

@@ -1,4 +1,4 @@
-"""The mass of waves of pressure: forces of its correction, and their part of the kinetic energy."""
+"""Part of a step for the dispersion-corrected mass of cells: its inertia forces and kinetic energy."""
 
 import numpy as np
 
@@ -11,7 +11,7 @@ from bondem.model.model import Model
 
 
 def mass_of_waves(model: Model, shared: SharedTables, body: BodyOfCells) -> list[Part]:
-    """Return the part of the corrected mass of a body of cells, none for lumped masses."""
+    """Return the part of the dispersion-corrected mass in a list, which is empty for lumped masses."""
     if model.correction is None:
         return []
     layout, n = model.layout, len(model.layout.order)

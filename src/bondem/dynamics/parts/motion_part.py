@@ -1,4 +1,4 @@
-"""Motion of elements under the sum of their forces, with damping."""
+"""Part of a step that sums the forces on elements and moves them, with damping."""
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from bondem.model.model import Model
 
 
 def motion(shared: SharedTables, dashpots: Dashpots | None, resistance: Resistance | None) -> Part:
-    """Return the part that gathers forces and moves elements."""
+    """Return the part that sums forces and moves elements, with dashpots and resistance if given."""
     moving, blocks, rows = shared.moving, shared.blocks, shared.rows
     opening: Passes = [steps.open_elements_and_rows(moving, rows) if shared.owned else steps.open_elements(moving)]
     gather: Passes = [steps.collect_sums(blocks)]
@@ -34,7 +34,7 @@ def motion(shared: SharedTables, dashpots: Dashpots | None, resistance: Resistan
 
 
 def dashpots_of(model: Model, terms: DampingTerms, blocks: StepBlocks) -> Dashpots | None:
-    """Return the dashpots of bonds, or None."""
+    """Return the dashpots of bonds for the damping `terms`, or None without bond damping."""
     if terms.eta == 0.0 and terms.beta == 0.0:
         return None
     share = model.bonds.lever / model.bonds.length
@@ -42,7 +42,7 @@ def dashpots_of(model: Model, terms: DampingTerms, blocks: StepBlocks) -> Dashpo
 
 
 def resistance_of(model: Model, terms: DampingTerms, dashpots: Dashpots | None) -> Resistance | None:
-    """Return damping and dashpots that resist the motion of elements, or None."""
+    """Return the table of damping, dashpots and absorbing boundaries that resist motion, or None without any."""
     absorbing = model.constraints.absorbing
     viscous = dashpots is not None or len(absorbing) > 0 or terms.alpha > 0.0
     if not viscous and terms.gamma == 0.0:

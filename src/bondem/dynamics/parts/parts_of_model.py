@@ -1,4 +1,4 @@
-"""Parts of the step of a model."""
+"""Composition of the parts of a step from a model."""
 
 from dataclasses import replace
 from functools import singledispatch
@@ -47,13 +47,13 @@ def parts_of(
     ]
     pulled = body_forces(model, state, shared)
     if pulled is not None:
-        parts.append(pulled)  # its work is that at the velocities after the kick
+        parts.append(pulled)  # last, because its work is computed with the velocities after the kick
     kinetic = [one for part in parts for one in part.kinetic]
     return shared, [*parts, history(shared, gauges, kinetic)]
 
 
 def parts_in_one_block(model: Model, plan: Plan, state: State, dt: float) -> tuple[SharedTables, list[Part]]:
-    """Return the tables and the parts of a step that is one block."""
+    """Return the tables and the parts of a step that treats all elements as one block."""
     block = max(len(state.pose), 1)
     postponed = 0 if model.breaking is None else len(state.pose)
     blocks = Blocks.of(model.layout, block, 1, model.constraints.row_of >= 0).table(postponed)
@@ -63,7 +63,7 @@ def parts_in_one_block(model: Model, plan: Plan, state: State, dt: float) -> tup
 def _of_law(
     law: SteppingInteraction, model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, _: float
 ) -> BondParts:
-    """Return the parts that a law gives itself."""
+    """Return the parts of bonds whose law provides its own passes, with its breakage."""
     damage = damage_of(model.breaking, state, shared.blocks, len(with_twins(model.layout.i)))
 
     def failing(judge: Passes, remove: Passes, integrity: PerBond) -> Part:
@@ -77,7 +77,7 @@ def _of_law(
     return BondParts(found.parts, Joints(found.integrity, apart(model, state), damage), found.stresses)
 
 
-# Parts of the bonds by the kind of their law; those of beams unless a kind has its own.
+# Function that returns the parts of bonds, by the class of their interaction; `beams` is the default.
 _bonds = singledispatch(beams)
 _bonds.register(CellInteraction, body_of_cells)
 _bonds.register(SteppingInteraction, _of_law)

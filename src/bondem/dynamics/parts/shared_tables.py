@@ -1,4 +1,4 @@
-"""Tables of a run that several parts of a step take."""
+"""Tables of a run that several parts of a step use."""
 
 from dataclasses import dataclass
 
@@ -21,7 +21,7 @@ class SharedTables:
         ledger: sums of a record or a guard.
         schedules: schedules of the boundary.
         timeline: the functions of time of these schedules.
-        owned: whether elements own rows of the boundary.
+        owned: True if elements own rows of the boundary.
     """
 
     moving: Moving
@@ -34,7 +34,7 @@ class SharedTables:
 
     @classmethod
     def of(cls, model: Model, state: State, blocks: StepBlocks) -> "SharedTables":
-        """Return the tables of a run."""
+        """Return the tables of a run that begins from `state` and is divided into `blocks`."""
         constraints = model.constraints
         times = constraints.schedules
         return cls(
@@ -49,5 +49,5 @@ class SharedTables:
 
 
 def apart(model: Model, state: State) -> PerBond:
-    """Return the distances of the centres at which the elements of bonds touch without these [m], (m,)."""
+    """Return the distance of the centres at which the elements of each bond touch once it has failed [m], (m,)."""
     return model.bonds.stretched(state.rest_strain).length.copy()
