@@ -1,4 +1,4 @@
-"""Tables of softening beams, internal order."""
+"""Energies that softening beams absorb, internal order."""
 
 from dataclasses import dataclass
 
@@ -28,10 +28,11 @@ class BeamSoftening:
     shear: PerBond
 
     def absorbed(self, softened: Floats) -> Floats:
-        """Return the energy G A of beams that have begun to soften, as `core/laws/beam_softening.hpp` has it [J].
+        """Return the energy that beams which have begun to soften absorb until they break [J], (c,).
 
         Args:
-            softened: rows of the beams, with the columns of `SoftColumn`, (c, 7).
+            softened: rows of the beams, with the columns of `SoftColumn`, (c, 7); `core/laws/beam_softening.hpp`
+                defines their energy.
         """
         bond = softened[:, SoftColumn.BOND].astype(np.int64)
         first, last = softened[:, SoftColumn.FIRST], softened[:, SoftColumn.LAST]
@@ -54,10 +55,11 @@ class BeamSoftening:
             layout: order of the bonds.
             parts: criteria of one kind with their bonds.
             stiffness: stiffnesses of the bonds, user's order.
-            at_contact: True if moments count at the contact point.
+            at_contact: True if the moment that may break a bond is that at its contact point, False for that at its
+                ends.
 
         Raises:
-            InputError: Bonds are too long for the fracture energies.
+            InputError: More than half of the bonds of a criterion are too long for its fracture energies.
         """
         area = np.pi * stiffness.radius**2
         tear, shear = np.zeros((2, len(area)))
@@ -77,7 +79,7 @@ class BeamSoftening:
 def _check_lengths(joint: Joint, criterion: BondCriterion, at_contact: bool) -> None:
     """Reject bonds that snap back, because they store more than their fracture energy at their strength.
 
-    In tension these are longer than 2 E G_f / f_t². In shear Q² / 2 ks is compared with G_II A.
+    In tension such bonds are longer than 2 E G_f / f_t². In shear they store Q² / 2 ks > G_II A. The median counts.
     """
     assert criterion.energies is not None
     if not len(joint.length):

@@ -1,4 +1,4 @@
-"""Softening along two lines, with a long tail at low stress, as in concrete."""
+"""Softening curve of two lines, with a long tail at low stress, as in concrete."""
 
 from dataclasses import dataclass
 
@@ -8,10 +8,11 @@ from bondem.errors import InputError
 
 @dataclass(frozen=True, kw_only=True)
 class Bilinear:
-    """Softening of a crack from f_t to `stress` f_t at the opening `opening` G_f / f_t, and from there to zero.
+    """Softening curve of a crack: two lines that meet at the stress `stress` f_t and the opening `opening` G_f / f_t.
 
-    The stress is zero at the opening (2 - `opening`) / `stress` G_f / f_t, so that the area under the curve is G_f.
-    The default is Petersson's curve for concrete: a third of the strength at 0.8 G_f / f_t, zero at 3.6 G_f / f_t.
+    The first begins at f_t. The second ends at the opening (2 - `opening`) / `stress` G_f / f_t, so that the area
+    under the curve is G_f. The default is Petersson's curve for concrete: a third of the strength at 0.8 G_f / f_t,
+    zero at 3.6 G_f / f_t.
 
     Attributes:
         stress: stress at the kink, over f_t [-], in (0, 1).

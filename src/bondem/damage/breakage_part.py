@@ -1,4 +1,4 @@
-"""Breakage of beams and of facets of cells that fail at once."""
+"""Parts of a step by which beams, and facets of cells, break at once."""
 
 import numpy as np
 
@@ -20,7 +20,7 @@ def breakage(
     uniform: UniformBeams | None,
     dashpots: Dashpots | None,
 ) -> Part:
-    """Return the part of beams that break."""
+    """Return the part by which beams break at once, with their dashpots if given."""
     moving, candidates, postponed = shared.moving, damage.candidates, damage.postponed
     per_length = np.zeros(0) if uniform is None else uniform.per_length
     integrity = BeamIntegrity(beams.integrity, per_length)
@@ -43,7 +43,7 @@ def facet_breakage(
     release: FacetRelease,
     dashed: tuple[tuple[Dashpots, Beams], ...],
 ) -> Part:
-    """Return the part of facets that break; `dashed` are dashpots and the beams that they act on."""
+    """Return the part by which facets break at once; `dashed` are dashpots with the beams that they act on."""
     moving, candidates, postponed = shared.moving, damage.candidates, damage.postponed
     strengths = strengths_of(damage.table)
     judge = steps.JUDGE_FACETS_BY[damage.table.kind](moving, facets, release, strengths, candidates, postponed)
@@ -59,5 +59,5 @@ def facet_breakage(
     if len(walls.cell):
         remove.append(steps.renew_wall_rows(walls, shared.rows, candidates))
     part = damage.part(shared, [], remove, dashed[0][0] if dashed else None)
-    stages = {**part.stages, "constrain": [judge]}  # before any cell moves, as stresses change those of neighbours
+    stages = {**part.stages, "constrain": [judge]}  # before any cell moves, as failure changes stresses of neighbours
     return Part(stages, part.record, lambda: damage.keep(facets.integrity, state))

@@ -1,4 +1,4 @@
-"""Failure of bodies of cells: cracks of facets, and cells that yield."""
+"""Parameters of failure of bodies of cells: cracks of facets, and cells that yield."""
 
 import math
 from collections.abc import Callable
@@ -16,13 +16,13 @@ from bondem.damage.counter_random import uniform_by_counter
 from bondem.damage.stress_passes import StressPasses
 from bondem.errors import InputError
 
-# Traction at which nothing is left of a facet that is too long for its fracture energy, over its strength.
+# Least last opening u of a facet that is too long for its fracture energy, as k u / A over its strength.
 SNAP = 1.05
-# Largest strength of interest [Pa], and the number of directions drawn by chance in which strengths are found.
+# Largest strength of interest [Pa], and number of random directions of stress in which strengths are computed.
 _STRONGEST = 1e15
 _DIRECTIONS = 200
 _EYE = np.eye(3)
-#: Stresses of size about 1 that a criterion is tried at: along x, y and z, from all sides, in a plane, in shear, any.
+#: Trial stresses of size about 1 for a criterion: along x, y and z, hydrostatic, in a plane, in shear, and general.
 TRIED = np.array([
     *(np.outer(e, e) for e in _EYE), _EYE, _EYE - np.outer(_EYE[2], _EYE[2]),
     [[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 0.0]],
@@ -36,7 +36,7 @@ class Slip:
 
     Attributes:
         cone: True for the cone.
-        cohesion: c, or k of the cone [Pa]; it falls with slip.
+        cohesion: c, or k of the cone [Pa], which decreases with slip.
         strength: c cos φ, or k [Pa].
         slope: sin φ, or α [-].
         dilation: sin ψ, or β [-].
@@ -91,9 +91,9 @@ class StressIndex:
         return StressPasses.of_function(self.function, self.values)
 
     def reached(self, directions: Floats) -> Floats:
-        """Return the factors at which stresses (d, 3, 3) first reach the criterion, to a millionth, (d,).
+        """Return the factors by which stresses (d, 3, 3) reach the criterion, with a relative error of 1e-6, (d,).
 
-        A factor is inf where a stress of 10^15 Pa does not reach it.
+        A factor is inf if it would be above 10^15.
         """
         count = len(directions)
         low, high = np.zeros(count), np.ones(count)
@@ -118,7 +118,7 @@ class StressIndex:
         return self.indices(factors[:, None, None] * directions) < 1.0
 
     def nearest(self) -> float:
-        """Return the smallest size √(σ:σ) of a stress that reaches the criterion, of some hundred directions [Pa]."""
+        """Return the least size √(σ:σ) of a stress that reaches the criterion, over some hundred directions [Pa]."""
         drawn = ndtri(uniform_by_counter(0, 9 * _DIRECTIONS)).reshape(-1, 3, 3)
         tried = np.concatenate([TRIED, -TRIED, drawn + drawn.transpose(0, 2, 1)])
         size = np.array([np.linalg.norm(matrix) for matrix in tried])
@@ -162,7 +162,7 @@ class Softening:
 
 
 def check_crack(owner: str, fracture_energy: float | None, friction: float, curve: Bilinear | None = None) -> None:
-    """Check G_f [J/m²], μ [-] and the softening curve of cracks, for a criterion of the name `owner`.
+    """Check G_f [J/m²], μ [-] and the softening curve of cracks, for a criterion named `owner`.
 
     Raises:
         InputError: The energy is not positive, the friction is negative, or a curve is given without an energy.
@@ -178,7 +178,7 @@ def check_crack(owner: str, fracture_energy: float | None, friction: float, curv
 
 
 def check_energies(owner: str, fracture_energy: float | None, shear: float | None) -> None:
-    """Check G_f and G_II [J/m²] of softening beams, for a criterion of the name `owner`.
+    """Check G_f and G_II [J/m²] of softening beams, for a criterion named `owner`.
 
     Raises:
         InputError: An energy is not positive, or that of shear is given without that of tension.
@@ -196,10 +196,10 @@ def check_energies(owner: str, fracture_energy: float | None, shear: float | Non
 def check_slip(
     owner: str, fracture_energy: float | None, shear: float | None, dilatancy: float, width: float | None
 ) -> None:
-    """Check G_II [J/m²], inf for a constant cohesion, dilatancy [rad, or -] and band width [m] of yielding cells.
+    """Check G_II [J/m²] (inf for a constant cohesion), dilatancy [rad or -] and band width [m] of yielding cells.
 
     Raises:
-        InputError: An energy is not positive, or either is given without a fracture energy of tension.
+        InputError: The energy or the width is not positive, or one of the three is given without G_f of tension.
     """
     if fracture_energy is None and (shear is not None or dilatancy != 0.0 or width is not None):
         raise InputError(

@@ -29,14 +29,17 @@ from bondem.damage.softening_table import SofteningTable
 from bondem.interactions.beams.bond_table import with_zeros
 from bondem.interactions.cells.cell_constants import CellConstants
 
-# Places of a portion of a list, as in the core, and places after a list that lanes and prefetching read.
+# Places per portion of a list, as in the core, and places behind a list that vector lanes and prefetching may read.
 _PORTION, _BEHIND = 256, 64
-#: Column of the history of a crack that says in which step it began.
+#: Column of the history of a crack with the step in which it began, below 0 for cracks of the initial state.
 BEGAN = 5
 
 
 def new_cohesive_cracks(state: FailingState, listed: np.ndarray, slide: float) -> CohesiveCracks:
-    """Return the cracks of a state; memory is used as facets crack."""
+    """Return the cracks of a state as tables for all facets, whose memory is touched only as facets crack.
+
+    `slide` is the slip over √A from which faces of a material plane no longer face each other [-].
+    """
     m, count = len(state.integrity), len(state.cracks)
     cracks = CohesiveCracks(
         lines(m), lines(m), lines(m), lines(m), lines(m), lines(m), lines(m), np.zeros((m, 4)),
@@ -52,7 +55,7 @@ def new_cohesive_cracks(state: FailingState, listed: np.ndarray, slide: float) -
 
 
 def _columns_of_cracks(cracks: CohesiveCracks) -> list[tuple[int | slice, Floats, int | slice]]:
-    """Return the columns of cracks in a state, each with the table and the columns of a run that contain them."""
+    """Return columns of `State.cracks`, each with the table of a run and its columns that have the same numbers."""
     def columns(first: int, number: int) -> slice:
         return slice(first, first + number)
 
@@ -85,7 +88,7 @@ def keep_cracks(cracks: CohesiveCracks, stored: FacetForces, state: FailingState
 
 
 def new_crack_lists(n: int, m: int) -> CrackLists:
-    """Room for lists of m facets of n cells; memory is used as facets crack."""
+    """Return empty lists of cracks for n cells and m facets, whose memory is touched only as facets crack."""
     places = m + _BEHIND
     portions, halves = places // _PORTION + 1, 2 * places + 2
     numbers, shorts = np.zeros(places, np.int64), np.zeros(places, np.uint32)
@@ -103,7 +106,7 @@ def new_crack_lists(n: int, m: int) -> CrackLists:
 
 
 def facet_forces(state: FailingState, facets: ElasticFacets, area: Floats, rows: int) -> FacetForces:
-    """Return the forces of facets that a run keeps, initially those of a state without its active cracks."""
+    """Return the table of facet forces of a run: those of the state, zero on facets with active cracks."""
     force = with_zeros(state.facet_force).copy()
     active = state.cracks[:, STATUS] == CrackStatus.ACTIVE
     force[:, state.cracks[active, FACET].astype(np.int64)] = 0.0
@@ -115,12 +118,12 @@ def yielding_of(
     state: FailingState, table: SofteningTable, facets: ElasticFacets, walls: WallConstraints,
     constants: CellConstants,
 ) -> tuple[YieldingCells, ...]:  # fmt: skip
-    """Return the cells that yield, one table, or no table if none can."""
+    """Return the table of the cells that yield, in a tuple that is empty if none can."""
     G, lame = constants.G, constants.lame
     return tuple(
         YieldingCells(
             slip.cone, slip.strength, slip.slope, slip.dilation,
-            # by which F falls per slip while the total strain stays
+            # decrease of the yield function per slip at constant total strain
             G + ((9.0 * lame + 6.0 * G) if slip.cone else (lame + G)) * slip.slope * slip.dilation,
             slip.fade, slip.near_start, slip.near.astype(np.uint32), state.plastic[:, PlasticColumn.GAMMA].copy(),
             state.held_slip, state.plastic, facets.lever_i.copy(), facets.lever_j.copy(), walls.arm.copy(),

@@ -1,4 +1,4 @@
-"""A normal field with similar values at near places: a sum of waves, drawn by the counter of a seed.
+"""Normally distributed random field with similar values at near places, as a sum of random waves.
 
     z(x) = √(2/N) Σ cos(k_n·x + φ_n),     k_n normal with deviation √2 / l along each axis,  φ_n uniform
 
@@ -18,16 +18,16 @@ from bondem._types import Floats, PerBond, PerBond3
 from bondem.damage.counter_random import uniform_by_counter
 
 _WAVES = 1000
-# Places of one portion of work.
+# Places evaluated at once.
 _PORTION = 2000
 
 
 def normal_field(seed: int, length: float, place: PerBond3, period: Floats | None) -> PerBond:
-    """Return z at some places [-], (m,).
+    """Return the values of the field z at places [-], (m,).
 
     Args:
         seed: seed of the random numbers.
-        length: l [m].
+        length: correlation length l [m].
         place: places [m], (m, 3).
         period: edges of a periodic cell [m], (3,), or None.
     """

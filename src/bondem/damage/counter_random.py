@@ -8,9 +8,9 @@ _GOLDEN = np.uint64(0x9E3779B97F4A7C15)
 
 
 def uniform_by_counter(seed: int, many: int) -> Floats:
-    """Return numbers in (0, 1) for the counters 0 … many, (many,).
+    """Return uniform numbers in (0, 1) for the counters 0 … many - 1, (many,).
 
-    They are made by the hash of splitmix64 (Steele, Lea and Flood 2014).
+    Their bits are those of splitmix64 (Steele, Lea and Flood 2014).
     """
     with np.errstate(over="ignore"):
         start = _mixed(np.array([seed % 2**64], dtype=np.uint64) + _GOLDEN)
@@ -19,7 +19,7 @@ def uniform_by_counter(seed: int, many: int) -> Floats:
 
 
 def uniform_by_cube(seed: int, cube: Ints, many: int) -> Floats:
-    """Return numbers in (0, 1) for cubes of space, each of three whole numbers (k, 3), (k, many)."""
+    """Return `many` uniform numbers in (0, 1) for each cube of space, (k, many), by its three indices, (k, 3)."""
     with np.errstate(over="ignore"):
         bits = _mixed(np.full(len(cube), seed % 2**64, dtype=np.uint64) + _GOLDEN)
         for axis in cube.T:

@@ -1,4 +1,4 @@
-"""Cracks of bodies of cells that soften, and cells that yield (`core/passes/cracks/`)."""
+"""Parts of a step for cracks that soften between cells, and for cells that yield (`core/passes/cracks/`)."""
 
 from typing import Protocol
 
@@ -39,16 +39,16 @@ from bondem.interactions.cells.cell_constants import CellConstants
 from bondem.interactions.step_part import Part, Passes
 from bondem.specimen.ordering import Layout
 
-# What breaks at once loses this share of its integrity, at most, in the time 1/ω in which the facet between its two
-# cells swings by itself, and in a step: the energy balance closes, better with a shorter step.
+# Largest share of its integrity that a brittle facet loses in the time 1/ω of its own vibration, and in a step. This
+# keeps the error of the energy balance small; a shorter step reduces it.
 _LOSS = 0.1
-# Slip over √A from which faces of a material plane no longer face each other: where no contact follows, when they are
-# beside each other; where it does, when a face is as near to the next one as to its own.
+# Slip over √A from which faces of a material plane no longer face each other. Without a contact law: when they lie
+# side by side. With one: when a face is as near to the next face as to its own.
 _SLIDE, _SLIDE_TO_NEXT = 1.0, 0.5
 
 
 class ElasticBody(Protocol):
-    """Tables of the facets, cells and walls of a run."""
+    """Interface of the tables of the facets, cells and walls of a run."""
 
     @property
     def facets(self) -> ElasticFacets: ...
@@ -73,7 +73,7 @@ class CrackingBody:
         state: state of the run; its arrays are shared.
         shared: tables of all parts.
         dt: time step [s].
-        touches: whether cells touch after their facets have parted.
+        touches: True if cells touch after their facets have parted.
         pressed: contributions of loads on free facets to V σ at full load [J], (l, n, 6).
     """
 
@@ -87,7 +87,7 @@ class CrackingBody:
         swing = np.sqrt(constants.k * (state.motion[layout.i, 3] + state.motion[layout.j, 3]))
         self.strengths = table.strengths(_LOSS * np.minimum(dt * swing, 1.0), with_zeros)
         listed = np.zeros(len(body.facets.k), dtype=np.uint8)
-        listed[m:] = 1  # no facets: they fill a group of lanes
+        listed[m:] = 1  # padding to a group of vector lanes, not facets
         portions = -(-m // BONDS_OF_PORTION)
         self.by_stress = OnsetByStress.of(table, self.strengths, portions)
         self.cracks = new_cohesive_cracks(state, listed, _SLIDE_TO_NEXT if touches else _SLIDE)
@@ -111,15 +111,15 @@ class CrackingBody:
 
     @property
     def joints(self) -> CrackJoints:
-        """The cracked facets as joints of their cells."""
+        """Cracked facets as joints of their cells."""
         return CrackJoints(self.cracks, self.lists, self.body.facets, self.of_cells, self.strengths, self.log)
 
     def parts(self, elastic: Part) -> list[Part]:
-        """Return the parts of the body: yielding and initiation by its stresses, the elastic body, and its cracks."""
+        """Return the parts of the body: yielding and crack initiation, `elastic`, and cracks."""
         return [Part({"prepare": self._onset()}), elastic, self._cracks(self.straining()[2])]
 
     def straining(self) -> tuple[Passes, Passes, Passes]:
-        """Return passes of changing strains: of levers, and of ∂U/∂factor at cracks as a run begins and in a step."""
+        """Return passes of changing strains: those of levers, and those of ∂U/∂factor at the start and per step."""
         body, stretch = self.body, []
         for strains in body.strains:
             whole = strains, body.facets, self.of_cells, body.walls
@@ -129,7 +129,7 @@ class CrackingBody:
         return stretch, begin, [steps.sum_crack_powers(*one) for one in powers]
 
     def _begin(self) -> Passes:
-        """Return the passes that begin a run: levers, lists, weights and stresses of the state."""
+        """Return the passes that begin a run: they set levers, lists, weights and stresses from the state."""
         moving, body, cracks = self.shared.moving, self.body, self.cracks
         return [
             *(steps.stretch_all_cells(body.facets, self.of_cells, yielding) for yielding in self.yielding),
@@ -168,7 +168,7 @@ class CrackingBody:
         return [*passes, steps.begin_cracks(body.facets, self.stored, strengths, onset, self.cracks)]
 
     def _cracks(self, powers: Passes) -> Part:
-        """Return the passes by which cracks open, close, soften, rest and part, and those of their forces."""
+        """Return the part of cracks, whose passes let them open, close, soften and part, and apply their forces."""
         moving, body, cracks, lists = self.shared.moving, self.body, self.cracks, self.lists
         strengths, stresses = self.strengths, self.stresses
         again = steps.relax_outdated_cells(moving, body.cells, cracks, lists)
@@ -190,7 +190,7 @@ class CrackingBody:
             *powers,
         ]
         still: Passes = []
-        if self.yielding:  # what cells dissipate is found by their stresses
+        if self.yielding:  # the dissipation of yielding cells follows from their stresses
             still = [
                 steps.find_still_stresses(moving, self.stored, stresses),
                 steps.add_still_surface_stresses(moving, body.walls, self.tractions, stresses),

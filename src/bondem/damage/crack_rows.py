@@ -9,7 +9,7 @@ from bondem.damage.crack_columns import AXES, BEFORE, CRACK_COLUMNS, FACET, KIND
 
 
 def axes_along(normal: ArrayLike) -> Floats:
-    """Return orthonormal axes with given first directions (c, 3) and arbitrary others, by rows, (c, 3, 3)."""
+    """Return orthonormal axes as rows, (c, 3, 3): a given unit vector (c, 3), and two arbitrary ones."""
     e = np.asarray(normal, dtype=float)
     other = np.where(np.abs(e[:, :1]) < 0.6, [1.0, 0.0, 0.0], [0.0, 1.0, 0.0])
     a = other - (other * e).sum(axis=1, keepdims=True) * e
@@ -18,7 +18,7 @@ def axes_along(normal: ArrayLike) -> Floats:
 
 
 def stored_axes(axes: Floats) -> Floats:
-    """Return the quaternions of axes (c, 3, 3), given by rows: w is negative where e_3 = -e_1 × e_2, (c, 4)."""
+    """Return quaternions, (c, 4), of axes given as rows, (c, 3, 3); w is negative for left-handed axes."""
     side = np.where(np.linalg.det(axes) < 0.0, -1.0, 1.0)
     turned = axes.transpose(0, 2, 1).copy()
     turned[:, :, 2] *= side[:, None]
@@ -28,17 +28,14 @@ def stored_axes(axes: Floats) -> Floats:
 
 
 def crack_rows(facet: Ints, strength: ArrayLike, axes: Floats, left: Floats, isotropic: Mask) -> Floats:
-    """Return rows of cracks that begin to be treated, with nothing slipped and nothing dissipated.
+    """Return rows of new cracks, (c, CRACK_COLUMNS), with zero slip and zero dissipated energy.
 
     Args:
         facet: internal numbers of the facets, (c,).
         strength: strengths [Pa], (c,) or one for all.
         axes: e_1, e_2, e_3 in the frame of cell i, by rows, (c, 3, 3).
-        left: s_1, s_2, s_3 and the grip, (c, 4).
+        left: integrities s_1, s_2, s_3 and the grip [-], (c, 4).
         isotropic: mask of cracks with one integrity for all directions, (c,).
-
-    Returns:
-        Shape (c, CRACK_COLUMNS).
     """
     rows = np.zeros((len(facet), CRACK_COLUMNS))
     rows[:, FACET], rows[:, ONSET], rows[:, ONSET_STEP] = facet, strength, np.nan
@@ -50,5 +47,5 @@ def crack_rows(facet: Ints, strength: ArrayLike, axes: Floats, left: Floats, iso
 
 
 def isotropic_left(s: Floats) -> Floats:
-    """Return s_1, s_2, s_3 and the grip of cracks with one integrity s for all directions, (c, 4)."""
+    """Return s_1, s_2, s_3 and the grip, (c, 4), of cracks with one integrity s (c,) in all directions."""
     return np.stack([s, np.ones_like(s), np.ones_like(s), s], axis=1)

@@ -1,4 +1,4 @@
-"""Cracked faces of material planes, by which cells touch (`core/passes/contacts/face_contacts.hpp`)."""
+"""Faces of cracked material planes by which cells touch (`core/passes/contacts/face_contacts.hpp`)."""
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from bondem.damage.failing_state import FailingState
 
 
 class CrackedFaces:
-    """Faces of cells on material planes, which touch others once their facet has parted.
+    """Faces of cells on material planes, which may touch other faces once their facet has parted.
 
     Args:
         joints: cracked facets of the run.
@@ -42,12 +42,12 @@ class CrackedFaces:
             np.maximum.at(self.outer, cell[planes], np.hypot(ahead, along + beside))
 
     def pairs(self, pairs: ContactPairs, chosen: Floats, whole: Floats, portions: int) -> FacePairs:
-        """Return the tables of a list of pairs.
+        """Return the table of contact by faces for a list of pairs.
 
         Args:
-            pairs: the list.
-            chosen: faces by which each pair touches, as `State.stretch` has them, (c,).
-            whole: reach of spheres that never touched by faces [m], (c,).
+            pairs: pairs of cells that may touch.
+            chosen: code of the faces by which each pair touches, a column of `State.stretch`, (c,).
+            whole: distance at which pairs touch as spheres [m], (c,).
             portions: number of portions of elements.
         """
         facets, strengths, c = self._joints.facets, self._joints.strengths, len(whole)

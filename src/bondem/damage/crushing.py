@@ -16,12 +16,13 @@ def crushing_of(
 ) -> Floats:
     """Return the energy that facets or softening beams have released beyond their fracture energy [J], (1,).
 
-    The sum is rounded once, as that of the core: a run that begins from damage has no crushing at first.
+    The sum is rounded once, like that of the core. The crushing of a run that begins from damage is thus exactly zero
+    at first.
 
     Args:
         facets: table of softening facets, or None.
         beams: table of softening beams, or None.
-        cracks: rows of cracked facets (`bondem.damage.crack_columns`), (c, 14).
+        cracks: rows of cracked facets (`bondem.damage.crack_columns`), (c, CRACK_COLUMNS).
         softened: rows of softening beams (`SoftColumn`), (c, 7).
     """
     beyond = np.zeros(0)

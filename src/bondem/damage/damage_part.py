@@ -1,4 +1,4 @@
-"""The damage pipeline of a run: the common part of beams, facets of cells and pairs of the non-local law."""
+"""Damage pipeline of a run: the common part of beams, facets of cells and bonds of the non-local law."""
 
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -22,14 +22,14 @@ from bondem.interactions.step_part import Part, Passes
 
 @dataclass(frozen=True, eq=False)
 class DamageTables:
-    """Tables of the damage pipeline of a run, for beams, facets or pairs.
+    """Tables of the damage pipeline of a run, for beams, facets or bonds of the non-local law.
 
     Attributes:
         table: criteria of the bonds.
-        bounds: bounds of the bonds.
+        bounds: bounds of the loads below which bonds cannot fail.
         candidates: bonds that are near to failure, and those that fail.
-        postponed: elements that a failure delays.
-        log: events.
+        postponed: elements whose motion a failure postpones.
+        log: events of failure since the last call of the core.
     """
 
     table: FailureTable
@@ -45,8 +45,8 @@ class DamageTables:
         Args:
             table: criteria of the bonds.
             state: state with the bonds that have failed before.
-            blocks: division of a step, with one more row of sums per element.
-            filled: bonds with those that fill a group of lanes.
+            blocks: division of a step, with one additional row of sums per element.
+            filled: number of bonds, padded to a group of vector lanes.
         """
         n, m = len(state.pose), len(state.integrity)
         limit = np.full(filled, np.inf, dtype=np.float32)
@@ -73,12 +73,12 @@ class DamageTables:
         return strengths_of(self.table)
 
     def part(self, shared: StepTables, judge: Passes, remove: Passes, dashpots: Dashpots | None) -> Part:
-        """Return the part of the pipeline that does not depend on the kind of bonds.
+        """Return the part of the pipeline, given the passes that depend on the kind of bonds.
 
         Args:
             shared: tables of the run.
-            judge: passes that find the bonds that fail.
-            remove: passes that remove them.
+            judge: passes that find failing bonds.
+            remove: passes that remove failing bonds.
             dashpots: dashpots of the bonds, or None.
         """
         keep: Passes = [steps.keep_sums(shared.blocks, self.postponed)]
@@ -95,7 +95,7 @@ class DamageTables:
         )
 
     def keep(self, integrity: np.ndarray, state: FailingState) -> None:
-        """Write bonds that have failed since the last call into a state."""
+        """Write the events since the last call, and the integrity of bonds (m,) or longer, into a state."""
         count = int(self.log.written[LogCount.EVENTS])
         if count:
             state.broken = np.concatenate([state.broken, self.log.event[:count]])
@@ -116,13 +116,13 @@ class CrackJoints(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Joints:
-    """Bonds that join elements, which do not touch as long as they are joined.
+    """Bonds as joints: two elements cannot touch as long as their bond joins them.
 
     Attributes:
-        integrity: above 0 of bonds that join their elements, (m,) or longer; the passes write it.
-        apart: distance of the centres at which the elements of a bond touch without it [m], (m,).
+        integrity: integrity of each bond, above 0 while it joins its elements, (m,) or longer; the passes write it.
+        apart: distance of the centres at which the elements of a bond touch once it has failed [m], (m,).
         damage: tables of the damage pipeline, or None if bonds do not fail.
-        pressed: pressure on beams that soften, or None if none do.
+        pressed: table with the pressure on softening beams, or None if none soften.
         cracks: cracked facets whose faces may part, or None.
     """
 
@@ -134,10 +134,10 @@ class Joints:
 
     @classmethod
     def of_cracks(cls, apart: PerBond, state: FailingState, cracks: CrackJoints) -> "Joints":
-        """Return the cracked facets of a run, which join two cells as long as their faces face each other.
+        """Return the facets of a body with cracks as joints, which last as long as their faces face each other.
 
         Args:
-            apart: distances at which cells touch without a facet [m], (m,).
+            apart: distance of the centres at which the cells of each facet touch without it [m], (m,).
             state: state with the present cracks.
             cracks: cracked facets of the run.
         """
@@ -150,12 +150,12 @@ class Joints:
 
 @dataclass(frozen=True, eq=False)
 class BondParts:
-    """Parts of the bonds of a run.
+    """Parts of a step that belong to the bonds of a run.
 
     Attributes:
         parts: parts of a step.
-        joints: the bonds as joints of their elements.
-        stresses: stresses of elements that contacts are a part of, or None for laws without.
+        joints: bonds as joints of their elements.
+        stresses: stresses of elements to which contacts contribute, or None for laws without them.
     """
 
     parts: list[Part]
@@ -164,7 +164,7 @@ class BondParts:
 
 
 def new_event_log(state: FailingState) -> EventLog:
-    """Return an empty log of a run from a state."""
+    """Return an empty log of events for a run, which shares the released energies of the state."""
     room = np.empty((len(state.integrity), EventColumn.COUNT))
     return EventLog(room, np.zeros(2, dtype=np.int64), state.released, state.crushed)
 

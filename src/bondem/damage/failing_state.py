@@ -1,4 +1,4 @@
-"""Arrays of a state and tables of a run, as failure needs them."""
+"""Interfaces of the state and of the tables of a run that failure uses."""
 
 from typing import Protocol
 
@@ -7,7 +7,7 @@ from bondem._types import Floats, PerBond
 
 
 class FailingState(Protocol):
-    """Arrays of a `bd.State` that failure reads and writes."""
+    """Interface of the arrays of a `bd.State` that failure reads and writes."""
 
     pose: Floats
     motion: Floats
@@ -23,7 +23,7 @@ class FailingState(Protocol):
 
 
 class StepTables(Protocol):
-    """Tables of a run that all parts of a step share."""
+    """Interface of the tables of a run that all parts of a step share."""
 
     @property
     def moving(self) -> Moving: ...

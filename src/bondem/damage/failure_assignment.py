@@ -20,12 +20,12 @@ _WANTED = "a criterion such as bd.PeripheralStress(...), or None"
 
 @dataclass(frozen=True, eq=False)
 class FailurePart:
-    """A criterion with its bonds and elements.
+    """Bonds and elements that follow one criterion.
 
     Attributes:
-        criterion: criterion of the same kind as those of the other parts.
+        criterion: failure criterion, of the same kind in all parts of a model.
         bonds: bonds or facets that it applies to, user's order.
-        elements: elements that yield by it, user's order.
+        elements: cells that yield by the criterion, user's order.
         plane: True if the facets form a material plane, evaluated by their own traction, not by the stress of cells.
     """
 
@@ -124,7 +124,7 @@ def failure_parts(lattice: Lattice, failure: FailureAssignment) -> tuple[Failure
 def _is_plane(criterion: Criterion, *, between: bool) -> bool:
     """Return True if facets of a criterion are evaluated by their own traction.
 
-    By default this is so `between` two regions. Functions of the stress cannot be evaluated by a traction.
+    This is the default for facets `between` two regions. Functions of the stress cannot be evaluated by a traction.
     """
     if not any(softening.surface is None for softening in criterion._softenings):
         if criterion.on is not None:

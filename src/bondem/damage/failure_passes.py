@@ -1,4 +1,4 @@
-"""Failure criteria in the layout of the core, and the indices of facets under tractions.
+"""Coefficients of criteria in the layout of the core, and failure indices of facets under given tractions.
 
 `core/tables/damage_tables.hpp` declares types and shapes.
 """
@@ -18,7 +18,10 @@ def strengths_of(table: FailureTable) -> Strengths:
 
 
 def traction_indices(normal: PerBond3, traction: PerBond3, area: PerBond, table: FailureTable) -> PerBond:
-    """Return the index of every facet under a traction [Pa], of degree one in it [-], internal order, (m,)."""
+    """Return the failure index of each facet under its traction [Pa], which is proportional to it [-], (m,).
+
+    Normals and tractions, (m, 3), and areas [m²], (m,), are in internal order.
+    """
     found = np.zeros(len(area))
     loaded = LoadedTractions(normal, traction, area)
     run_pass(calls.INDEX_TRACTIONS_BY[table.kind](loaded, strengths_of(table), FailureIndices(found)))

@@ -14,11 +14,11 @@ from bondem.interactions.contact.contact_assignment import ContactLaws
 from bondem.interactions.interaction import Interaction
 from bondem.specimen.lattice import Lattice
 
-# What rounding may take off a bound.
+# Relative reduction of a bound that makes it safe against rounding.
 _ROUNDING = 1e-6
-# Kinds of criteria that no function of forces judges: those on principal stresses, and those of a law itself.
+# Kinds of breakage that no function of forces evaluates: by principal stresses, and by a law itself.
 _OF_PRINCIPAL, _OF_LAW = "principal", "law"
-# Share of the bound of facets at which they are looked at: it is held against stresses of cells a step ago.
+# Share of the bound from which on facets are evaluated: the bound is checked with stresses of the previous step.
 _MARGIN = 0.75
 
 
@@ -29,7 +29,8 @@ class FailureTable:
     Attributes:
         kind: name of the criterion (`BondCriterion.kind`).
         coefficient: coefficients of the criterion for each bond, shape (m, 4).
-        station: place along a bond where its moment counts, from i over its length; -1 for the larger end, (m,).
+        station: place of the moment that may break a bond, as the distance from i over its length [-]; -1 for the end
+            with the larger moment, (m,).
         limit: value of of_force |F|² + of_moment |M|² below which a bond cannot break [-], shape (m,).
         of_force: factor of |F|² [1/N²].
         of_moment: factor of |M|² [1/(N·m)²].
@@ -48,7 +49,7 @@ class FailureTable:
         law: Interaction,
         parts: tuple[FailurePart, ...],
     ) -> "FailureTable":
-        """Return the table of a law.
+        """Return the table of criteria for the bonds of a law.
 
         Args:
             law: bonds or facets.
@@ -60,7 +61,7 @@ class FailureTable:
         stiffness = joint.stiffness
         coefficient, a, b, kind = _judged(joint, parts, lattice)
         order, flipped = layout.bond_order, layout.flipped
-        # each part of the bound weighs as on an average bond
+        # force and moment weigh in the bound as on an average bond
         force, bent = _scale(a), np.isfinite(b) & (b > 0.0)
         moment = _scale(b[bent])
         # a |F| + b |M| <= √((a/force)² + (b/moment)²) √(force² |F|² + moment² |M|²)
@@ -91,7 +92,7 @@ class FailureTable:
 
     @classmethod
     def _of_principal(cls, law: Interaction, parts: tuple[FailurePart, ...]) -> "FailureTable":
-        """Return the table of bonds that mean stresses break, with the coefficients of `laws.failure.principal`."""
+        """Return the table of bonds that mean stresses break, with coefficients of `Criterion.principal`."""
         lattice, layout, joint = law.lattice, law.layout, joint_of(law)
         middle = joint.place
         coefficient = np.zeros((len(middle), COEFFICIENTS))
@@ -107,7 +108,7 @@ class FailureTable:
 
 
 def joint_of(law: Interaction) -> Joint:
-    """Return all bonds or facets of a law as criteria take them."""
+    """Return geometry and stiffness of all bonds or facets of a law, as input of criteria; user's order."""
     area, length, place = law.joints()
     return Joint(area, length, area * length, place, law.bonds if law.evaluated == "force" else None)
 
@@ -115,7 +116,7 @@ def joint_of(law: Interaction) -> Joint:
 def _judged(
     joint: Joint, parts: tuple[FailurePart, ...], lattice: Lattice
 ) -> tuple[Floats, PerBond, PerBond, str]:
-    """Return coefficients and bounds of all bonds, and the kind of criteria; a bond without one never breaks."""
+    """Return coefficients (m, 4) and both bounds (m,), and the kind of criteria; zeros for bonds without any."""
     m, kind = len(joint.length), ""
     coefficient, a, b = np.zeros((m, COEFFICIENTS)), np.zeros(m), np.zeros(m)
     for part in parts:
@@ -129,7 +130,7 @@ def _judged(
 
 
 def check_failure(failure: object, law: Interaction, contact: ContactLaws) -> None:
-    """Check a criterion for a model.
+    """Check the criteria of `failure=` for a law of bonds and the contact laws of a model.
 
     Raises:
         InputError: There is no criterion, it applies to other bonds, or the model has features that exclude breakage.
@@ -147,11 +148,11 @@ def check_failure(failure: object, law: Interaction, contact: ContactLaws) -> No
         _check_criterion(criterion, cells, contact)
     if cells and contact.stressed:
         raise InputError("failure= of cells beside contact= needs stress_free=True, as cells touch where they parted")
-    law.moments_at_contact  # noqa: B018  refuses laws that differ
+    law.moments_at_contact  # noqa: B018  raises for laws that differ
 
 
 def _check_criterion(failure: Criterion, cells: bool, contact: ContactLaws) -> None:
-    """Reject a criterion for other bonds."""
+    """Raise InputError for a criterion that does not apply to these bonds, which are facets of `cells` or beams."""
     name, soft = type(failure).__name__, isinstance(failure, BondCriterion) and failure.energies is not None
     if soft and not cells:
         _check_soft(failure, contact)
@@ -162,7 +163,7 @@ def _check_criterion(failure: Criterion, cells: bool, contact: ContactLaws) -> N
 
 
 def _check_principal(failure: Criterion, law: str) -> None:
-    """Reject options unsupported by bonds of a law that mean stresses break."""
+    """Raise InputError for options unsupported by bonds of the law named `law`, which mean stresses break."""
     name = type(failure).__name__
     if failure.principal is None:
         raise InputError(
@@ -177,7 +178,7 @@ def _check_principal(failure: Criterion, law: str) -> None:
 
 
 def _check_soft(failure: Criterion, contact: ContactLaws) -> None:
-    """Reject options unsupported by softening beams."""
+    """Raise InputError for options unsupported by softening beams."""
     if isinstance(failure, MohrCoulomb):
         if failure.dilatancy != 0.0 or failure.band_width is not None:
             name = "dilatancy" if failure.dilatancy != 0.0 else "band_width"

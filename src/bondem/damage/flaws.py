@@ -1,4 +1,4 @@
-"""Flaws of a weakest link: strengths equal near each flaw, whose smallest one scatters with the volume.
+"""Strengths set by random flaws: equal near each flaw, with the least strength of a body by the weakest link.
 
 Flaws of a strength below s are a Poisson process of density (s/s₀)^m / V₀. A body of volume V has none with
 probability exp(-(V/V₀) (s/s₀)^m), which is Weibull's distribution for every shape. A flaw sets the strength of all
@@ -10,8 +10,8 @@ on the seed and on the number of the cube only. Elements of another size, or ano
 strengths only by the share of the body's volume that falls into each cube. Every cube with bonds has its flaw within
 l of these, so that the smallest strength of a body is Weibull's exactly. In a periodic cell cubes divide its edges.
 
-References: Weibull (1939); Smith (1990), Max-stable processes and spatial extremes, of whose storms flaws are the
-minimum with a sphere as their profile.
+References: Weibull (1939); Smith (1990), Max-stable processes and spatial extremes. Flaws are the minima that
+correspond to his storms, with a sphere as profile.
 """
 
 import numpy as np
@@ -20,7 +20,7 @@ from scipy.spatial import KDTree
 from bondem._types import Floats, PerBond, PerBond3
 from bondem.damage.counter_random import uniform_by_cube
 
-# Edges of a cube in l, and flaws of one portion of work.
+# Edges of cubes per length l, and flaws evaluated at once.
 _PER_LENGTH, _PORTION = 2.0, 2000
 
 
@@ -30,7 +30,7 @@ def weakest_flaw(seed: int, length: float, share: PerBond, place: PerBond3, peri
     Args:
         seed: seed of the random numbers.
         length: distance l within which a flaw sets strengths [m].
-        share: volume of the body that each bond stands for [m³], (m,).
+        share: volume of the body that belongs to each bond [m³], (m,).
         place: places of the bonds [m], (m, 3).
         period: edges of a periodic cell [m], (3,), or None.
     """

@@ -62,11 +62,11 @@ class ImpliedFracture:
 def implied_fracture(
     law: Interaction, parts: tuple[FailurePart, ...], mass: PerElement
 ) -> ImpliedFracture | None:
-    """Return the fracture properties that criteria, or the law itself, imply, or None without bonds.
+    """Return the fracture properties that criteria, or the law itself, imply; None for a lattice without bonds.
 
     Args:
         law: bonds or facets.
-        parts: criteria with their bonds; none if the law itself breaks them.
+        parts: criteria with their bonds; empty if the law itself breaks them.
         mass: masses of the elements [kg], shape (n,).
     """
     lattice, stiffness = law.lattice, law.bonds

@@ -1,4 +1,4 @@
-"""Onset and softening of facets where all loads are proportional to a factor, by the core.
+"""Load factors at which facets begin to crack or soften further, where all loads grow in proportion.
 
 `core/tables/stress_onset_tables.hpp` declares types and shapes.
 """
@@ -18,14 +18,14 @@ from bondem.damage.stress_passes import new_stress_candidates
 def onset_factors(
     loaded: LoadedFacets, strengths: FacetStrengths, whole: Ints, below: float = math.inf, spread: float = math.inf
 ) -> PerBond:
-    """Return the load factors at which whole facets begin to crack, inf for those that are not evaluated, (c,).
+    """Return the load factors at which uncracked facets begin to crack, inf for facets beyond both limits, (c,).
 
     Args:
         loaded: loads of facets and cells at a factor of 1.
         strengths: strengths of the facets.
-        whole: facets, (c,).
-        below: largest factor of interest.
-        spread: largest factor over the least of all.
+        whole: numbers of the uncracked facets, (c,).
+        below: largest factor of interest [-].
+        spread: largest factor of interest over the least factor of all facets [-].
     """
     search = OnsetSearch(np.ascontiguousarray(whole, dtype=np.int64), below, spread, np.empty(len(whole)))
     run_pass(calls.find_onset_factors(loaded, strengths, search))
@@ -35,16 +35,16 @@ def onset_factors(
 def softening_along(
     loaded: LoadedFacets, strengths: FacetStrengths, facets: Ints, traction: Floats, integrity: PerBond
 ) -> SofteningSearch:
-    """Find the load factors at which facets that have begun to crack soften further, along each direction.
+    """Compute the load factors at which cracked facets soften further, along each direction.
 
     Directions are the principal ones of the stress of both cells; a material plane has its own.
 
     Args:
         loaded: loads of facets and cells at a factor of 1.
         strengths: strengths of the facets.
-        facets: facets, (c,).
-        traction: traction of these, as if they were whole [Pa], (c, 3).
-        integrity: integrity of these [-], (c,).
+        facets: numbers of the cracked facets, (c,).
+        traction: traction that these facets would have if they were uncracked [Pa], (c, 3).
+        integrity: integrity of these facets [-], (c,).
     """
     c = len(facets)
     search = SofteningSearch(
@@ -56,7 +56,7 @@ def softening_along(
 
 
 def agreed_stresses(loaded: LoadedFacets) -> Floats:
-    """Return σ* of all facets, with the opening traction of bending added to the normal traction [Pa], (m, 3, 3)."""
+    """Return σ* (`bd.Rankine`) of all facets, with the normal traction increased by bending [Pa], (m, 3, 3)."""
     m = len(loaded.i)
     candidates = new_stress_candidates(m)._replace(bond=np.arange(m))
     run_pass(calls.find_agreed_stresses(loaded, candidates))

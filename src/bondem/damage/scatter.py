@@ -1,4 +1,4 @@
-"""Scatter of strengths from bond to bond, by a counter: the number of a bond determines its random number.
+"""Random variation of strength from bond to bond, in which the number of a bond determines its random number.
 
 The strength of a bond therefore depends on neither threads nor the order of computation. Correlated strengths depend
 on the place of a bond, not on its number (`bondem.damage.correlated`).
@@ -17,27 +17,27 @@ from bondem.damage.counter_random import uniform_by_counter
 from bondem.damage.flaws import weakest_flaw
 from bondem.errors import InputError
 
-# Numbers in (0, 1) stay that far from its ends, as those of the counter do.
+# Least distance of random numbers from 0 and 1, the same as for those of the counter.
 _EDGE = 2.0**-54
 
 
 @dataclass(frozen=True, kw_only=True)
 class Weibull:
-    """Strengths of a weakest link: s = s₀ (V / V₀)^(-1/m) (-ln u)^(1/m), u uniform in (0, 1).
+    """Strengths with Weibull's distribution: s = s₀ (V / V₀)^(-1/m) (-ln u)^(1/m), u uniform in (0, 1).
 
     s₀ is the parameter of the criterion, the strength that a bond of volume V₀ exceeds with probability 1/e. The mean
     strength of such bonds is Γ(1 + 1/m) s₀. All strengths of a bond share one factor. Reference: Weibull (1939).
 
-    With a correlation length l, the body contains flaws at random places, (s/s₀)^m / V₀ per volume of a strength
-    below s, and each sets the strength of all bonds within l (`bondem.damage.flaws`). The smallest strength of a body
-    of volume V then has the mean Γ(1 + 1/m) s₀ (V₀/V)^(1/m), for every shape, size of elements and l. A brittle body
-    of cells is as strong as that if l is at least two cells, and stronger with m = 5. Without a correlation length
-    strengths are independent and V is the volume of the bond, its area times its length; a bar of such bonds is
-    stronger than its weakest link.
+    With a correlation length l, the body contains flaws at random places, of which (s/s₀)^m / V₀ per volume have a
+    strength below s. Each sets the strength of all bonds within l (`bondem.damage.flaws`). The smallest strength of a
+    body of volume V then has the mean Γ(1 + 1/m) s₀ (V₀/V)^(1/m), for every shape, size of elements and l. A brittle
+    body of cells is as strong as that if l is at least two cells, and stronger with m = 5. Without a correlation
+    length strengths are independent and V is the volume of the bond, its area times its length; a bar of such bonds
+    is stronger than its weakest link.
 
     Attributes:
-        modulus: m [-]; a larger value gives less scatter.
-        volume: V₀ [m³].
+        modulus: Weibull modulus m [-]; a larger value gives less scatter.
+        volume: reference volume V₀ [m³].
         seed: seed of the random numbers.
         correlation: l [m], the radius about a flaw within which strengths are equal; None for independent strengths.
 
@@ -71,12 +71,12 @@ class Weibull:
 
 @dataclass(frozen=True, kw_only=True)
 class Normal:
-    """Normally distributed strengths s = s₀ (1 + c z), with z normal within ±3 and c their relative deviation.
+    """Normally distributed strengths s = s₀ (1 + c z), with z standard normal, truncated to ±3.
 
-    c is the standard deviation over the mean. All strengths of a bond share one factor.
+    All strengths of a bond share one factor.
 
     Attributes:
-        deviation: c [-], below a third.
+        deviation: c, the standard deviation over the mean before truncation [-], below a third.
         seed: seed of the random numbers.
         correlation: l [m] of the normal field of strengths, whose covariance is exp(-(r/l)²) between bonds
             r apart; None for independent strengths.

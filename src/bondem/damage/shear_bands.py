@@ -1,4 +1,4 @@
-"""Width of shear bands: the cells whose mean slip reduces the cohesion of a cell."""
+"""Width of shear bands, and the cells whose mean slip reduces the cohesion of a cell."""
 
 import numpy as np
 
@@ -7,11 +7,11 @@ from bondem.errors import InputError
 from bondem.geometry.neighbours import neighbours
 from bondem.specimen.lattice import Lattice
 
-#: Width of a band where none is given, over the edge V^(1/3) of its cells.
+#: Default width of a band over the edge V^(1/3) of its cells.
 USUAL_WIDTH = 4.0
 # Least width over the edge: bands of fewer cells lock against their rigid sides.
 _LEAST_WIDTH = 3.0
-# Half of the thickness of the shell over its cells' edge.
+# Half of the thickness of the shell of averaged cells, over the edge of a cell.
 _HALF_SHELL = 0.25
 
 
@@ -24,7 +24,7 @@ def band_widths(edge: PerElement, yields: Mask, given: PerElement) -> PerElement
         given: widths that the criteria give [m], 0 for none, (n,).
 
     Raises:
-        InputError: A band is thinner than three cells.
+        InputError: More than half of the yielding cells have a given band thinner than three cells.
     """
     thin = yields & (given > 0.0) & (given < _LEAST_WIDTH * edge)
     if 2 * np.count_nonzero(thin) > np.count_nonzero(yields):
@@ -41,8 +41,8 @@ def cells_of_bands(
     """List the cells over which the slip of each cell is averaged: those about half the width B of a band away.
 
     The offset along any axis of a point at distance ρ is distributed uniformly over -ρ … ρ. So the mean slip of cells
-    at ρ = B/2 is s / B for a flat band that slips by s, whatever its profile, if it is thinner than B/2. Cells count
-    if they yield; where there is none, the cell itself is listed.
+    at ρ = B/2 is s / B for a flat band that slips by s, whatever its profile, if it is thinner than B/2. Only cells
+    that yield are listed; a cell without any such neighbour lists itself.
 
     Args:
         body: the body of cells.
@@ -52,7 +52,7 @@ def cells_of_bands(
         width: B of each cell [m], internal order, (n,).
 
     Returns:
-        Where the list of each cell begins, (n + 1,), and the lists one after the other.
+        Start of the list of each cell, (n + 1,), and all lists, one after the other.
 
     Raises:
         InputError: A periodic edge is shorter than the width of a band.

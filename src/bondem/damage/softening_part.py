@@ -1,4 +1,4 @@
-"""Beams that soften: their integrity, the pressure on them, and their events in the state."""
+"""Part of a step for beams that soften: their integrity, pressure and events."""
 
 from dataclasses import dataclass
 
@@ -22,7 +22,7 @@ class SofteningTables:
 
     Attributes:
         bounds: bounds, criterion, integrity and pressure stiffness of the beams.
-        soft: beams that soften.
+        soft: rows and lists of the beams that soften.
     """
 
     bounds: SofteningBounds
@@ -35,7 +35,7 @@ class SofteningTables:
     ) -> "SofteningTables":  # fmt: skip
         """Return the tables of a run from a state with the beams that have begun to soften.
 
-        Contacts carry the pressure on beams that have broken if it is `handed` to them.
+        If `handed`, contacts carry the pressure of broken beams, else the beams themselves.
         """
         m, rows = len(state.integrity), len(state.softened)
         row = np.zeros((m, SoftColumn.COUNT))
@@ -66,7 +66,7 @@ class SofteningTables:
 def softening(
     tables: SofteningTables, damage: DamageTables, state: FailingState, shared: StepTables, beams: Beams
 ) -> Part:
-    """Return the part of beams that soften."""
+    """Return the part by which beams soften and break."""
     moving, bounds, soft, candidates = shared.moving, tables.bounds, tables.soft, damage.candidates
 
     def keep() -> None:

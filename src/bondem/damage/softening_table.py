@@ -1,4 +1,4 @@
-"""Tables of softening facets and yielding cells, internal order."""
+"""Strengths and softening of facets, and strengths of yielding cells, internal order."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -17,25 +17,27 @@ from bondem.interactions.cells.cell_constants import CellConstants
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.ordering import Layout
 
-# Share of its strength at which the facets of a cell are evaluated: the stress of a pair of cells agrees with the
-# traction of their facet, which may be above that of both (`core/laws/agreed_stress.hpp`).
+# Share of the strength from which on the facets of a cell are evaluated. The stress of a pair of cells agrees with
+# the traction of their facet, and may exceed that of both cells (`core/laws/agreed_stress.hpp`).
 _MARGIN = 0.7
-# The same of other criteria, and of the size of a stress at which they are reached, found in a few directions.
+# For other criteria: this share of the strength, and the reduction of the least stress that reaches them, because it
+# is computed in some directions only.
 _WIDER, _NEARER = 0.5, 0.7
-# Factor by which nobody refines a specimen: it takes a million times as many elements.
+# Excess of the element length that no refinement can cure (a million times as many elements): a unit error.
 _OUT_OF_REACH = 100.0
 
 
 @dataclass(frozen=True, eq=False)
 class SlipTable:
-    """Yielding of cells (`bondem.damage.cohesive_softening.Slip`), internal order; (n,) each.
+    """Yielding of each cell by its `bondem.damage.cohesive_softening.Slip`, internal order, (n,) each.
 
     Attributes:
         cone: True for Drucker–Prager, False for Mohr–Coulomb.
         strength: c cos φ, or k of the cone [Pa]; inf for cells that do not yield.
         slope: sin φ, or α [-].
         dilation: sin ψ, or β [-].
-        fade: share of its cohesion that a cell loses by a mean slip of 1, B c / 2 G_II with the width B of bands.
+        fade: share of its cohesion that a cell loses per mean slip, B c / 2 G_II with the width B of
+            bands [-].
         near_start, near: cells over which the slip of each is averaged (`damage/shear_bands.py`), (n + 1,), (l,).
     """
 
@@ -51,7 +53,7 @@ class SlipTable:
     def of(
         cls, body: Lattice, layout: Layout, volume: PerElement, parts: tuple[FailurePart, ...]
     ) -> "tuple[SlipTable, ...]":
-        """Return the table of a body, none if no cell can yield.
+        """Return the table of a body in a tuple, which is empty if no cell can yield.
 
         Args:
             body: the body of cells.
@@ -78,7 +80,7 @@ class SlipTable:
         return (cls(cone, strength, slope, dilation, width * fade, near_start, near),)
 
     def spent(self, slipped: PerElement) -> PerElement:
-        """Return the share of its cohesion that each cell has lost by slips (n,) in internal order [-], (n,)."""
+        """Return the share of its cohesion that each cell has lost by slips (n,) [-], internal order, (n,)."""
         count = np.diff(self.near_start)
         own = np.repeat(np.arange(len(count)), count)
         mean = np.bincount(own, weights=slipped[self.near], minlength=len(count)) / np.maximum(count, 1)
@@ -91,17 +93,17 @@ class SofteningTable:
 
     Attributes:
         strength: f_t of each facet [Pa], (m,).
-        absorbed: energy that a facet absorbs as it fractures: G_f A, of a plane that slips the larger of G_f A and
-            G_II A; inf for brittle facets [J], (m,).
+        absorbed: energy that a facet absorbs as it fractures [J], (m,): G_f A; the larger of G_f A and G_II A for a
+            material plane that slips; inf for brittle facets.
         last: k u / A at the last opening [Pa], 0 for brittle facets, (m,).
         kink, steep: parameters of the softening curve (`core/laws/softening.hpp`) [-].
         area: areas [m²], (m,).
-        part: part of cell i in the compliance of a facet [-], (m,).
-        hot: size √(σ:σ) of the stress of a cell from which its facets are evaluated [Pa]; for another criterion the
-            tension along one axis that its stress amounts to.
-        judge: another criterion, or None for the largest principal stress.
-        least: smallest size √(σ:σ) of a stress that reaches another criterion [Pa].
-        tension: f_t of another criterion without scatter [Pa].
+        part: share of cell i in the compliance of a facet [-], (m,).
+        hot: size √(σ:σ) of the stress of a cell from which on its facets are evaluated [Pa]. With `judge` they are
+            evaluated where this stress times tension / hot reaches `judge`.
+        judge: criterion other than the largest principal stress, or None.
+        least: smallest size √(σ:σ) of a stress that reaches `judge` [Pa].
+        tension: f_t without scatter [Pa].
         friction: μ of each facet [-], (m,).
         plane: mask of facets of material planes, evaluated by their own traction, (m,).
         cohesion: cohesion of such facets [Pa], inf for those that do not slip and for all others, (m,).
@@ -127,10 +129,10 @@ class SofteningTable:
     yielding: tuple[SlipTable, ...]
 
     def absorbed_by(self, cracks: Floats) -> Floats:
-        """Return the energy that facets absorb as they fracture, 0 of those of cells without cohesion [J].
+        """Return the energy that cracked facets absorb as they fracture [J], (c,); 0 for cells without cohesion.
 
         Args:
-            cracks: rows of the facets (`bondem.damage.crack_columns`), (c, 14).
+            cracks: rows of the facets (`bondem.damage.crack_columns`), (c, CRACK_COLUMNS).
         """
         return np.where(cracks[:, ONSET] > 0.0, self.absorbed[cracks[:, FACET].astype(np.int64)], 0.0)
 
@@ -156,7 +158,7 @@ class SofteningTable:
     def of(
         cls, body: Lattice, layout: Layout, cells: CellConstants, parts: tuple[FailurePart, ...]
     ) -> "SofteningTable | None":
-        """Return the table of a body, or None if facets break one by one.
+        """Return the table of a body, or None if no criterion has cracks or yielding cells.
 
         Args:
             body: facets and cells.
@@ -165,7 +167,8 @@ class SofteningTable:
             parts: criteria with their facets and cells.
 
         Raises:
-            InputError: Elements are too long for the fracture energy.
+            InputError: Elements are too long for the fracture energy, or shear bands do not fit the cells or the
+                period.
         """
         materials = [softening for one in parts for softening in one.criterion._softenings]
         if not materials:
@@ -194,7 +197,7 @@ class SofteningTable:
             if soft.fracture_energy > 0.0:
                 absorbed[own] = max([soft.fracture_energy, *(slip.fracture_energy for slip in slips)]) * area[own]
                 require_short(facets.span[part.bonds], _modulus(cells, layout.i[own]), soft)
-                # the last opening, as the traction that it takes from a whole facet
+                # the last opening as a traction: that of an uncracked facet with this opening
                 end = cells.k[own] / area[own] * soft.last * soft.fracture_energy / strength[own]
                 last[own] = np.maximum(end, SNAP * strength[own] / soft.steep)
         depth = np.where(layout.flipped, facets.depth_j[order], facets.depth_i[order])

@@ -1,4 +1,4 @@
-"""Tables of facets that crack by a function of the stress, as `core/tables/stress_onset_tables.hpp` declares them."""
+"""Crack initiation by a function of the stress, with tables of `core/tables/stress_onset_tables.hpp`."""
 
 from dataclasses import dataclass
 
@@ -19,13 +19,13 @@ _JUDGE_CELLS = {"mean_stress": steps.judge_cells_by_mean_stress, "cone": steps.j
 
 @dataclass(frozen=True, eq=False)
 class OnsetByStress:
-    """Passes of facets that begin to crack by a function of the stress.
+    """Passes by which facets begin to crack where a function of the stress reaches 1.
 
     Attributes:
-        passes: the function.
-        candidates: facets of which it is evaluated in a step.
-        onset: tables of the facets.
-        strengths: strengths of the facets, those of cracking ones in the direction in which they crack.
+        passes: passes that evaluate the function.
+        candidates: facets for which a step evaluates the function.
+        onset: tables of the facets that may begin to crack.
+        strengths: strengths of the facets; for a facet that cracks, that in the direction of its crack.
     """
 
     passes: StressPasses
@@ -35,7 +35,10 @@ class OnsetByStress:
 
     @classmethod
     def of(cls, table: SofteningTable, strengths: FacetStrengths, portions: int) -> "OnsetByStress | None":
-        """Return the passes of a body, or None if the largest principal stress is its criterion."""
+        """Return the passes of a body, or None if its criterion is the largest principal stress.
+
+        `portions` is the number of portions of bonds.
+        """
         if table.judge is None:
             return None
         passes, m = table.judge.passes, len(strengths.strength)
@@ -46,7 +49,7 @@ class OnsetByStress:
         return cls(passes, candidates, onset, strengths._replace(strength=along))
 
     def judge(self, stresses: StressesOfCells, cracks: CrackOnset) -> StepEntry:
-        """Return the pass that finds the cells whose facets are evaluated."""
+        """Return the pass that selects the cells whose facets are evaluated."""
         if self.passes.name == "function":
             return steps.judge_cells_by_size(stresses, self.onset, cracks)
         return _JUDGE_CELLS[self.passes.name](stresses, self.passes.table, self.onset, cracks)

@@ -1,4 +1,4 @@
-"""Criteria on a stress tensor in the layout of the core: criteria of its own, and functions of a user.
+"""Criteria on a stress tensor in the layout of the core: built-in criteria, and functions of a user.
 
 `core/tables/damage_tables.hpp` declares types and shapes.
 """
@@ -18,7 +18,7 @@ from bondem._types import Floats
 
 
 def new_stress_candidates(m: int) -> StressCandidates:
-    """Return room for the candidates among m bonds; memory is used as they are written."""
+    """Return an empty table of candidates among m bonds, whose memory is touched only as it is written."""
     portions = -(-m // BONDS_OF_PORTION)
     return StressCandidates(
         np.empty(m, dtype=np.int64), np.empty((m, 3, 3)), np.empty(m), np.zeros(portions, dtype=np.int64),
@@ -26,18 +26,18 @@ def new_stress_candidates(m: int) -> StressCandidates:
     )  # fmt: skip
 
 
-#: Criteria of the core by their names; "function" is that of a user.
+#: Names of the criteria on a stress: two of the core, and "function" for that of a user.
 STRESS_CRITERIA = ("mean_stress", "cone", "function")
 
 
 @dataclass(frozen=True, eq=False)
 class StressPasses:
-    """The passes of a criterion on stresses.
+    """Criterion on stresses, with the passes that evaluate it.
 
     Attributes:
         name: one of `STRESS_CRITERIA`.
-        table: address and parameters.
-        callback: function of Python that the address is that of, or None.
+        table: address of the function, 0 for a criterion of the core, and parameters.
+        callback: Python function at that address, or None.
     """
 
     name: str
@@ -46,7 +46,7 @@ class StressPasses:
 
     @classmethod
     def of_core(cls, name: str, parameters: Sequence[float]) -> "StressPasses":
-        """Return the passes of a criterion of the core."""
+        """Return the passes of a criterion of the core, by its name in `STRESS_CRITERIA`."""
         return cls(name, StressFunction(0, np.array(parameters, dtype=float)))
 
     @classmethod
@@ -65,11 +65,11 @@ class StressPasses:
         return cls("function", StressFunction(callback.address, given), callback)
 
     def step_pass(self, candidates: StressCandidates) -> StepEntry:
-        """Return the pass of a step that evaluates its candidates, with its tables."""
+        """Return the pass of a step that evaluates `candidates`, with its tables."""
         return steps.INDEX_CANDIDATES_BY[self.name](candidates, self.table)
 
     def indices(self, stress: Floats) -> Floats:
-        """Return the indices of symmetric stresses (k, 3, 3) [-], (k,)."""
+        """Return the indices of stresses (k, 3, 3) [Pa], (k,); raise the error that a user's function raises."""
         found = stress_indices(self.name, stress, self.table)
         self.check()
         return found

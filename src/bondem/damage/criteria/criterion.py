@@ -1,9 +1,8 @@
 """Common part of all failure criteria: the data of a bond that they use, and their evaluation.
 
-A criterion is data too. For each bond it gives four coefficients, from which a function of the core
-(`core/laws/criteria/`) computes an index of the loads of the bond. The bond breaks where the index reaches 1. The
-function is called for few bonds only: those whose force and moments reach a bound, which the pass over all bonds
-evaluates for every criterion.
+A criterion gives four coefficients per bond, from which a function of the core (`core/laws/criteria/`) computes an
+index of the loads of the bond. The bond breaks where the index reaches 1. Only bonds whose force and moments reach a
+bound are evaluated. One pass over all bonds checks this bound for every criterion.
 """
 
 from abc import ABC, abstractmethod
@@ -19,13 +18,13 @@ from bondem.damage.cohesive_softening import Softening
 from bondem.damage.scatter import Normal, Weibull
 from bondem.interactions.beams.bond_law import BondStiffness, Section
 
-#: Modes of breakage, by the largest part of the index. States and run files store the number.
+#: Names of the modes of breakage, the largest part of the index. States and run files store the number of the name.
 MODES = tuple(mode.name.lower() for mode in FailureMode)
 
 #: Stresses by which criteria evaluate facets.
 On = Literal["stress", "traction"]
 
-# Columns of the coefficients of a bond.
+# Number of coefficients per bond.
 COEFFICIENTS = 4
 
 
@@ -100,7 +99,7 @@ class Criterion(ABC):
     def principal(self) -> tuple[float, float, float] | None:
         """Factors a, b and c [1/Pa] of the limit max(a σ1, b σ1 - c σ3) = 1 of bonds that mean stresses break.
 
-        None for a criterion that such bonds cannot have, because it is not one of principal stresses.
+        The value is None for a criterion that is not a function of principal stresses; such bonds cannot have it.
         """
         return None
 
@@ -160,7 +159,7 @@ class BondCriterion(Criterion):
     def pulled(self, joint: Joint, coefficients: Floats) -> PerBond:
         """Return the tensile force that alone makes each bond fail [N], (m,): the inverse of its first coefficient.
 
-        A criterion that has another first coefficient overrides this.
+        A criterion whose first coefficient has another meaning overrides this.
 
         Args:
             joint: geometry of the bonds.
@@ -174,7 +173,7 @@ class BondCriterion(Criterion):
         Args:
             joint: geometry of the beams.
             factor: strength of each beam over that of the criterion [-], (m,).
-            arm: arm from the contact point to the place where the moment of shear counts [m], (m,).
+            arm: arm from the contact point to the section whose moment may break the bond [m], (m,).
         """
         raise NotImplementedError(f"{type(self).__name__} does not soften")
 

@@ -1,4 +1,4 @@
-"""Elongation and bending of a beam, combined in an ellipse of elongation and angle."""
+"""Elliptic criterion: breakage by elongation and bending angle of a beam together."""
 
 from dataclasses import dataclass
 from typing import ClassVar
@@ -9,8 +9,8 @@ from bondem._checks import number
 from bondem._types import Floats, PerBond
 from bondem.damage.criteria.criterion import BondCriterion, Joint, columns
 
-# Share of a bound of forces at which deformations are looked at: beams turned far are softer than the linear ones
-# that the bound is made of.
+# Share of the bound of forces from which on deformations are evaluated: strongly rotated beams are softer than the
+# linear ones for which the bound holds.
 _MARGIN = 0.5
 
 

@@ -1,4 +1,4 @@
-"""The mean stress of the material: tension from all sides."""
+"""Hydrostatic criterion: cracks where the mean stress of the material reaches a strength."""
 
 from dataclasses import dataclass
 
@@ -12,7 +12,7 @@ from bondem.damage.criteria.criterion import Criterion
 class Hydrostatic(Criterion):
     """Cracking of facets of cells where the mean stress reaches the strength.
 
-        (σ1 + σ2 + σ3) / 3 ≥ tension     of σ* of `bd.Rankine`, for facets in tension
+        (σ1 + σ2 + σ3) / 3 ≥ tension     principal stresses of σ* of `bd.Rankine`, for facets in tension
 
     A bar breaks at three times this stress. With a fracture energy a crack softens as for `bd.Rankine`, up to the
     opening 2 G_f / f_t with f_t = 3 `tension`; without one it breaks at once. For bodies of cells only.

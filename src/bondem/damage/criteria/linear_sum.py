@@ -1,4 +1,4 @@
-"""The linear sum of the loads of a bond over its strengths, as in LAMMPS."""
+"""Linear criterion: the sum of the loads of a bond, each over its strength, as in LAMMPS."""
 
 from dataclasses import dataclass
 from typing import ClassVar

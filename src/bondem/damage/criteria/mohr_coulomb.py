@@ -1,4 +1,4 @@
-"""Cohesion and friction on the traction of a bond or facet, with a tensile strength."""
+"""Mohr–Coulomb criterion: tensile strength, cohesion and friction of bonds, facets or cells."""
 
 import math
 from dataclasses import dataclass
@@ -120,7 +120,7 @@ class MohrCoulomb(BondCriterion):
 
     def pulled(self, joint: Joint, coefficients: Floats) -> PerBond:
         s = coefficients.T
-        return 1.0 / np.maximum(s[0], s[1] * s[2])  # beyond the tip of the cone it is the tip
+        return 1.0 / np.maximum(s[0], s[1] * s[2])  # at most the tension at the tip of the cone
 
     def pulled_and_sheared(self, joint: Joint, factor: PerBond, arm: PerBond) -> tuple[PerBond, PerBond]:
         each = self.coefficients(joint, factor)

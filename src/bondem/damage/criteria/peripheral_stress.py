@@ -1,4 +1,4 @@
-"""Stress of the outermost fibre of a beam."""
+"""Criterion on the stress of the outermost fibre of a beam."""
 
 from dataclasses import dataclass
 from typing import ClassVar

@@ -1,4 +1,4 @@
-"""The largest principal stress of the material, for facets of any direction."""
+"""Rankine criterion: cracks where the largest principal stress of the material reaches a strength."""
 
 from dataclasses import dataclass
 
@@ -15,14 +15,14 @@ class Rankine(Criterion):
         σ1(σ*) ≥ tension,     σ* = σ̄ + Δ⊗n + n⊗Δ - (Δ·n) n⊗n,     Δ = t - σ̄ n
 
     with σ̄ the mean stress of the two cells and t the traction of the facet: σ* is the mean tensor modified to agree
-    with that traction. A facet in compression cracks where its traction alone has such a principal stress, too:
-    t_s² ≥ tension (tension - t_n).
+    with that traction. A facet in compression must also reach the strength by its traction alone: t_s² ≥ tension
+    (tension - t_n).
 
     From then on the facet softens by its traction along the three present principal directions e_a of that stress.
     t·e_a follows a straight line from f_t |n·e_a| to the opening 2 G_f / f_t. With a `bd.Bilinear` it follows two
-    lines, as for concrete. A crack therefore dissipates G_f per area of the crack however its facets zigzag. A load
-    in another direction finds the strength of that direction (`core/laws/softening.hpp`). Without a fracture energy
-    the facet breaks at once.
+    lines, as for concrete. A crack therefore dissipates G_f per area of the crack however its facets zigzag. Each
+    direction softens separately, so that a load along another one meets the strength of that direction
+    (`core/laws/softening.hpp`). Without a fracture energy the facet breaks at once.
 
     For an entry of `failure=` for a pair of regions, the traction of a facet between them decides alone: t_n ≥
     tension, and G_f per facet area. Bonds of the non-local law break at once where σ1 of the mean stress σ̄ itself

@@ -1,4 +1,4 @@
-"""User-defined criteria: any function of the stress tensor."""
+"""User-defined criterion: any function of the stress tensor."""
 
 import inspect
 import math
@@ -18,9 +18,9 @@ from bondem.damage.scatter import Normal, Weibull
 from bondem.errors import InputError
 
 _NAME = "StressCriterion"
-# A function is tried at stresses of these sizes [Pa].
+# Sizes of the trial stresses at which a function is checked [Pa].
 _SIZES = (1.0, 1e3, 1e6, 1e9)
-# No function is at an address below it: systems leave this page unused.
+# Lowest possible address of a function: systems leave the first page unused.
 _FIRST_ADDRESS = 4096
 
 
@@ -119,7 +119,7 @@ class StressCriterion(Criterion):
         return StressIndex(function=self.function, values=tuple(self.parameters.values()))
 
     def _try(self) -> None:
-        """Call the function for some stresses."""
+        """Raise InputError if the function is unusable at trial stresses."""
         sizes = np.array(_SIZES)[:, None, None, None]
         stress = np.concatenate([np.zeros((1, 3, 3)), *(sizes * TRIED), *(-sizes * TRIED)])
         found = self._tried(stress)
@@ -139,7 +139,7 @@ class StressCriterion(Criterion):
             )
 
     def _tried(self, stress: Floats) -> Floats:
-        """Return the result of the function for stresses (k, 3, 3)."""
+        """Return the result of the function for stresses (k, 3, 3); raise InputError if it raises any error."""
         try:
             return self._surface.indices(stress.copy())
         except Exception as error:  # the user's own
@@ -150,7 +150,10 @@ class StressCriterion(Criterion):
 
 
 def _own_parameters(function: object, given: Mapping[str, object]) -> dict[str, float]:
-    """Return parameters in the order of the function's arguments, with its defaults; as given for a C function."""
+    """Return the parameters by name, with defaults, in the order of the function's arguments.
+
+    Parameters of a C function stay in the order in which they are given.
+    """
     if isinstance(function, int) and function >= _FIRST_ADDRESS:
         return {name: number(_NAME, name, value) for name, value in given.items()}
     wanted = "a function of stresses (k, 3, 3) and numbers that returns k indices, or the address of a C function"
@@ -180,7 +183,7 @@ def _listed(stress: np.ndarray) -> str:
 
 
 def _reason(error: Exception) -> str:
-    """Return the first line of an error."""
+    """Return the first line of an error, cut to 120 characters."""
     lines = [line.strip() for line in str(error).splitlines() if line.strip()]
     text = (lines or [type(error).__name__])[0]
     return text if len(text) <= 120 else f"{text[:117]}..."

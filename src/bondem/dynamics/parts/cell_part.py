@@ -43,7 +43,7 @@ class BodyOfCells(NamedTuple):
     def of(
         cls, model: Model, constants: CellConstants, state: State, shared: SharedTables, dashpots: Dashpots | None
     ) -> "BodyOfCells":
-        """Return the tables of a run from a state, whose arrays they share; `dashpots` are those of facets, or None.
+        """Return the tables of a run from a state, whose arrays they share, with dashpots of facets or None.
         """
         layout, period = model.layout, model.period
         to_i = _places(shared.blocks, layout.i, len(layout.order))
