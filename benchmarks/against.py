@@ -63,9 +63,7 @@ def bits(options: argparse.Namespace) -> int:
     threads = options.threads or [1, 2, 4]
     cores = max(4, *threads)
     old_source = extracted(options.revision)
-    print(
-        f"{options.revision} against the working tree, {options.steps} steps; first array that differs, if any"
-    )
+    print(f"{options.revision} against the working tree, {options.steps} steps; first array that differs, if any")
     bad = 0
     with (
         Worker(old_source, cores=cores, cache=old_source.parent, python=options.python) as old,

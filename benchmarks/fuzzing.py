@@ -122,9 +122,7 @@ def corpus(target: str, folder: Path) -> Path:
     cells = bd.Model(body, bd.CellBond(E=1e9, nu=0.2), density=2000.0)
     for name, model, snapshots in (("beams", beams, 0), ("cells", cells, 0), ("pictures", beams, 10)):
         dt = bd.solve_explicit(model, duration=0.0).dt
-        bd.solve_explicit(
-            model, duration=20 * dt, dt=dt, every=5, out=seeds / f"{name}.h5", snapshot_every=snapshots
-        )
+        bd.solve_explicit(model, duration=20 * dt, dt=dt, every=5, out=seeds / f"{name}.h5", snapshot_every=snapshots)
     return seeds
 
 

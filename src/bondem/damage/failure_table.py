@@ -113,9 +113,7 @@ def joint_of(law: Interaction) -> Joint:
     return Joint(area, length, area * length, place, law.bonds if law.evaluated == "force" else None)
 
 
-def _judged(
-    joint: Joint, parts: tuple[FailurePart, ...], lattice: Lattice
-) -> tuple[Floats, PerBond, PerBond, str]:
+def _judged(joint: Joint, parts: tuple[FailurePart, ...], lattice: Lattice) -> tuple[Floats, PerBond, PerBond, str]:
     """Return coefficients (m, 4) and both bounds (m,), and the kind of criteria; zeros for bonds without any."""
     m, kind = len(joint.length), ""
     coefficient, a, b = np.zeros((m, COEFFICIENTS)), np.zeros(m), np.zeros(m)

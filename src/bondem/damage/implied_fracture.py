@@ -59,9 +59,7 @@ class ImpliedFracture:
 
 
 @np.errstate(all="ignore")
-def implied_fracture(
-    law: Interaction, parts: tuple[FailurePart, ...], mass: PerElement
-) -> ImpliedFracture | None:
+def implied_fracture(law: Interaction, parts: tuple[FailurePart, ...], mass: PerElement) -> ImpliedFracture | None:
     """Return the fracture properties that criteria, or the law itself, imply; None for a lattice without bonds.
 
     Args:

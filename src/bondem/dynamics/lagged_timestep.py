@@ -103,9 +103,7 @@ def _fastest_decay(model: Model, law: LaggedInteraction, kn: PerBond, beta: PerB
     return largest_eigenvalue(root @ matrix @ root, np.random.default_rng(0).standard_normal(6 * len(mass)))
 
 
-def growth(
-    model: Model, law: LaggedInteraction, dt: float, terms: DampingTerms, *, steps: int = _STEPS
-) -> float:
+def growth(model: Model, law: LaggedInteraction, dt: float, terms: DampingTerms, *, steps: int = _STEPS) -> float:
     """Return the growth of small motions over the last half of some steps [-], infinite where they overflow.
 
     Local and bond damping act. The motions start from a fixed random field, and no element is constrained.

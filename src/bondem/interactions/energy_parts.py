@@ -1,4 +1,4 @@
-"""Elastic energy by its parts."""
+"""Parts of the elastic energy of bonds or cells."""
 
 from dataclasses import dataclass
 
@@ -9,7 +9,7 @@ class EnergyParts:
 
     Attributes:
         normal: energy of elongation [J]; for cells, of the normal gaps of facets and of dilatation.
-        shear: energy of slip at the contact point [J]; with `bending` it is what the papers call bending.
+        shear: energy of slip at the contact point [J]; the papers call the sum with `bending` the bending energy.
         bending: energy of relative rotation across the bond [J].
         twisting: energy of relative rotation about the bond [J].
     """

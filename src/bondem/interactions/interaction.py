@@ -1,8 +1,8 @@
-"""A law of bonds as the rest of the package sees it: one object, whatever its class.
+"""Interface between a law of bonds and the rest of the package.
 
-A law sees neither model nor state. It has the elements and bonds of a specimen, and is given the arrays that it owns.
-Defaults are those of beams: a law with a potential and no memory. A solver that needs more asks for the capability,
-`Interaction.has_potential` or `LaggedInteraction`.
+An interaction knows the elements and bonds of a specimen, but neither model nor state. Its methods receive the arrays
+of the state that the law owns. Defaults are those of beams, which have a potential and no memory. A solver that needs
+more checks `Interaction.has_potential` or the class `LaggedInteraction`.
 """
 
 from abc import ABC, abstractmethod
@@ -60,13 +60,15 @@ class StateField:
     fresh: tuple[int, ...] = ()
 
     def zeros(self, **sizes: int) -> np.ndarray:
-        """Return the array of a new state."""
+        """Return the array of a new state, filled with zeros, for the sizes n= and m=."""
         return np.zeros([sizes[axis] if isinstance(axis, str) else axis for axis in self.shape])
 
 
 class SurfaceState(NamedTuple):
-    """Walls that hold facets at a time, and tractions on facets: initial places `base`, (g, 7), displacements [m],
-    (g, 3), and the contribution of tractions to V θ of each cell [m³], internal order, (n,).
+    """Walls that hold facets, and tractions on facets, at one time.
+
+    `base` are initial places of the walls, (g, 7), and `motion` their displacements [m], (g, 3). `pressed` is the
+    contribution of tractions to V θ of each cell [m³], internal order, (n,).
     """
 
     base: Floats
@@ -75,7 +77,7 @@ class SurfaceState(NamedTuple):
 
 
 class DamageOfRun(Protocol):
-    """The damage pipeline of a run, as the input of a law."""
+    """Interface of the damage pipeline of a run, as far as laws use it."""
 
     @property
     def candidates(self) -> Candidates: ...
@@ -89,7 +91,7 @@ class DamageOfRun(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class Run:
-    """A run, as the input from which a law gives its passes.
+    """Tables of a run from which a law composes its passes.
 
     Attributes:
         moving: motion of the elements.
@@ -98,9 +100,9 @@ class Run:
         arrays: arrays of the state that the law owns.
         dashpots: dashpots parallel to the bonds, or None.
         damage: damage pipeline, or None if bonds do not fail.
-        failing: function that returns the part of that pipeline, given passes that find failing bonds, passes that
-            remove them, and the integrity that these write.
-        touches: whether elements may touch.
+        failing: function that returns the part of the damage pipeline, given passes that find failing bonds, passes
+            that remove them, and the integrity that the latter write.
+        touches: True if elements may touch.
     """
 
     moving: Moving
@@ -115,12 +117,12 @@ class Run:
 
 @dataclass(frozen=True, eq=False)
 class LawParts:
-    """Parts of a step that a law gives.
+    """Parts of a step that a law provides.
 
     Attributes:
         parts: parts of a step.
         integrity: integrity of the bonds that its passes write, (m,) or longer.
-        stresses: stresses of elements that contacts add to, if there are any.
+        stresses: stresses of elements to which contacts contribute, or None.
     """
 
     parts: list[Part]
@@ -135,18 +137,18 @@ class Interaction(ABC):
         lattice: elements and bonds.
         layout: internal order of both.
         law: class of its parameters (class attribute).
-        bond: word for a bond (class attribute).
-        turned: consequence where bonds have turned far (class attribute).
+        bond: word for a bond in messages (class attribute).
+        turned: consequence of bonds that have turned far, for messages (class attribute).
         title: common name of the law, for messages (class attribute).
         name: word for its bonds in messages (class attribute).
         formulation: "total" or "incremental" (class attribute).
         fields: arrays of the state that the law owns (class attribute).
-        has_potential: whether forces are the derivative of an energy (class attribute).
+        has_potential: True if forces are the derivative of an energy (class attribute).
         evaluated: quantity that a criterion evaluates (class attribute).
-        on_facets: whether elements interact, and take loads and conditions on faces, by facets (class attribute).
-        corrects_mass: whether it has a dispersion-corrected mass matrix (class attribute).
-        isotropic_springs: whether springs are as stiff across as along (class attribute).
-        strains: whether rest lengths of bonds may change (class attribute).
+        on_facets: True if elements interact by facets, which also carry loads and conditions (class attribute).
+        corrects_mass: True if the law has a dispersion-corrected mass matrix (class attribute).
+        isotropic_springs: True if springs are as stiff across as along the normal (class attribute).
+        strains: True if rest lengths of bonds may change (class attribute).
     """
 
     law: ClassVar[type]
@@ -190,7 +192,7 @@ class Interaction(ABC):
         return
 
     def on_elements(self, boundary: Boundary) -> Boundary:
-        """Return the conditions on elements themselves, rather than on walls that hold their facets.
+        """Return the conditions that act on elements, without those that act by walls on facets.
 
         Raises:
             InputError: A platen with friction has no facets to slide on it.
@@ -213,9 +215,9 @@ class Interaction(ABC):
         return Supports.none()
 
     def strained(self, strain: PerBond, base: Floats, motion: Floats, pressed: PerElement) -> Self:
-        """Return the law at strains ε* [-], (m,) or (0,), and walls with initial places `base` and motions, (g, 3).
+        """Return the law with stress-free strains ε* [-], (m,) or (0,), moved walls, and tractions, internal order.
 
-        `pressed` is the contribution of tractions to V θ of each cell [m³]; all in internal order.
+        `base`, `motion` and `pressed` are those of `SurfaceState`.
         """
         twin = copy(self)
         twin.__dict__["table"] = self.table.stretched(strain)
@@ -226,7 +228,7 @@ class Interaction(ABC):
         return np.zeros(len(self.layout.order))
 
     def dilatational_stress(self, swelling: PerElement) -> PerElement:
-        """Return λ θ of elements that swell by V θ [m³], (n,), [Pa], user's order, (n,)."""
+        """Return the stress λ θ [Pa], (n,), of elements with the volume changes V θ [m³], (n,); user's order."""
         return np.zeros(len(swelling))
 
     @property
@@ -235,20 +237,20 @@ class Interaction(ABC):
         return False
 
     def own_strength(self) -> PerBond:
-        """Return the tensile force at which the law itself breaks each bond [N], (m,), inf where it breaks none.
+        """Return the tensile force at which the law itself breaks each bond [N], user's order, (m,); inf for never.
 
-        Bonds in the user's order. A law that breaks bonds gives the passes that find and remove them.
+        A law that breaks bonds also provides the passes that find and remove them.
         """
         return np.full(len(self.lattice.pairs), np.inf)
 
     @property
     @abstractmethod
     def bonds(self) -> BondStiffness:
-        """Stiffnesses of beams that are as stiff as the bonds, or about as stiff, user's order."""
+        """Stiffnesses of beams that are equal, or approximately equal, to those of the bonds; user's order."""
 
     @cached_property
     def table(self) -> BondTable:
-        """Constants of these beams, internal order."""
+        """Constants of the beams of `bonds`, internal order."""
         return BondTable.of(self.lattice, self.layout, self.bonds)
 
     @property
@@ -283,7 +285,7 @@ class Interaction(ABC):
 
     @abstractmethod
     def modulus(self, volume: float) -> float:
-        """Return Young's modulus of the material, or its estimate in a specimen of a volume [m³], [Pa]."""
+        """Return Young's modulus of the material [Pa], or its estimate for a specimen of the volume `volume` [m³]."""
 
     def wave_speed(self, mass: PerElement) -> float:
         """Return the speed of a wave in a chain of bonds, or in a thin rod of the material [m/s]."""
@@ -295,7 +297,8 @@ class Interaction(ABC):
     def strain_load(self, strain: PerBond, pressed: PerElement) -> PerElement6:
         """Return forces on elements at rest by strained bonds and moving walls [N, N·m], internal order, (n, 6).
 
-        Strains ε* [-] are in internal order; `pressed`, the contribution of tractions to V θ [m³], is in the user's.
+        Strains ε* [-] are in internal order. `pressed`, the contribution of tractions to V θ [m³], is in the user's
+        order.
         """
         layout, bonds = self.layout, self.table
         push = bonds.kn * bonds.length * strain * bonds.direction
@@ -306,7 +309,7 @@ class Interaction(ABC):
         return load
 
     def swelling_load(self, pressed: PerElement) -> PerElement6:
-        """Return forces on elements at rest that swell by V θ [m³], (n,), [N, N·m], user's order, (n, 6)."""
+        """Return forces on elements at rest with volume changes V θ [m³], (n,): [N, N·m], user's order, (n, 6)."""
         return np.zeros((len(pressed), 6))
 
     def of_walls(
@@ -332,7 +335,7 @@ class Interaction(ABC):
         )
 
     def surface_motion(self, displacement: PerElement3, rotation: PerElement3, traction: Floats) -> Floats:
-        """Return small displacements of free facets [m], (k, 3), that tractions [Pa], (k, 3), open; user's order."""
+        """Return small displacements of free facets [m], (k, 3), under tractions [Pa], (k, 3); user's order."""
         cells = self.lattice.elements.require_cells().cells
         free, arm = cells.free, cells.free.centroid - cells.centroid[cells.free.cell]
         return displacement[free.cell] + np.cross(rotation[free.cell], arm)
@@ -349,9 +352,9 @@ class Interaction(ABC):
         return EnergyParts(*beam_energies(pose, self._beams(strain, integrity)))
 
     def indices(self, pose: Floats, arrays: Arrays, kind: str, strengths: Strengths) -> PerBond:
-        """Return the index of each bond by a criterion [-], 0 where broken, internal order, (m,).
+        """Return the failure index of each bond by a criterion [-], 0 where broken, internal order, (m,).
 
-        Poses of cells have their stresses λ θ [Pa].
+        Poses of cells must contain their stresses λ θ [Pa].
         """
         beams = self._beams(arrays["rest_strain"], arrays["integrity"])
         found = FailureIndices(np.zeros(len(beams.i)))
@@ -381,15 +384,15 @@ class Interaction(ABC):
         return found.tangent[:, :, : len(self.layout.i)]
 
     def tangent(self, pose: Floats, data: Floats, pattern: bsr_array) -> Stiffness:
-        """Return the second derivative of the energy at a pose, given the blocks of bonds in the pattern at rest."""
+        """Return the second derivative of the energy at a pose, given its blocks `data` in the pattern at rest."""
         return Stiffness(bsr_array((data, pattern.indices, pattern.indptr), shape=pattern.shape))
 
 
 class SteppingInteraction(Interaction):
-    """A law that gives the parts of a step itself."""
+    """Law of bonds that provides its own parts of a step."""
 
     strains: ClassVar[bool] = False
 
     @abstractmethod
     def parts(self, run: Run) -> LawParts:
-        """Return the parts of a step."""
+        """Return the parts of a step by which the law acts in a run."""

@@ -13,7 +13,7 @@ from bondem.interactions.stiffness_product import Product
 
 
 class LaggedStrain(Protocol):
-    """Small deformation of all bonds from the reference, with forces of the previous iteration, user's order."""
+    """Interface of a small deformation of all bonds, with extra forces of the previous iteration; user's order."""
 
     @property
     def gap(self) -> PerBond3: ...
@@ -32,11 +32,11 @@ class LaggedStrain(Protocol):
 
 
 class LaggedInteraction(SteppingInteraction):
-    """A law without a potential, whose springs alone have a matrix.
+    """Law of bonds without a potential, for which only the springs have a stiffness matrix.
 
     Attributes:
-        settles: whether rounds of an equilibrium always settle, so that they may be mixed.
-        normal_over_shear: stiffness of its springs along the normal over that across [-].
+        settles: True if the rounds of an equilibrium always converge, so that mixing may accelerate them.
+        normal_over_shear: stiffness of the springs along the normal over that across [-].
     """
 
     has_potential: ClassVar[bool] = False
@@ -50,19 +50,20 @@ class LaggedInteraction(SteppingInteraction):
 
     @abstractmethod
     def springs(self, kn: PerBond, kt: PerBond) -> bsr_array:
-        """Return the matrix of springs of other stiffnesses [N/m], internal order, (m,) each: (6 n, 6 n)."""
+        """Return the matrix, (6 n, 6 n), of springs kn and kt [N/m], (m,) each, internal order."""
 
     @abstractmethod
     def at_rest(self) -> LaggedStrain:
-        """Return the undeformed bonds."""
+        """Return the deformation of bonds at rest, which is zero."""
 
     @abstractmethod
     def small_steps(
         self, speed: PerElement6, weight: PerElement6, along: PerBond, across: PerBond, dt: float, gamma: float,
         steps: int,
     ) -> Floats:  # fmt: skip
-        """Return Σ m v² after each step of small motions [J], (steps,), inf beyond 1e30 of its first.
+        """Return Σ m v² after each step of small motions [J], (steps,); inf once it exceeds 1e30 times the first.
 
-        From velocities (u, θ) [m/s, rad/s] on, with masses and moments of inertia [kg, kg·m²] and dashpots along and
-        across the normals of bonds [N·s/m], user's order; `gamma` is local damping [-].
+        The steps begin with the velocities `speed` [m/s, rad/s], (n, 6). `weight` are masses and moments of inertia
+        [kg, kg·m²], (n, 6); `along` and `across` are dashpots of bonds along and across the normal [N·s/m], (m,);
+        user's order. `dt` is the time step [s] and `gamma` local damping [-].
         """

@@ -1,4 +1,4 @@
-"""Catalogue of the bond laws of bondem. The class of a law states its title and the parameter it varies."""
+"""Catalogue of the bond laws, by the names of their classes."""
 
 from collections.abc import Mapping
 
@@ -30,13 +30,14 @@ _LAWS: tuple[type[BondLaw], ...] = (EulerBernoulli, Obermayr, ParallelBond, Timo
 #: Every law by the name of its class.
 LAWS: dict[str, type[BondLaw]] = {law.__name__: law for law in _LAWS}
 
-#: Those with which packings are calibrated and tested: elements that may roll have no static solution.
+#: Bond laws for calibrated packings. Laws without moments are left out: elements that may roll have no static
+#: solution.
 CALIBRATED: dict[str, type[BondLaw]] = {name: law for name, law in LAWS.items() if law.moments}
 
-#: Those of bodies cut into cells, by the name of the class: they have the material's own E and ν, and no calibration.
+#: Laws of bodies cut into cells, by the name of the class: they have the material's own E and ν, and no calibration.
 CELL_LAWS: dict[str, type[CellBond]] = {law.__name__: law for law in (CellBond,)}
 
-#: Those without regions and without calibration, by the name of the class.
+#: Laws without regions and without calibration, by the name of the class.
 WHOLE_LAWS: dict[str, type] = {NonLocal.__name__: NonLocal}
 
 #: The law of the paper (André et al. 2012), the default of studies.
@@ -53,7 +54,7 @@ def named(law: str) -> str:
 
 
 def kind_of(bond: object) -> type[Interaction]:
-    """Return the kind of interaction of a law, or of laws by region; that of beams for anything else."""
+    """Return the class of interaction of a law, or of laws by region; that of beams for any other object."""
     laws = tuple(bond.values()) if isinstance(bond, Mapping) else (bond,)
     for kind in (CellInteraction, NonLocalInteraction):
         if any(isinstance(law, kind.law) for law in laws):

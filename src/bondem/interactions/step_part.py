@@ -1,7 +1,7 @@
-"""A part of a step: the passes of one subject, in the stages of a step.
+"""Part of a step: the passes of one subject, such as contact, by the stages of a step.
 
-A step is composed of parts. Each part gives passes for some stages, and the list of a stage is that of all parts in
-their order. A subject that a model lacks is a part that its run does not have.
+A step is composed of parts, and each part provides passes for some stages. The passes of a stage are those of all
+parts, in the order of the parts. A model without a subject has no part for it.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -57,14 +57,14 @@ def _keep_nothing() -> None:
 
 @dataclass(frozen=True, eq=False)
 class Part:
-    """The passes of one subject.
+    """Passes of one subject in a step.
 
     Attributes:
         stages: passes by stage.
-        record: function that returns the passes of a record, for rows of the history.
-        keep: function that writes data of the passes into the state, after each call of the core.
-        renewed: function that returns the part with a new list of contacts, or None if a number is not finite; None
-            for a part that has no such list.
+        record: function that returns the passes that write a row of the history.
+        keep: function to call after each call of the core, which writes data of the passes into the state.
+        renewed: function that returns the part with a new list of contacts, or None if a centre is not finite; None
+            for a part without such a list.
         kinetic: passes that correct the kinetic energies of elements, before these are written or examined.
     """
 

@@ -83,7 +83,7 @@ class Stiffness:
         return np.asarray(blocks, dtype=float)
 
     def scaled(self, root: Floats) -> "Stiffness":
-        """Return Sᵀ K S with blocks `root` S of each element, (n, 6, 6)."""
+        """Return Sᵀ K S, with the blocks `root` of S for each element, (n, 6, 6)."""
         B, F = self.bonds, self.forms
         row = np.repeat(np.arange(len(root)), np.diff(B.indptr))
         turned = np.swapaxes(root, 1, 2)
@@ -131,12 +131,12 @@ def _squares(forms: bsr_array, weight: Floats) -> Floats:
 
 
 def _by_columns(forms: bsr_array, root: Floats) -> bsr_array:
-    """Return F S with blocks `root` S of each element, (n, 6, 6)."""
+    """Return F S, with the blocks `root` of S for each element, (n, 6, 6)."""
     return bsr_array((forms.data @ root[forms.indices], forms.indices, forms.indptr), shape=forms.shape)
 
 
 def new_block_rows(layout: Layout) -> BlockRows:
-    """Return room for the rows of a layout."""
+    """Return empty rows of 6×6 blocks for the matrix of a layout, with their columns to be filled."""
     n = len(layout.out_start) - 1
     indptr = (layout.in_start + layout.out_start + np.arange(n + 1)).astype(np.int32)
     indices, data = np.empty(indptr[-1], np.int32), np.empty((indptr[-1], 6, 6))

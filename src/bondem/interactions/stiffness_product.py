@@ -15,7 +15,7 @@ Product = Callable[[PerElement6], PerElement6]
 
 
 def product_by(n: int, call: Callable[[StiffnessProduct], Call]) -> Product:
-    """Return the product by a pass over n elements."""
+    """Return the product function that evaluates a pass over n elements, given its call with tables."""
     by = StiffnessProduct(np.zeros((n, 6)), np.zeros((n, 6)), lines(n), lines(n))
     multiply = bound_pass(call(by))
 
@@ -28,5 +28,5 @@ def product_by(n: int, call: Callable[[StiffnessProduct], Call]) -> Product:
 
 
 def loads_in(sums: Floats) -> PerElement6:
-    """Return force and torque in rows of sums [N, N·m], (n, 6)."""
+    """Return force and torque [N, N·m], (n, 6), from rows of sums, (n, 8)."""
     return sums[:, [0, 1, 2, 4, 5, 6]]

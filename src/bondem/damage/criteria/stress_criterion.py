@@ -166,9 +166,7 @@ def _own_parameters(function: object, given: Mapping[str, object]) -> dict[str, 
     names = [one.name for one in arguments[1:]]
     for name in given:
         if name not in names:
-            raise InputError(
-                f"{_NAME}: {called} has no parameter '{name}'; give {', '.join(names) or 'none'}"
-            )
+            raise InputError(f"{_NAME}: {called} has no parameter '{name}'; give {', '.join(names) or 'none'}")
     found = {}
     for one in arguments[1:]:
         value = given.get(one.name, one.default)

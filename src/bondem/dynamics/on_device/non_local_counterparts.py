@@ -51,9 +51,7 @@ COUNTERPARTS: dict[str, Counterpart] = {
     "mark_pairs": in_order(),  # each thread checks whether its bond reaches the bounds
     "judge_pairs": in_order(over(kernels.judge_pair, bonds, MARKS), RANKED),
     "break_pairs": _break_pairs,
-    "relieve_pairs": in_order(
-        over(kernels.relieve_element, elements, MARKS), over(kernels.end_failing_pair, bonds)
-    ),
+    "relieve_pairs": in_order(over(kernels.relieve_element, elements, MARKS), over(kernels.end_failing_pair, bonds)),
     "add_new_contacts": over(kernels.add_all_new_contacts, one_thread),
     "sum_non_local_energies": over(kernels.sum_portion_of_springs, portions_of_bonds),
 }

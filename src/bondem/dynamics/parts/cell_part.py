@@ -43,8 +43,7 @@ class BodyOfCells(NamedTuple):
     def of(
         cls, model: Model, constants: CellConstants, state: State, shared: SharedTables, dashpots: Dashpots | None
     ) -> "BodyOfCells":
-        """Return the tables of a run from a state, whose arrays they share, with dashpots of facets or None.
-        """
+        """Return the tables of a run from a state, whose arrays they share, with dashpots of facets or None."""
         layout, period = model.layout, model.period
         to_i = _places(shared.blocks, layout.i, len(layout.order))
         facets, cells = cell_tables(constants, layout, period, state.integrity, to_i)

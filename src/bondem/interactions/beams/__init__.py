@@ -1,1 +1,1 @@
-"""Bonds as beams: one file for each law, and the constants and tables of all."""
+"""Bonds as beams: one module per law, and the constants and tables that all laws share."""

@@ -27,7 +27,7 @@ def bond_stiffness(lattice: Lattice, bond: BondAssignment | None) -> tuple[BondS
     pair. Later entries override earlier ones.
 
     Raises:
-        InputError: A bond is covered by no entry, or the laws have different formulations.
+        InputError: A bond follows no law, an entry is not a bond law, or the laws have different formulations.
     """
     if bond is None:
         if len(lattice.pairs):
@@ -62,10 +62,10 @@ def bond_stiffness(lattice: Lattice, bond: BondAssignment | None) -> tuple[BondS
 
 
 def ends_of(argument: str, where: object) -> tuple[Region, Region]:
-    """Return the regions of both ends of bonds, for a key of `argument`: a region or a pair of regions.
+    """Return the regions at both ends of bonds for the key `where`, a region or a pair of regions.
 
     Raises:
-        InputError: The key is neither.
+        InputError: The key is neither; the message begins with `argument`.
     """
     pair = where if isinstance(where, tuple) else (where, where)
     if len(pair) != 2:

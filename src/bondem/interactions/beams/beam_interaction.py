@@ -1,4 +1,4 @@
-"""Beams as an interaction: of the total formulation, and of the incremental one, whose loads the state stores."""
+"""Interactions of beams: of the total formulation, and of the incremental one, whose loads the state stores."""
 
 from collections.abc import Mapping
 from typing import Any, ClassVar
@@ -36,7 +36,7 @@ from bondem.specimen.ordering import Layout
 
 
 class BeamInteraction(Interaction):
-    """Beams of the total formulation, whose energy has no memory."""
+    """Beams of the total formulation, whose forces depend on the present pose only."""
 
     law: ClassVar[type] = BondLaw
 

@@ -1,4 +1,4 @@
-"""Beams in the layout of the core, and its passes over beams in any poses.
+"""Tables of beams in the layout of the core, and passes that evaluate beams in any pose.
 
 `core/tables/step_tables.hpp` declares types and shapes.
 """
@@ -17,7 +17,7 @@ from bondem.specimen.ordering import Layout
 def beam_tables(
     bonds: BondTable, layout: Layout, period: Floats, integrity: PerBond, *, may_share: bool = True
 ) -> tuple[Beams, UniformBeams | None]:
-    """Return beams in the layout of the core, and their common constants, or None.
+    """Return the table of beams, and the table of constants that all share, or None if they differ.
 
     Args:
         bonds: constants of the beams.
@@ -39,7 +39,7 @@ def beam_tables(
 
 
 def load_beams(pose: Floats, beams: Beams, sums: BeamSums) -> None:
-    """Add force and torques of all beams to the sums of their ends."""
+    """Add the forces and torques of all beams in a pose to the rows of `sums` of both ends."""
     run_pass(calls.load_beams(Poses(pose), beams, sums))
 
 
@@ -55,8 +55,8 @@ def count_turned(pose: Floats, beams: Beams) -> tuple[int, int, bool]:
     """Count unbroken beams turned beyond the valid range of their energy, and beyond its end.
 
     Returns:
-        Beams with c1 or c2 < 0.7 or w² < 0.75, beams with c1 or c2 <= 0 or w² <= 0.25, and whether a number is not
-        finite.
+        Number of beams with c1 or c2 < 0.7 or w² < 0.75, number with c1 or c2 <= 0 or w² <= 0.25, and True if a
+        number is not finite.
     """
     found = np.empty(3, dtype=np.int64)
     run_pass(calls.count_turned_beams(Poses(pose), beams, BeamTurns(found)))

@@ -65,7 +65,7 @@ class BondStiffness:
     radius: PerBond
 
     def put(self, chosen: np.ndarray, other: "BondStiffness") -> None:
-        """Overwrite the stiffnesses of the bonds `chosen` with `other`, which has one row for each of them."""
+        """Overwrite the stiffnesses of the bonds `chosen` (indices or mask) with the rows of `other`, in place."""
         for item in fields(self):
             getattr(self, item.name)[chosen] = getattr(other, item.name)
 

@@ -70,7 +70,7 @@ class BondStrain:
         return (k.kn * self.normal)[:, None] * self.direction + k.ks[:, None] * self.shear
 
     def products(self, other: "BondStrain") -> Floats:
-        """Return the factors of kn, ks, kb and kt of each bond in the work of one deformation on another, (4, m)."""
+        """Return the factors of kn, ks, kb and kt of each bond in the work on another deformation, (4, m)."""
         return np.stack(
             [
                 self.normal * other.normal,

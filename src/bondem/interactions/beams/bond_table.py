@@ -77,7 +77,7 @@ class BondTable:
         return replace(self, length=self.length * stretch, ks=self.ks / stretch**2, lever=self.lever * stretch)
 
     def sheared(self, ks: PerBond) -> "BondTable":
-        """Return the same bonds with at least the shear stiffness ks [N/m], (m,)."""
+        """Return the bonds with a shear stiffness of at least ks [N/m], (m,)."""
         more, a = np.maximum(ks - self.ks, 0.0), self.lever
         b = self.length - a
         return replace(
@@ -112,12 +112,12 @@ def directions(lattice: Lattice, layout: Layout) -> Floats:
 
 
 def with_twins(column: np.ndarray) -> np.ndarray:
-    """Return a column of bonds (m,), padded with copies of the first one to GROUP."""
+    """Return a column of bonds (m,), padded to GROUP entries with copies of the first one."""
     return _longer(column, column[:1])
 
 
 def with_zeros(columns: np.ndarray) -> np.ndarray:
-    """Return columns of bonds (…, m), padded with zeros to GROUP."""
+    """Return columns of bonds (…, m), padded to GROUP entries with zeros."""
     return _longer(columns, np.zeros(1))
 
 
@@ -129,5 +129,5 @@ def _longer(columns: np.ndarray, value: np.ndarray) -> np.ndarray:
     return np.concatenate([columns, more], axis=-1)
 
 
-# Rounding that products of constants and length may differ by.
+# Relative difference by rounding between products of constants and length that count as equal.
 _ROUNDING = 1e-14

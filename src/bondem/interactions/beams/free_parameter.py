@@ -1,11 +1,11 @@
-"""The parameter of a bond law that controls Poisson's ratio: its notation and its usual values."""
+"""Parameter of a bond law that controls Poisson's ratio: its notation and usual values."""
 
 from dataclasses import dataclass
 
 
 @dataclass(frozen=True, kw_only=True)
 class FreeParameter:
-    """The dimensionless parameter of a law that calibration varies, because ν depends on it most.
+    """Dimensionless parameter of a bond law that calibration varies, because ν depends most on it.
 
     Attributes:
         name: keyword of the law.
@@ -43,7 +43,7 @@ class FreeParameter:
         return "log" if self.search[1] > 10.0 * self.search[0] else "linear"
 
 
-#: r̃, of beams: how slender they are decides how much they bend beside being stretched.
+#: r̃ of beams: slender beams bend more, compared with their elongation, than stubby ones.
 RADIUS_RATIO = FreeParameter(
     name="radius_ratio", meaning="radius ratio", symbol="r̃", tex=r"$\tilde{r}$", search=(0.1, 0.9),
     # stubbier bonds than 1 are no longer inside the elements

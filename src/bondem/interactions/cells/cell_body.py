@@ -1,4 +1,4 @@
-"""Facets and cells of a lattice that the cell law needs."""
+"""Access to the facets and cells of a lattice, for the cell law."""
 
 import numpy as np
 
@@ -8,7 +8,7 @@ from bondem.specimen.tessellation.facets import Cells, Facets
 
 
 def body_of(lattice: Lattice) -> tuple[Facets, Cells]:
-    """Return the facets and cells of a body.
+    """Return the facets and cells of a lattice that is cut into cells.
 
     Raises:
         InputError: The lattice has no cells.

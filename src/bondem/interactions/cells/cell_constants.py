@@ -1,4 +1,4 @@
-"""Constants of the cell law on a body, for its facets and cells."""
+"""Constants of the energy of the cell law, per facet and cell of a body."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
@@ -34,17 +34,16 @@ _FLAT = 1e-6
 class CellConstants:
     """Constants of the energy of `CellBond`.
 
-    The levers begin at the centre of mass of a cell, which is the place of the element; all other lengths refer to
-    the centres of the tessellation. Nothing else differs, because the gap of a facet is that of its two faces.
+    The levers begin at the centre of mass of a cell, which is the position of the element. All other lengths refer to
+    the centres of the tessellation.
 
-    Shares and H are numbers of single precision and levers multiples of `pitch`: results from them are exact, and
-    passes read half as much. They are stored as the passes read them. `lever_i`, `share_i`, `normal`, `H` and their
-    like are computed on access.
+    Shares and H have single precision and levers are whole multiples of `pitch`, so that sums of their products are
+    exact and passes read half as many bytes. `lever_i`, `share_i`, `normal` and `H` convert them on access.
 
     Attributes:
-        k: 2 G A / L, of halves in series between different materials [N/m], shape (m,).
+        k: 2 G A / L; between different materials, of two halves in series [N/m], shape (m,).
         levers: levers from the centres of mass to the centroid of the facet [pitch], of both sides, int32, (2, 3, m).
-        strain: stress-free strain, by which the levers are longer [-], (m,), or (0,) for none.
+        strain: stress-free strain ε*, which multiplies the levers by 1 + ε* [-], (m,), or (0,) for none.
         bend: resistance to relative rotation, xx, yy, zz, xy, xz, yz [N·m], float32, (6, m).
         shares: A w_p m, balanced shares of the facet: V θ of each side is Σ share·δ [m²], float32, (2, 3, m).
         volume: V [m³], shape (n,).
@@ -53,15 +52,15 @@ class CellConstants:
         G, lame: shear modulus and Lamé's λ of the material of each cell [Pa], shape (n,).
         supports: facets that walls hold; their cells in the user's order.
         softness: d / 2 G of each free facet, the opening per traction [m/Pa], shape (k,).
-        way: (c - g) / d along its free axes, with the centroid c of the facet and the centre g of the cell [-], shape
-            (k, 3): a force F on it adds softness · F·way to V θ, and the stress of the cell moves it by
-            -softness · stress · way. Its part along the facet makes tractions along the surface exact.
+        way: (c - g) / d along the free axes of each free facet, with its centroid c and the centre g of its cell [-],
+            shape (k, 3). A force F on the facet adds softness · F·way to V θ, and the stress of the cell moves the
+            facet by -softness · stress · way. The part in the plane makes tractions along the surface exact.
         free_cell: cell of each free facet, user's order, shape (k,).
         pressed: contribution of tractions on its free facets to V θ of each cell [m³], shape (n,).
-        pitch: levers are whole multiples of it along x, y, z [m], shape (3,).
+        pitch: unit of the levers along x, y, z [m], shape (3,).
         gradients: constants of the gradients of the dilatation.
-        slack: function that computes the increase of 1 / weight of each side if the facet breaks, A d |m|² / 2G
-            [m³/Pa], (2, m), which only bodies that fail need.
+        slack: function that returns the increase of 1 / weight of the cell on each side if the facet breaks, A d |m|²
+            / 2G [m³/Pa], (2, m).
     """
 
     k: PerBond
@@ -91,12 +90,12 @@ class CellConstants:
 
         Args:
             body: a lattice with facets and cells.
-            bond: law of its material.
+            bond: law of all cells, or laws by region.
             fixed: free facets that walls hold.
             may_fail: True for facets that may fail, whose cells have no gradients of the dilatation.
 
         Raises:
-            InputError: The lattice has no cells, or cells are covered by no law.
+            InputError: The lattice has no cells, a cell follows no law, or the laws differ in `facet_rotation`.
         """
         facets, cells = body_of(body)
         G, lame, rotation = _materials(body, bond)
@@ -154,7 +153,7 @@ class CellConstants:
         return np.bincount(self.free_cell, weights=opened, minlength=len(self.pressed)).astype(float)
 
     def ordered(self, layout: Layout | Reversed) -> "CellConstants":
-        """Return the constants in internal order, or by the reversed layout in the user's."""
+        """Return the constants in the order of a layout: internal, or the user's for a reversed layout."""
         bond, element, back = layout.bond_order, layout.order, layout.flipped
         shares, direction = _of_sides(self.shares, layout), self.direction.take(bond, axis=-1)
         np.negative(shares, out=shares, where=back)
@@ -202,12 +201,12 @@ class CellConstants:
         return _rows(self.bend[NINE]).reshape(-1, 3, 3)
 
     def stretched(self, strain: PerBond, layout: Layout) -> "CellConstants":
-        """Return the constants with cells that are larger without stress, by the ε* of their facets.
+        """Return the constants with levers longer by stress-free strains ε*; see `strain`.
 
-        Cells at walls grow towards them by the mean of their facets.
+        The levers to walls grow by the mean strain of the facets of their cell.
 
         Args:
-            strain: ε* [-], internal order, as these constants are in, shape (m,), or (0,) for none.
+            strain: ε* of the facets [-], internal order like the constants, shape (m,), or (0,) for none.
             layout: order of elements and bonds.
         """
         if strain.size == 0:
@@ -228,7 +227,7 @@ class CellConstants:
         return replace(self, weight=self.weight / (1.0 + self.weight * slack))
 
     def as_bonds(self, body: Lattice) -> BondStiffness:
-        """Return stiffnesses of beams that are about as stiff, for approximate uses: dashpots, magnitudes."""
+        """Return beams about as stiff as the facets, for dashpots and estimates; user's order."""
         facets, _ = body_of(body)
         bend = np.einsum("mii->m", self.H) * 0.5
         return BondStiffness(
@@ -243,7 +242,7 @@ def _rows(columns: np.ndarray) -> Floats:
 
 
 def _of_sides(columns: np.ndarray, layout: Layout | Reversed) -> np.ndarray:
-    """Return columns of both sides of the facets, (2, …, m), in another order, where sides may change places."""
+    """Return columns of both sides of the facets, (2, …, m), in the order of a layout, which may swap the sides."""
     taken = columns.take(layout.bond_order, axis=-1)
     return np.where(layout.flipped, taken[::-1], taken)
 
@@ -287,7 +286,7 @@ def _materials(body: Lattice, bond: CellAssignment) -> tuple[Floats, Floats, str
 
 
 def ways(facets: Facets) -> tuple[PerBond3, PerBond3]:
-    """Return the vectors m with which both halves of each facet add A m·δ_p to V θ of their cells [-], (m, 3)."""
+    """Return m of both sides of each facet [-], (m, 3) each: an opening δ_p of half p adds A m·δ_p to V_p θ_p."""
     per_depth = facets.span / facets.area
     return (
         facets.share_i * (per_depth / facets.depth_i)[:, None], facets.share_j * (per_depth / facets.depth_j)[:, None]
@@ -298,7 +297,8 @@ def _along_facets(free: FreeFacets, position: PerElement3) -> Floats:
     """Return τ / d of free facets, the part of (c - g) / d in their planes [-], (k, 3).
 
     A uniform strain ε adds A n·ε (c - g) to V θ, and opens the facet by d ε n. The difference under a traction t
-    along the surface is A n·ε τ = A t·τ / 2 G. Zero for shares that are not A n, as those of older files.
+    along the surface is A n·ε τ = A t·τ / 2 G. The result is zero for shares other than A n, such as those of older
+    files.
     """
     span = free.centroid - position[free.cell]
     far = np.abs(free.depth) > _FLAT * np.linalg.norm(span, axis=1)
@@ -308,10 +308,10 @@ def _along_facets(free: FreeFacets, position: PerElement3) -> Floats:
 
 
 def compliance(body: Lattice) -> PerElement:
-    """Return q = Σ A d |m|² / V over all facets of each cell [-], shape (n,); 3 for m = n.
+    """Return q of each cell [-], shape (n,): its energy is positive for every motion if λ > -2 G / q.
 
-    V θ² ≤ q Σ A |δ_p|² / d over the openings δ_p of its halves, so that the energy of the cell is positive for every
-    motion where λ > -2 G / q.
+    q = Σ A d |m|² / V over the facets of a cell, with area A, depth d of the centre below the facet, and m of `ways`;
+    q = 3 if m is the normal. V θ² ≤ q Σ A |δ_p|² / d holds for the openings δ_p of the halves of its facets.
     """
     facets, cells = body_of(body)
     free, n = cells.free, len(cells.volume)
@@ -325,7 +325,7 @@ def compliance(body: Lattice) -> PerElement:
 def _supports(
     cells: Cells, fixed: FixedFacets, G: PerElement, n_free: Floats, rotation: str, walls: FreeWalls
 ) -> Supports:
-    """Return the half facets between cells and walls."""
+    """Return the table of half facets by which walls hold cells."""
     free, facet = cells.free, fixed.facet
     cell, normal, axes = free.cell[facet], free.normal[facet], fixed.axes.astype(float)
     stiffness = 2.0 * G[cell] / free.depth[facet]

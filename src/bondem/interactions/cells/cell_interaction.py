@@ -1,4 +1,4 @@
-"""The cell law as an interaction: facets between cells, and the dilatation of cells."""
+"""Interaction of cells by the cell law: facets between cells, and the dilatation of cells."""
 
 from collections.abc import Mapping
 from copy import copy
@@ -37,7 +37,7 @@ _NO_LOADS = "bond_forces: facets of cells have no moments of their own; use bd.c
 
 
 class CellInteraction(CellsAtAnyPose):
-    """Facets between cells, with the dilatation of the cells."""
+    """Interaction of cells by their facets and dilatations, in the reference and for small motions."""
 
     law: ClassVar[type] = CellBond
     bond: ClassVar[str] = "facet"
@@ -109,7 +109,7 @@ class CellInteraction(CellsAtAnyPose):
 
     @property
     def by_user(self) -> CellConstants:
-        """Constants without strains, user's order, made anew at each call."""
+        """Constants without strains, user's order, computed at each access."""
         return self._own.ordered(self.layout.reversed)
 
     @property
@@ -167,7 +167,10 @@ class CellInteraction(CellsAtAnyPose):
     def small_strain(
         self, displacement: PerElement3, rotation: PerElement3, strain: PerBond, pressed: PerElement
     ) -> CellStrain:
-        """Return the deformation by small motions [m, rad], with walls at their final places; see `strain_load`."""
+        """Return the deformation by small motions [m, rad], user's order, with walls at their final places.
+
+        `strain` and `pressed` are those of `strain_load`.
+        """
         own, supports = np.empty(len(strain)), self.supports
         own[self.layout.bond_order] = strain
         wall = supports.motion + supports.lever - supports.grown(self.layout.of_elements(strain)).arm

@@ -1,4 +1,4 @@
-"""Warnings about bodies of cells that are less accurate than expected, as far as a model shows it."""
+"""Warnings about bodies of cells for which the cell law is less accurate than usual."""
 
 import warnings
 from collections.abc import Callable, Mapping
@@ -16,10 +16,10 @@ from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Difference, Intersection, Plane, Region, Union, Within
 
-# Poisson's ratio times this is what a layer bends too softly; less is no matter.
+# Least |ν| for a warning: a layer without gradients of the dilatation bends with an error of about ν.
 _MATTERS = 0.01
-# Ratio of E that makes an interface, and distance of its facets from the surface, over the size of a cell, root mean
-# square: 0.02 to 0.12 where cells end on it, 0.2 to 0.3 where they do not.
+# Ratio of E that makes an interface. Root mean square distance of its facets from the surface over the size of a
+# cell: 0.02 to 0.12 where cells end on the surface, 0.2 to 0.3 where they do not. Least number of such facets.
 _CONTRAST, _ROUGH, _FEW_FACETS = 1.25, 0.15, 8
 
 
@@ -77,7 +77,7 @@ def _question_thin(body: Lattice, laws: list[CellBond], may_fail: bool) -> None:
 
 
 def _question_ragged(body: Lattice, bond: Mapping[Region, CellBond]) -> None:
-    """Warn about an interface between two materials that cuts through cells, if a surface defines it."""
+    """Warn about cells that cut through an interface between two materials, if a surface defines it."""
     surfaces = [one for where in bond for one in _surfaces(where)]
     E = np.full(len(body.particles), np.nan)
     for where, law in bond.items():
@@ -100,7 +100,7 @@ def _question_ragged(body: Lattice, bond: Mapping[Region, CellBond]) -> None:
 
 
 def _surfaces(where: object) -> list[Callable[[PerElement3], Floats]]:
-    """Return distances from the surfaces that a region is made of, none for those that name elements."""
+    """Return functions of the distance [m] from the surfaces that define a region; none if it lists elements."""
     match where:
         case Within():
             return [where.shape.depth]

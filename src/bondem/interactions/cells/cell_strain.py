@@ -65,7 +65,7 @@ class CellStrain:
         return cls(gap, rotation[j] - rotation[i], wall_gap, rotation, swelling)
 
     def stress(self, constants: CellConstants) -> PerElement:
-        """Return the stress of each cell that its dilatation causes [Pa], (n,)."""
+        """Return the stress of each cell by its dilatation, `CellConstants.stress_of` [Pa], (n,)."""
         return constants.stress_of(self.swelling)
 
     def forces(self, body: Lattice, constants: CellConstants) -> Floats:

@@ -1,4 +1,4 @@
-"""Facets and cells in the layout of the core, and its passes over a body in any poses.
+"""Tables of facets and cells in the layout of the core, and passes that evaluate a body in any pose.
 
 `core/tables/cell_tables.hpp` declares types and shapes.
 """
@@ -32,14 +32,14 @@ STRESS = 3
 def cell_tables(
     cells: CellConstants, layout: Layout, period: Floats, integrity: PerBond, to_i: np.ndarray
 ) -> tuple[ElasticFacets, CellDilatation]:
-    """Return facets and cells in the layout of the core. Facets share the arrays of the constants.
+    """Return the tables of facets and cells in the layout of the core; facets share arrays of the constants.
 
     Args:
         cells: constants in the order of the layout.
         layout: cells of the facets.
         period: edges of the periodic cell and their inverses, (6,).
         integrity: integrity of the facets [-], (m,).
-        to_i: place where each facet adds to V θ of its cell i, uint32, (m,).
+        to_i: row of V θ that each facet adds to for its cell i, uint32, (m,).
     """
     levers = cells.levers
     if cells.strain.size:
@@ -54,10 +54,8 @@ def cell_tables(
     return facets, CellDilatation(cells.weight.copy(), cells.pressed.copy(), np.zeros(count), with_twins(to_i))
 
 
-def gradient_tables(
-    gradients: GradientConstants, n: int, walls: WallConstraints
-) -> DilatationGradients:
-    """Return gradients of the dilatation in the layout of the core.
+def gradient_tables(gradients: GradientConstants, n: int, walls: WallConstraints) -> DilatationGradients:
+    """Return the table of gradients of the dilatation in the layout of the core.
 
     Args:
         gradients: constants in internal order.
@@ -85,7 +83,7 @@ def gradient_tables(
 
 
 def _of_cells(i: Ints, j: Ints, n: int) -> tuple[Ints, Ints, np.ndarray]:
-    """Return where the sides of each of n cells begin, the order of all sides, and the cells on the other sides."""
+    """Return the start of the sides of each of n cells, the sides sorted by cell, and the cells opposite."""
     near, far = np.concatenate([i, j]), np.concatenate([j, i])
     order = np.argsort(near, kind="stable")
     start = np.concatenate([[0], np.cumsum(np.bincount(near, minlength=n))]).astype(np.int64)
@@ -95,13 +93,13 @@ def _of_cells(i: Ints, j: Ints, n: int) -> tuple[Ints, Ints, np.ndarray]:
 def facet_release(
     constants: CellConstants, layout: Layout, facets: ElasticFacets, cells: CellDilatation, walls: WallConstraints
 ) -> FacetRelease:
-    """Return the effect of failing facets on their cells, and set the weights of cells by their unbroken facets.
+    """Return the table by which failing facets change their cells, and set the weights of cells.
 
     Args:
         constants: constants of the whole body in the order of the layout.
         layout: cells of the facets.
         facets: facets with their integrity.
-        cells: cells, whose weights are set.
+        cells: cells, whose weights are set by their unbroken facets.
         walls: walls that hold facets of the cells.
     """
     n, (slack_i, slack_j) = len(constants.weight), constants.slack()
@@ -119,7 +117,7 @@ def load_body(
     all_cells: CellPoses, facets: ElasticFacets, cells: CellDilatation, gradients: DilatationGradients,
     walls: WallConstraints, sums: Floats,
 ) -> None:  # fmt: skip
-    """Set the stresses of the cells in the poses, and add the loads of facets and walls to the sums, (n, 8)."""
+    """Store the stresses of cells in their poses, and add the loads of facets and walls to `sums`, (n, 8)."""
     run_pass(calls.load_body(all_cells, facets, cells, gradients, walls, BeamSums(facets.i, facets.j, sums)))
 
 
@@ -135,5 +133,5 @@ def body_energies(
 
 
 def place_supports(walls: WallConstraints, time: float) -> None:
-    """Bring walls to a time [s]."""
+    """Move walls that hold facets to their places at a time [s], in place."""
     run_pass(calls.place_walls(walls, WallTime(time)))

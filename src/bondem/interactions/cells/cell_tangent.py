@@ -33,9 +33,9 @@ from bondem.specimen.local_origin import local_rest
 
 @dataclass(frozen=True, eq=False)
 class BodyTables:
-    """Facets, cells and walls of a body in the layout of the core.
+    """Tables of the facets, cells and walls of a body in the layout of the core.
 
-    Tractions on facets are those of the constants and do not change.
+    Tractions on facets are constant: those of the constants, or of a `SurfaceState`.
 
     Attributes:
         facets: facets of the body.
@@ -53,7 +53,7 @@ class BodyTables:
     def of(
         cls, law: "CellsAtAnyPose", constants: CellConstants, integrity: PerBond, surface: SurfaceState | None = None
     ) -> "BodyTables":
-        """Return the tables of a body with facets of some integrity [-], (m,); see `Interaction.energy`."""
+        """Return the tables of a body with facets of a given integrity [-], (m,); `surface` is that of `energy`."""
         layout = law.layout
         base, motion, pressed = surface or (None, constants.supports.motion, constants.pressed)
         walls = constants.supports.table(layout, np.zeros(len(layout.order), dtype=np.int64), base)
@@ -68,7 +68,7 @@ class BodyTables:
 
 
 class CellsAtAnyPose(Interaction):
-    """Cells in any pose: forces, and their derivative for Newton's method."""
+    """Interaction of cells in any pose: energy, forces, and their derivative for Newton's method."""
 
     @property
     @abstractmethod
@@ -110,7 +110,7 @@ class CellsAtAnyPose(Interaction):
         return Stiffness(bonds, self._current_forms(pose, pattern), self.constants.weight, *self._gradients_at(pose))
 
     def gradient(self, pose: Floats) -> tuple[PerElement6, PerElement6]:
-        """Return the derivative of the energy and wall loads; the stresses of the cells are stored in the pose."""
+        """Return the derivative of the energy and wall loads, (n, 6); store the stresses of cells in the pose."""
         body = BodyTables.of(self, self.constants, np.ones(len(self.layout.i)))
         sums, walls = lines(len(pose)), np.zeros((len(pose), 6))
         body.load(pose, self._rest, sums)
@@ -118,7 +118,7 @@ class CellsAtAnyPose(Interaction):
         return -loads_in(sums), walls
 
     def bond_tangents(self, pose: Floats) -> Floats:
-        """Return the second derivative of the energy of facets, at the pose's stresses, (12, 12, m)."""
+        """Return the second derivative of the energy of facets at the stresses stored in the pose, (12, 12, m)."""
         m = len(self.layout.i)
         facets = BodyTables.of(self, self.constants, np.ones(m)).facets
         found = BondTangents(np.empty((12, 12, len(facets.i))))

@@ -1,11 +1,11 @@
-"""The mass matrix for which waves of pressure have their celerity up to fourth order in the size of the cells.
+"""Mass matrix for which pressure waves have their exact speed up to fourth order in the size of the cells.
 
 Facets sample a sine over the distance of two centres, and the dilatation of a cell is a central difference. A plane
 wave of pressure of wave number k has therefore, in an isotropic tessellation,
 
     ω² ρ / k² = 2 G (1 - k² L̄² / 20) + λ (1 - k² L̄² / 5) + κ k²,     L̄² = Σ A L³ / Σ A L
 
-with κ = min(λ, 2 G) j of the gradients between cells. M' = M - Θᵀ (ρ V β) Θ, θ = Θ u, makes up for it with
+with κ = min(λ, 2 G) j of the gradients between cells. M' = M - Θᵀ (ρ V β) Θ, with θ = Θ u, corrects this by
 
     β = (L̄² (λ / 5 + 2 G / 20) - κ) / (λ + 2 G)
 """
@@ -47,8 +47,8 @@ def corrected_mass(mass: Floats, forms: csr_array, factor: PerElement) -> csr_ar
 def largest_share(mass: Floats, forms: csr_array, factor: PerElement) -> float:
     """Return the largest eigenvalue μ of M⁻¹ Fᵀ (ρ β / V) F [-], for the arguments of `corrected_mass`.
 
-    An explicit step has the accelerations (1 + M⁻¹ Fᵀ (ρ β / V) F) M⁻¹ f, and squares of frequencies that are larger
-    by at most 1 + μ.
+    An explicit step uses the accelerations (1 + M⁻¹ Fᵀ (ρ β / V) F) M⁻¹ f, which raise squares of frequencies by a
+    factor of at most 1 + μ.
     """
     scaled = diags_array(np.sqrt(factor)) @ forms @ diags_array(1.0 / np.sqrt(mass))
     square = csr_array(scaled @ scaled.T)

@@ -1,7 +1,7 @@
 """Gradients of the dilatation: between cells, and across layers one cell thick.
 
 A cell has one dilatation θ, so that the energy ½ λ j |∇θ|² of its gradient within a cell is missing, j = ∫ z² dV / V.
-Two terms supply it.
+Two terms add it.
 
 - Between cells: U = Σ ½ c (σ_i - σ_j)² over facets, σ = λ_p θ_p. The difference between neighbours stands for the
   gradient within: c = A L κ / λ², κ = λ j / L̄², with j and L̄² = Σ A L³ / Σ A L of the body. In κ, λ is at most 2 G,
@@ -28,7 +28,7 @@ from bondem.specimen.lattice import Lattice
 from bondem.specimen.ordering import Layout, Reversed
 
 Springs = tuple[np.ndarray, np.ndarray, PerBond]
-# Lamé's λ over G from which the gradient between cells does not grow any more.
+# Lamé's λ over G beyond which the gradient term between cells stays constant.
 _STIFFEST = 2.0
 # Squared cosine of the angle between the normals of two cells within which they are one layer.
 _PARALLEL = 0.5
@@ -36,10 +36,10 @@ _PARALLEL = 0.5
 
 @dataclass(frozen=True, eq=False)
 class GradientConstants:
-    """Constants of both terms, user's or internal order.
+    """Constants of both gradient terms of the module docstring, user's or internal order.
 
     Attributes:
-        springs: function that computes cells i and j of the facets with a spring, int32, and c [m³/Pa], (k,) each.
+        springs: function that returns cells i and j of the facets with a spring, int32, and c [m³/Pa], (k,) each.
         a, b: cells of the facets within layers, shape (l,).
         facet: numbers of these facets, shape (l,).
         way_a, way_b: n × s of both cells for each direction across their layer [m²], shape (l, 2, 3): V χ is
@@ -146,7 +146,7 @@ class GradientConstants:
         return moment, wall
 
     def coupling(self, weight: PerElement) -> csr_array | None:
-        """Return W L W, (n, n), of W = λ_p / V_p [Pa/m³] and the Laplacian L of the springs; None without springs."""
+        """Return W L W, (n, n), with `weight` W = λ_p / V_p [Pa/m³] and the Laplacian L of the springs, or None."""
         i, j, spring = self.springs()
         if not len(spring):
             return None
@@ -167,7 +167,7 @@ class GradientConstants:
             return None
         root = np.sqrt(self.weight)
         row, column, value = [], [], []
-        for own, way in ((self.a, ways[0]), (self.b, ways[1])):  # every facet turns by θ_b - θ_a
+        for own, way in ((self.a, ways[0]), (self.b, ways[1])):  # the relative rotation of a facet is θ_b - θ_a
             for slot in range(2):
                 for end, sign in ((self.a, -1.0), (self.b, 1.0)):
                     row.append(2 * own + slot)

@@ -1,4 +1,4 @@
-"""Free surfaces of a body at each cell: of layers and columns one cell thick, and single surfaces."""
+"""Free surfaces at each cell of a body: those of layers and columns one cell thick, and single ones."""
 
 from dataclasses import dataclass
 
@@ -8,11 +8,10 @@ from bondem._types import Floats, Ints, Mask, PerElement3
 from bondem.interactions.cells.cell_body import body_of, sums_of_normals
 from bondem.specimen.lattice import Lattice
 
-# A cell is one of a layer where its facets without a neighbour are this share of all of them along some axis: 1 of a
-# plate one cell thick (0.83 and more where its cells are uneven), 1/2 at a flat surface. So many of all cells, and as
-# many in number, make a layer.
+# Share of free facets along an axis above which a cell belongs to a layer: 1 in a plate one cell thick (at least 0.83
+# with uneven cells), 1/2 at a flat surface. Least share of all cells, and least number of them, that make a layer.
 _THIN, _PART, _FEW = 0.75, 0.1, 8
-# Share above which free facets along an axis are a free surface of the cell.
+# Share of free facets along an axis above which they are a free surface of the cell.
 _WALL = 0.2
 
 

@@ -1,4 +1,4 @@
-"""Adhesion of spheres that touch or are near, as a potential well."""
+"""Adhesion of spheres that touch or are close to each other, as a potential well."""
 
 import math
 from dataclasses import dataclass

@@ -21,7 +21,7 @@ ContactPlace = Region | Wall | tuple[Region | Wall, Region | Wall]
 ContactAssignment = ContactLaw | Mapping[ContactPlace, ContactLaw]
 
 _WANTED = "a contact law such as bd.LinearContact(...), or None"
-# Kinds of elements that a byte tells apart.
+# Largest number of kinds of elements, which one byte numbers.
 _KINDS = 256
 
 
@@ -45,7 +45,7 @@ class ContactLaws:
 
     @classmethod
     def of(cls, lattice: Lattice, contact: ContactAssignment | None, walls: Sequence[Wall]) -> "ContactLaws":
-        """Assign laws; without any no element has a kind.
+        """Return the contact laws of a model; without `contact` there are no laws and no kinds.
 
         With a mapping, pairs within a region and contacts of its elements with walls follow its law; pairs of two
         regions, and contacts of a region with a wall, follow that of the pair. Later entries override earlier ones.
@@ -62,7 +62,7 @@ class ContactLaws:
         between, at_walls = np.zeros((1, 1), dtype=np.int64), np.zeros((1, len(walls)), dtype=np.int64)
         if isinstance(contact, Mapping):
             by_region = _by_region(lattice, contact, walls, laws)
-            if len(laws) > 1:  # else as if it had been given alone
+            if len(laws) > 1:  # a single law acts everywhere, as without regions
                 kind, between, at_walls = by_region
         _check_reach(laws, lattice)
         given = np.array([math.nan if wall.friction is None else wall.friction for wall in walls], dtype=float)
@@ -71,7 +71,7 @@ class ContactLaws:
 
     @property
     def name(self) -> str:
-        """Class of the laws."""
+        """Name of the class of the laws."""
         return type(self.laws[0]).__name__
 
     @property
@@ -116,7 +116,7 @@ class ContactLaws:
 
     @property
     def rows(self) -> tuple[Floats, Floats]:
-        """Rows of `ContactRow` of pairs, (kinds, kinds, 9), and at walls with their friction, (kinds, w, 9)."""
+        """Rows `ContactLaw.parameters` of pairs, (kinds, kinds, 9), and at walls, (kinds, w, 9)."""
         rows = np.array([law.parameters for law in self.laws])
         at_walls = rows[self.at_walls]
         at_walls[:, :, 2] = self.friction
@@ -157,7 +157,7 @@ class ContactLaws:
         return least
 
     def released(self, radius: PerElement) -> float:
-        """Return a bound of the energy that adhesion releases as elements meet, of radii in user's order [J]."""
+        """Return a bound of the energy that adhesion releases as elements meet [J]; radii [m] in the user's order."""
         total = 0.0
         for number, law in enumerate(self.laws):
             if law.adhesion is not None:  # a well of F_c D / 2 at each contact
@@ -171,7 +171,7 @@ class ContactLaws:
 
 
 def _checked(contact: object) -> tuple[ContactLaw, ...]:
-    """Return the laws of an assignment, in its order; reject other objects, and laws that cannot be combined."""
+    """Return the laws of an assignment in its order; raise InputError for others, or laws that do not combine."""
     if not isinstance(contact, Mapping):
         return (instance("Model", "contact", contact, ContactLaw, _WANTED),)
     found = tuple(instance("Model", "contact", law, ContactLaw, _WANTED) for law in contact.values())
@@ -187,7 +187,7 @@ def _checked(contact: object) -> tuple[ContactLaw, ...]:
 
 
 def _check_reach(laws: tuple[ContactLaw, ...], lattice: Lattice) -> None:
-    """Reject adhesion over gaps in which other elements may lie."""
+    """Raise InputError for adhesion across gaps in which other elements may lie."""
     least = float(lattice.particles.radius.min())
     for law in laws:
         if law.adhesion is not None and law.adhesion.reach > least:
@@ -200,7 +200,7 @@ def _check_reach(laws: tuple[ContactLaw, ...], lattice: Lattice) -> None:
 def _by_region(
     lattice: Lattice, contact: Mapping[ContactPlace, ContactLaw], walls: Sequence[Wall], laws: tuple[ContactLaw, ...]
 ) -> tuple[np.ndarray, Ints, Ints]:
-    """Return the kinds of elements and the numbers of their laws, as `ContactLaws` has them."""
+    """Return `kind`, `between` and `at_walls` of `ContactLaws` for laws by region."""
     ends = [_ends(lattice, where, walls) for where in contact]
     masks = np.array([mask for pair in ends for mask, _ in pair])
     combinations, kind = np.unique(masks, axis=1, return_inverse=True)
@@ -223,7 +223,7 @@ def _by_region(
 
 
 def _ends(lattice: Lattice, where: object, walls: Sequence[Wall]) -> tuple[tuple[Mask, Mask], ...]:
-    """Return masks of the elements and of the walls of both sides of an entry."""
+    """Return, for both sides of an entry of `contact=`, masks of its elements (n,) and of its walls (w,)."""
     pair = where if isinstance(where, tuple) else (where, where)
     if len(pair) != 2:
         raise InputError(f"contact= names {len(pair)} regions for one contact; give (region, region): law")
@@ -241,7 +241,7 @@ def _ends(lattice: Lattice, where: object, walls: Sequence[Wall]) -> tuple[tuple
         else:
             region = as_region("contact=", side)
             region.select(lattice)  # refuses an empty one
-            mask = region.mask(lattice)  # with elements that nothing holds, which touch others too
+            mask = region.mask(lattice)  # also with elements without bonds, which may touch others
         sides.append((mask, of_walls))
     return tuple(sides)
 

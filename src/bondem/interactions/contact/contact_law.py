@@ -2,11 +2,11 @@
 
     F_n = max(kn u + cn u', 0)        |F_t| <= μ F_n,  F_t = ks ξ + cs ξ' while it sticks
 
-with u the overlap and ξ the stretch of the tangential spring, which turns with the pair and slides where Coulomb's
-limit holds it. Stiffness of the linear law follows from an effective modulus, kn = E A / L with A = π min(Ri, Rj)²
-and L = Ri + Rj (at a wall A = π R², L = R), as that of a bond does; that of `HertzMindlin` grows with the overlap.
-Repulsion only, unless there is `Adhesion`. A pair whose bond is broken carries compression as the bond did: from its
-rest length on, with its kn (docs/decisions/0020-contact-after-breakage.md). References: Cundall and Strack,
+with u the overlap and ξ the stretch of the tangential spring, which turns with the pair and slides at Coulomb's
+limit. Stiffness of the linear law follows from an effective modulus, kn = E A / L with A = π min(Ri, Rj)² and L = Ri
++ Rj (at a wall A = π R², L = R), as that of a bond does; that of `HertzMindlin` grows with the overlap. Contacts only
+repel, unless the law has `Adhesion`. A pair whose bond is broken carries compression as the bond did, from its rest
+length on and with its kn (docs/decisions/0020-contact-after-breakage.md). References: Cundall and Strack,
 Géotechnique 29 (1979) 47–65; Luding, Granular Matter 10 (2008) 235–246, for the turning of the spring.
 """
 
@@ -23,14 +23,14 @@ from bondem.interactions.contact.adhesion import Adhesion, numbers_of
 
 # Contacts a sphere can have with spheres of its size: the kissing number bounds the stiffness around it.
 KISSING = 12
-# Overlap over the smaller radius from which spheres of a linear law are no bodies that touch any more.
+# Overlap over the smaller radius beyond which a linear law no longer describes touching bodies.
 _DEEPEST = 0.5
 # A Hertzian dashpot over a linear one of the same stiffness dF/du: both lose the same share of a collision.
 HERTZIAN_DASHPOT = math.sqrt(5.0 / 6.0)
 
 
 class ContactLaw(ABC):
-    """Forces between elements, and between elements and walls, where they touch."""
+    """Law of the forces between elements that touch, and between elements and walls."""
 
     @property
     @abstractmethod
@@ -81,8 +81,8 @@ class ContactLaw(ABC):
             platens: masses of the walls that a force moves [kg], (s,).
 
         Returns:
-            For motion along the normal, and for rolling if there is friction: the angular frequency [rad/s]
-            and the ratio c / k of dashpot to spring [s].
+            Angular frequency [rad/s] and ratio c / k of dashpot to spring [s], each for motion along the normal, and
+            for rolling if the contact has friction or resists rolling.
         """
 
     @property
@@ -92,7 +92,7 @@ class ContactLaw(ABC):
 
     @abstractmethod
     def shortest(self, radius: Floats, mass: Floats, platens: Floats, *, walled: bool) -> float:
-        """Return the duration of the shortest elastic collision of two free spheres, or of one with a wall [s].
+        """Return the shortest duration of an elastic collision of two free spheres, or of a sphere with a wall [s].
 
         Args:
             radius: radii of the spheres [m], (n,).
@@ -111,7 +111,7 @@ def rebound(beta: float) -> float:
     """
     if beta < 1.0:
         omega = math.sqrt(1.0 - beta * beta)
-        # atan2 takes both of their branches, below and above β = 1/√2
+        # atan2 covers both branches of the formula, below and above β = 1/√2
         return math.exp(-beta / omega * (math.pi - math.atan2(2.0 * beta * omega, 1.0 - 2.0 * beta * beta)))
     if beta == 1.0:
         return math.exp(-2.0)
@@ -124,9 +124,9 @@ def fastest(
 ) -> tuple[tuple[float, float], ...]:
     """Return the result of `ContactLaw.stiffest` for spheres whose contacts have the stiffness kn.
 
-    Every contact has a twelfth of the masses that it joins, because at most twelve spheres of equal size touch
-    another. Two such masses against each other have ω² = 2 · 12 kn / m, and rolling on each other ω² = 7 · 12 ks / m.
-    A spring against rolling adds R̄² ks / I < 2.5 · 12 ks / m. A platen may have to carry all spheres.
+    Every contact counts with a twelfth of both masses, because at most twelve spheres of equal size touch another.
+    Two such masses against each other have ω² = 2 · 12 kn / m, and rolling on each other ω² = 7 · 12 ks / m. A spring
+    against rolling adds R̄² ks / I < 2.5 · 12 ks / m. A platen may have to carry all spheres.
 
     Args:
         kn: normal stiffness [N/m], (n,).
@@ -134,8 +134,8 @@ def fastest(
         delay: largest c / kn [s].
         mass: masses of the spheres [kg], (n,).
         platens: masses of the walls that a force moves [kg], (s,).
-        rough: True if there is friction.
-        rolls: True if there is resistance to rolling or twisting.
+        rough: True if the contact has friction.
+        rolls: True if the contact resists rolling or twisting.
     """
     light = mass / (1.0 + len(mass) * mass / KISSING / platens.min()) if len(platens) else mass
     along = math.sqrt(float((2.0 * KISSING * kn / light).max())), delay
@@ -146,7 +146,7 @@ def fastest(
 
 
 def slowest_root(pair: Floats, wall: Floats, mass: Floats, platens: Floats, *, walled: bool) -> float:
-    """Return the least √(m̄ / k) of two equal spheres, and of a sphere at a wall [s].
+    """Return the least √(m̄ / k) [s] over all pairs of equal spheres, and all spheres at a wall.
 
     Args:
         pair: stiffness of two spheres of each size [N/m], (n,).
@@ -165,7 +165,7 @@ def slowest_root(pair: Floats, wall: Floats, mass: Floats, platens: Floats, *, w
 def passage(
     adhesion: Adhesion | None, radius: Floats, mass: Floats, platens: Floats, *, walled: bool
 ) -> float:  # fmt: skip
-    """Return the time that the reach of adhesion takes, π √(m̄ D / F_c), as a collision does; infinite without [s].
+    """Return the least duration π √(m̄ D / F_c) of motion within the reach D of adhesion [s]; inf without adhesion.
 
     Args:
         adhesion: adhesion of the law.
@@ -181,7 +181,7 @@ def passage(
 
 
 def check_options(law: str, rolling: float, twisting: float, adhesion: Adhesion | None) -> None:
-    """Check coefficients of resistance to rolling and twisting, and adhesion."""
+    """Raise InputError if a coefficient of rolling or twisting is negative, or `adhesion` is another object."""
     for name, value in (("rolling", rolling), ("twisting", twisting)):
         number(law, name, value, least=0.0, advice="a coefficient of zero or more")
     if adhesion is not None:
@@ -256,10 +256,7 @@ class LinearContact(ContactLaw):
         return _DEEPEST
 
     def shortest(self, radius: Floats, mass: Floats, platens: Floats, *, walled: bool) -> float:
-        """Return the duration of the shortest elastic collision [s]; arguments as for `ContactLaw.shortest`.
-
-        It is π √(m / k) at every speed.
-        """
+        """Return the shortest duration π √(m̄ / k) of an elastic collision [s]; see `ContactLaw.shortest`."""
         kn = 0.5 * math.pi * self.E * radius
         elastic = math.pi * slowest_root(kn, 2.0 * kn, mass, platens, walled=walled)
         return min(elastic, passage(self.adhesion, radius, mass, platens, walled=walled))

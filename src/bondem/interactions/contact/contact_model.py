@@ -1,4 +1,4 @@
-"""Contacts of a model in the reference configuration: the laws, the walls, and gaps that count as closed."""
+"""Contacts of a model in the reference: laws, walls, and overlaps that carry no force."""
 
 from dataclasses import dataclass
 
@@ -34,13 +34,13 @@ class RestGaps:
 
     @classmethod
     def none(cls, n: int) -> "RestGaps":
-        """Return no overlaps."""
+        """Return an empty table for n elements."""
         return cls(np.zeros(n + 1, dtype=np.int64), np.zeros(0, dtype=np.uint32), np.zeros(0))
 
 
 @dataclass(frozen=True, eq=False)
 class ContactModel:
-    """Contacts of a model; without contact laws it has no elements.
+    """Contacts of a model; without contact laws the arrays of elements are empty.
 
     Attributes:
         laws: contact laws.
@@ -64,14 +64,14 @@ class ContactModel:
         cls, lattice: Lattice, layout: Layout, laws: ContactLaws, walls: WallTable, own: PerBond | None,
         radius: PerElement,
     ) -> "ContactModel":
-        """Find initial overlaps.
+        """Return the contacts of a model, with the overlaps at rest that carry no force.
 
         Args:
             lattice: elements.
             layout: order of the elements.
             laws: laws of their contacts.
             walls: walls that they touch.
-            own: see `own`.
+            own: normal stiffness of the pairs of bonds [N/m], (m,), or None; see the attribute.
             radius: radii of the elements in contact, user's order, (n,).
         """
         n = len(laws.kind)
@@ -92,7 +92,7 @@ class ContactModel:
         pairs = RestGaps(
             start, earlier.astype(np.uint32), np.minimum(distance - radius[earlier] - radius[later], 0.0)
         )
-        # one place for the geometry of walls: the core, asked for walls within reach of a sphere at rest
+        # the core finds the walls that each sphere at rest touches, so that only it evaluates shapes of walls
         count = len(walls.shape)
         still = walls_at(walls, walls_at_rest(count))
         pose = lines(n)
@@ -108,17 +108,17 @@ class ContactModel:
 
 
 def near(position: Floats, radius: Floats, period: Floats | None, skin: float) -> tuple[Ints, np.ndarray]:
-    """Return neighbours with gaps up to `skin` [m], in the form of `specimen.neighbours.neighbours`."""
+    """Return neighbours with gaps up to `skin` [m], in the form of `bondem.geometry.neighbours.neighbours`."""
     return neighbours(*_boxed(position, radius, period), skin, threads=current_threads())
 
 
 def grid_of(position: Floats, radius: Floats, period: Floats | None, skin: float) -> SphereGrid:
-    """Return elements sorted for the search of neighbours with gaps up to `skin` [m]."""
+    """Return the grid of elements for a search of neighbours with gaps up to `skin` [m]."""
     return sphere_grid(*_boxed(position, radius, period), skin)
 
 
 def _boxed(position: Floats, radius: Floats, period: Floats | None) -> tuple[Floats, Floats, Floats, Floats]:
-    """Return spheres, the corners of a box around their centres, and its periodic edges, 0 without any."""
+    """Return spheres (n, 4), both corners of a box around their centres, and its periodic edges, zeros without."""
     sphere = np.column_stack([position, radius])
     if period is None:
         lower, upper = sphere[:, :3].min(axis=0), sphere[:, :3].max(axis=0)

@@ -17,16 +17,16 @@ from bondem.geometry.rotations import turned_vectors
 
 
 def walls_at(table: WallTable, body: Floats) -> Walls:
-    """Return the walls of a model at their places in `body`, (w, 27), which they share."""
+    """Return the table of walls at the places in `body`, (w, 27), whose memory it shares."""
     return Walls(table.shape, body, table.inertia, no_rows("WallListed", len(body)))
 
 
 def keep_wall_places(walls: Walls, position: Floats, turning: Ints) -> None:
-    """Note where walls are when a list is made.
+    """Store the present places of walls in `walls.listed`, as those at which a neighbour list is made.
 
     Args:
         position: centres of the elements [m], (n, 3).
-        turning: numbers of the walls that may turn; only these need the distance of the farthest element.
+        turning: numbers of the walls that may turn, which also store the distance of the farthest element.
     """
     shape, row = named_rows("WallShape", walls.shape), wall_rows(walls.body)
     listed = named_rows("WallListed", walls.listed)
@@ -39,13 +39,13 @@ def keep_wall_places(walls: Walls, position: Floats, turning: Ints) -> None:
 
 
 def new_wall_sources(radius: Floats, skin: float) -> WallSources:
-    """Return the sources of a first search, in the reference."""
+    """Return the input of a search for walls near spheres, without stored contacts and initial overlaps."""
     none = np.zeros(len(radius) + 1, dtype=np.int64), np.zeros(0, dtype=np.uint32)
     return WallSources(radius, *none, np.zeros(0), *none, np.zeros((0, 6)), skin, np.empty_like(none[0]))
 
 
 def found_pairs(grid: SphereGrid, sources: PairSources) -> FoundPairs:
-    """Return near spheres that no bond joins and the wanted pairs of bonds, with the memory of those that touch."""
+    """Return pairs of near spheres without bonds, and pairs of `wanted` bonds, with the memory of stored contacts."""
     room = 4 * len(grid.sphere) + int(sources.wanted.sum())
     while True:
         found = FoundPairs(
@@ -63,7 +63,7 @@ def found_pairs(grid: SphereGrid, sources: PairSources) -> FoundPairs:
 
 
 def found_walls(pose: Floats, walls: Walls, sources: WallSources) -> FoundWalls:
-    """Return the walls within the skin of each element, in their order, with the memory of those that touch."""
+    """Return the walls within the skin of each element, in order, with the memory of stored contacts."""
     run_pass(calls.count_wall_contacts(Poses(pose), walls, sources))
     count = sources.start[-1]
     found = FoundWalls(

@@ -25,7 +25,7 @@ from bondem.interactions.contact.contact_law import (
 )
 from bondem.specimen.material import Material, of_material
 
-# Rebound below which a dashpot would cost more of the time step than anyone means.
+# Least restitution: the dashpot of a lower one would make the time step useless.
 _LEAST_REBOUND = 0.01
 # Duration of an elastic collision over √(m̄ / k), k = dF/du at its deepest overlap.
 _DURATION = 2.9432 * math.sqrt(15.0 / 8.0)
@@ -43,9 +43,9 @@ class HertzMindlin(ContactLaw):
     with E* = E / 2(1 − ν²), G* = G / 2(2 − ν), R* = Ri Rj / (Ri + Rj). A wall is rigid: E* and G* are doubled, R* =
     R. The dashpots are cn = 2 √(5/6) β √(m̄ kn), kn = 2 E* √(R* u), and likewise with ks. They give the requested
     restitution at all speeds, with contacts that only repel. A tangential spring of stretch ξ stores ½ ks(u) ξ² and
-    adds ½ ks'(u) ξ² to F_n, about μ² kn / 6 ks of it where it slides: a contact that does not slide is elastic, and
-    does not creep under loads that swing (docs/decisions/0053-tangential-potential-and-rolling.md). Friction acts up
-    to F_t / F_n = √(3 ks / 2 kn), 1.1 for ν = 0.3.
+    adds ½ ks'(u) ξ² to F_n, about μ² kn / 6 ks of F_n where it slides. A contact that does not slide is therefore
+    elastic, and does not creep under oscillating loads (docs/decisions/0053-tangential-potential-and-rolling.md).
+    Friction acts up to F_t / F_n = √(3 ks / 2 kn), 1.1 for ν = 0.3.
 
     A pair whose bond is broken acts as a linear spring with the kn of that bond and the same ks / kn. The reason is
     that crack faces meet over their whole area. With `stress_free=False` such a pair is like any other. References:
@@ -126,7 +126,7 @@ class HertzMindlin(ContactLaw):
 
     @property
     def hertzian(self) -> bool:
-        """True."""
+        """True, because the stiffness is that of Hertz and Mindlin."""
         return True
 
     @property
@@ -144,17 +144,11 @@ class HertzMindlin(ContactLaw):
 
     @property
     def deepest(self) -> float:
-        """Overlap over the smaller radius up to which the law describes a contact [-].
-
-        It is 0.1, or `overlap` if that is larger.
-        """
+        """Overlap over the smaller radius up to which the law holds [-]: 0.1, or `overlap` if larger."""
         return max(_DEEPEST, self.overlap)
 
     def shortest(self, radius: Floats, mass: Floats, platens: Floats, *, walled: bool) -> float:
-        """Return the duration of the shortest elastic collision, at the deepest overlap [s].
-
-        See `ContactLaw.shortest`.
-        """
+        """Return the shortest duration of an elastic collision, with the overlap `overlap` [s]; see `ContactLaw`."""
         kn = 2.0 * self.modulus * radius * math.sqrt(0.5 * self.overlap)
         elastic = _DURATION * slowest_root(kn, 2.0 * math.sqrt(2.0) * kn, mass, platens, walled=walled)
         return min(elastic, passage(self.adhesion, radius, mass, platens, walled=walled))

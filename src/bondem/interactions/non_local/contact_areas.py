@@ -1,4 +1,4 @@
-"""Contact areas of spheres as weighted by the authors of the non-local law.
+"""Contact areas of spheres, with the weights of the authors of the non-local law.
 
 A bond between radii R1 and R2 begins with A0 = π ((R1 + R2)/2)². At each element these areas are scaled so that their
 sum is the surface of a polyhedron of as many faces about its sphere: the regular one for 4, 6, 8, 12 and 20 faces,
@@ -25,12 +25,12 @@ _SURFACES = (
     3.0 * math.sqrt(25.0 + 10.0 * math.sqrt(5.0)) / (2.5 + 1.1 * math.sqrt(5.0)) / math.pi,
     60.0 * math.sqrt(3.0) / (3.0 + math.sqrt(5.0)) ** 2 / math.pi,
 )
-# Share of the sum of areas that is open, as |Σ A0 n| / Σ A0, from which on an element is at the skin.
+# |Σ A0 n| / Σ A0, the open share of the sum of areas, above which an element is at the surface.
 _OPEN = 0.25
 
 
 def weighted_areas(lattice: Lattice) -> PerBond:
-    """Return A of each bond [m²], user's order, shape (m,)."""
+    """Return the weighted contact area A of each bond [m²], user's order, shape (m,)."""
     i, j = lattice.pairs.T
     radius = lattice.particles.radius
     plain = math.pi * (0.5 * (radius[i] + radius[j])) ** 2
@@ -47,7 +47,7 @@ def weighted_areas(lattice: Lattice) -> PerBond:
 
 
 def _open(lattice: Lattice, plain: PerBond, total: Floats) -> Mask:
-    """Return a mask of the elements at the surface, (n,)."""
+    """Return a mask of the elements at the surface, (n,), given `plain` A0 of bonds and its sums per element."""
     i, j = lattice.pairs.T
     normal = lattice.branch / lattice.length[:, None]
     left = np.zeros((len(total), 3))

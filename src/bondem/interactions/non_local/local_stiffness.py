@@ -1,4 +1,4 @@
-"""The stiffness of the springs of the non-local law at rest."""
+"""Stiffness matrix of the springs of the non-local law at rest."""
 
 import numpy as np
 from scipy.sparse import bsr_array

@@ -70,12 +70,12 @@ class NonLocalConstants:
         )  # fmt: skip
 
     def small_pairs(self, pairs: Pairs, stress: PerElement6, gap: PerBond3) -> SmallPairs:
-        """Return bonds at small strain in the layout of the core; stresses [Pa] and gaps [m] are of the last step."""
+        """Return the table of bonds at small strain, with stresses [Pa] and gaps [m] of the previous step."""
         normal = np.ascontiguousarray(self.normal)
         return SmallPairs(pairs, self.area, self.kt, self.nu, self.limited, normal, stress, gap)
 
     def as_bonds(self, lattice: Lattice) -> BondStiffness:
-        """Return stiffnesses of bonds that are about as stiff, for approximate uses: dashpots, magnitudes."""
+        """Return stiffnesses of beams that are about as stiff as the bonds, for dashpots and estimates."""
         none = np.zeros_like(self.kn)
         return BondStiffness(
             kn=self.kn, ks=self.kt, kb=none, kt=none.copy(),

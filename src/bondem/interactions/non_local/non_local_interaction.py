@@ -1,4 +1,4 @@
-"""The non-local law as an interaction: with the methods that solvers, states and run files require.
+"""Interaction of elements by the non-local law, for solvers, states and run files.
 
 `core/tables/non_local_tables.hpp` declares types and shapes of its tables.
 """
@@ -32,7 +32,7 @@ from bondem.interactions.stiffness import Stiffness
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.ordering import Layout
 
-# Rows of the history of bonds, that of the work of their extra forces, and rows of their present loads.
+# Number of rows of the history of bonds, row of the work of extra forces, and number of rows of present loads.
 _ROWS, NON_LOCAL_WORK, _OUTPUT_ROWS = 7, 6, 9
 
 
@@ -60,9 +60,7 @@ class NonLocalInteraction(LaggedInteraction):
     @classmethod
     def join(cls, lattice: Lattice, layout: Layout, bond: Any, boundary: Boundary, may_fail: bool) -> Self:
         if not isinstance(bond, cls.law):
-            raise InputError(
-                "bond= maps a region to NonLocal, a law for the whole model; give bond=bd.NonLocal(...)"
-            )
+            raise InputError("bond= maps a region to NonLocal, a law for the whole model; give bond=bd.NonLocal(...)")
         return cls(lattice, layout, bond)
 
     @cached_property
@@ -132,7 +130,7 @@ class NonLocalInteraction(LaggedInteraction):
         stresses = self._stresses(run.arrays["stress"], self._rows_of_moments(blocks), int(blocks.part[-1]))
         dashes: Passes = [] if dashpots is None else [steps.add_dashpot_loads(moving, beams, dashpots, blocks)]
         stages: dict[str, Passes] = {"prepare": [steps.turn_stresses(moving, stresses)]}
-        if run.damage is None and not run.touches:  # nothing needs the stresses of now before the elements move
+        if run.damage is None and not run.touches:  # no pass needs the present stresses before the elements move
             stages["loads"] = [steps.add_lasting_loads(moving, beams, bonds, stresses, blocks), *dashes]
             stages["gather"] = [steps.collect_moments(blocks, stresses)]
             stages["add"] = [steps.find_stresses_of_block(moving, stresses)]
@@ -155,7 +153,7 @@ class NonLocalInteraction(LaggedInteraction):
         return LawParts(parts, beams.integrity, stresses)
 
     def _tables(self, arrays: Arrays) -> tuple[Beams, NonLocalBonds]:
-        """Return bonds, whose stored data are the state's own array, or a longer copy by `with_zeros`."""
+        """Return the tables of bonds, whose history is the array of the state, or a longer copy by `with_zeros`."""
         c = self.constants
         beams, _ = beam_tables(self.table, self.layout, self.period, arrays["integrity"], may_share=False)
 
@@ -169,7 +167,7 @@ class NonLocalInteraction(LaggedInteraction):
         )  # fmt: skip
 
     def _stresses(self, stress: Floats, to_i: np.ndarray, more: int) -> LaggedStresses:
-        """Return stresses of the elements, which are the state's own array.
+        """Return the table of stresses of the elements, which shares the array of the state.
 
         Args:
             stress: stresses in the frames of the elements [Pa], (n, 6).
@@ -189,10 +187,8 @@ class NonLocalInteraction(LaggedInteraction):
         return np.where(row < blocks.parts, i, len(self.layout.order) + row - blocks.parts).astype(np.uint32)
 
 
-def _breakage(
-    run: Run, damage: DamageOfRun, beams: Beams, bonds: NonLocalBonds, stresses: LaggedStresses
-) -> Part:
-    """Return the part of bonds that break."""
+def _breakage(run: Run, damage: DamageOfRun, beams: Beams, bonds: NonLocalBonds, stresses: LaggedStresses) -> Part:
+    """Return the part by which bonds break."""
     moving, candidates, postponed, strengths = run.moving, damage.candidates, damage.postponed, damage.strengths
     remove: Passes = []
     if run.dashpots is not None:

@@ -7,14 +7,14 @@ before. With kn = A E / L and kt = A G / L, tension positive,
     F = kn δ_n n + kt δ_t + e                                             eqs (2), (3), (6)
     e = A ν (tr σ - n·σ n) n + t - kt δ_t⁻,      t = A (σ n - (n·σ n) n)
 
-where δ_t⁻ is the tangential gap when σ was found, so that in one step F_t changes by kt (δ_t - δ_t⁻) from A τ. What
-kt δ_t lacks is the other half of the engineering shear strain. The stress of an element of volume V is the symmetric
-part of
+where δ_t⁻ is the tangential gap when σ was found, so that in one step F_t changes by kt (δ_t - δ_t⁻) from A τ. The
+spring kt δ_t represents only half of the engineering shear strain; A τ supplies the other half. The stress of an
+element of volume V is the symmetric part of
 
     σ = (1/V) Σ l ⊗ F,     l from its centre to the contact point         eq (1)
 
 The limiter keeps the length of t - kt δ_t⁻ at most |t|, and so each of its components at most |A τ|, in whatever
-axes. The text of the paper does not print it; without it nothing but its own lag holds the rotation of an element.
+axes. The paper does not print it; without it, only the lag of the law itself restrains the rotation of an element.
 """
 
 from dataclasses import dataclass
@@ -30,7 +30,7 @@ Lever = Literal["facet", "contact"]
 Areas = Literal["facet", "weighted"]
 #: Definitions of V in eq (1): volume of the cell, or of the sphere, as printed.
 Volume = Literal["cell", "sphere"]
-# What keeps 0 / 0 away and changes no other number [N²].
+# Number that avoids 0 / 0 and changes no other result [N²].
 _NOTHING = 1e-200
 
 

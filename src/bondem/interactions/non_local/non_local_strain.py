@@ -32,7 +32,7 @@ class NonLocalStrain:
     extra: PerBond3
 
     def moved(self, motion: PerElement6, slip: Floats | float = -0.0) -> "NonLocalStrain":
-        """Return the same extra forces with the gaps of motions (u, θ) [m, rad], (n, 6).
+        """Return a strain with the gaps of motions (u, θ) [m, rad], (n, 6), and the present extra forces.
 
         Args:
             motion: motion of the elements from the reference.
