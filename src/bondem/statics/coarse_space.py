@@ -1,9 +1,9 @@
-"""A coarse twin of a lattice: elements gathered in clumps that move as rigid bodies.
+"""Coarse space of a lattice: clusters of elements (`Clumps`), each of which moves as a rigid body.
 
-Slow bending and stretching of the whole are invisible to an element and its neighbours; the clumps represent them.
-The stiffness of the clumps is that of the lattice restricted to motions that are rigid clump by clump, and small
-enough to be eliminated. Together with the elements' own blocks it preconditions conjugate gradients (two-level
-additive Schwarz with a Nicolaides coarse space). The number of iterations then hardly grows with the lattice.
+Motions of clusters represent the slow bending and stretching of the whole, which an element and its neighbours do not
+determine. The stiffness of the lattice restricted to these motions is small enough to be eliminated. Together with
+the elements' own blocks it preconditions conjugate gradients (two-level additive Schwarz with a Nicolaides coarse
+space). The number of iterations then hardly grows with the lattice.
 """
 
 import math
@@ -18,16 +18,16 @@ from bondem._types import Floats, Ints, Mask, PerBond, PerElement3
 from bondem.interactions.stiffness import Stiffness
 from bondem.statics.lanczos import lowest_modes
 
-# Elements a clump at 10 000 elements; it grows with the root of n, so that elimination stays a small part.
+# Elements per cluster at 10 000 elements. It grows with the root of n, so that elimination stays a small part.
 _CLUMP = 25.0
-# Keeps the coarse matrix regular where a clump has fewer than six motions of its own.
+# Share of the diagonal that keeps the coarse matrix regular if a cluster has fewer than six motions.
 _REGULAR = 1e-9
-# A bond that has lost more of its stiffness joins nothing.
+# Lost share of its stiffness above which a bond does not join a cluster.
 _LOST = 0.5
 
 
 def clump_of(position: PerElement3) -> Ints:
-    """Return the clump of each element: cubes of a grid that hold about the same number each, shape (n,)."""
+    """Return the number of the cluster of each element, shape (n,): cells of a grid with about equal numbers."""
     n = len(position)
     lower = position.min(axis=0)
     extent = np.maximum(np.ptp(position, axis=0), 1e-300)
@@ -44,14 +44,14 @@ def clump_of(position: PerElement3) -> Ints:
 
 
 def parted(clump: Ints, position: PerElement3, i: Ints, j: Ints, lost: PerBond) -> Ints:
-    """Return clumps that do not reach across cracks, (n,), which more than halves the iterations on a cracked body.
+    """Return clusters that do not reach across cracks, (n,), which more than halves the iterations on a cracked body.
 
-    Elements that are not joined by a bond with half its stiffness are put into different clumps. A clump that remains
-    joined, but by some bonds that have lost stiffness, is cut by a plane through their mean place, across their
-    direction.
+    Elements without a connection by bonds of at least half their stiffness are put into different clusters. A cluster
+    that is still connected, but has bonds that have lost stiffness, is cut. The plane passes through their mean
+    position, normal to their direction.
 
     Args:
-        clump: clump of each element, (n,).
+        clump: number of the cluster of each element, (n,).
         position: positions of the elements [m], (n, 3).
         i, j: elements on both sides of a bond, (m,) each.
         lost: share of its stiffness that a bond has lost, (m,).
@@ -74,17 +74,14 @@ def parted(clump: Ints, position: PerElement3, i: Ints, j: Ints, lost: PerBond) 
 
 
 def _joined(clump: Ints, i: Ints, j: Ints, bonds: Mask) -> Ints:
-    """Return the parts of clumps joined by some of the bonds, (n,)."""
+    """Return the connected parts of clusters, numbered per element, (n,); `bonds` masks the bonds that connect."""
     inside = np.flatnonzero(bonds & (clump[i] == clump[j]))
     joined = coo_array((np.ones(len(inside)), (i[inside], j[inside])), shape=(len(clump), len(clump)))
     return connected_components(joined, directed=False)[1].astype(np.int64)
 
 
 def clump_motions(position: PerElement3, clump: Ints) -> Floats:
-    """Return the motion (u, R θ) of each element per motion of its clump about the clump's centre, shape (n, 6, 6).
-
-    Rotations of a clump are scaled by the root mean square R of its arms, so that all six are displacements.
-    """
+    """Return the motion (u, θ) of each element per rigid motion (u, θ) of its cluster, shape (n, 6, 6)."""
     count = np.bincount(clump)
     centre = np.stack([np.bincount(clump, weights=x) / count for x in position.T], axis=1)
     arm = position - centre[clump]
@@ -96,12 +93,12 @@ def clump_motions(position: PerElement3, clump: Ints) -> Floats:
 
 
 class Clumps:
-    """The coarse correction P (Pᵀ K P)⁻¹ Pᵀ.
+    """Coarse correction P (Pᵀ K P)⁻¹ Pᵀ, with P the rigid motions of clusters of elements.
 
     Args:
         matrix: symmetric, positive (semi-)definite matrix, 6×6 blocks.
-        basis: motion of each element per motion of its clump, in the unknowns of the matrix, shape (n, 6, 6).
-        clump: clump of each element, shape (n,).
+        basis: motion of each element per motion of its cluster, in the unknowns of the matrix, shape (n, 6, 6).
+        clump: number of the cluster of each element, shape (n,).
     """
 
     def __init__(self, matrix: Stiffness, basis: Floats, clump: Ints) -> None:
@@ -111,7 +108,7 @@ class Clumps:
         self.restriction = self.prolongation.T.tobsr((6, 6))
         self.matrix = matrix.projected(self.prolongation)
         diagonal = self.matrix.diagonal()
-        # motions that do not exist (all held) get a number of their own
+        # motions that do not exist, because supports prevent them, get a diagonal entry
         extra = np.where(diagonal > 1e-12 * diagonal.max(), _REGULAR * diagonal, diagonal.max())
         self.regular = csc_array(self.matrix + dia_array((extra[None], [0]), shape=self.matrix.shape))
 
@@ -126,7 +123,7 @@ class Clumps:
         return self.prolongation @ self._factors.solve(np.asfortranarray(self.restriction @ residual))
 
     def modes(self, mass: bsr_array, count: int) -> Floats:
-        """Return the lowest modes of the pencil (matrix, mass) among motions of clumps, (6 n, count) or fewer."""
+        """Return the lowest modes of the pencil (matrix, mass) among motions of clusters, (6 n, count) or fewer."""
         coarse = csc_array((self.restriction @ (mass @ self.prolongation)).tocsc())
         start = coarse @ np.random.default_rng(0).standard_normal(self._size)
         solve = self._factors.solve

@@ -1,4 +1,4 @@
-"""Bodies of a scene that nothing holds, for which statics have no solution."""
+"""Check for bodies of a scene without sufficient supports, for which statics has no solution."""
 
 import numpy as np
 
@@ -7,7 +7,7 @@ from bondem.errors import FloatingBodyError
 from bondem.model.model import Model
 from bondem.statics.coarse_space import clump_motions
 
-# Share of the best resisted rigid motion of a piece below which another is not resisted.
+# Resistance to a rigid motion of a piece, over the largest one of the piece, below which the motion is free.
 _LOOSE = 1e-12
 
 

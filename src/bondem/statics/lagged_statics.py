@@ -1,7 +1,7 @@
 """Equilibrium of laws whose stresses lag one iteration behind the motions.
 
-F_t = A τ holds for any tangential forces that agree with the stress that they make, so that no single set of
-equations has the answer. The equilibrium is the end of a path from the unloaded state, in rounds of
+F_t = A τ holds for any tangential forces that agree with the stress that they cause, so that equations of equilibrium
+alone do not determine them. The equilibrium is the end of a path from the unloaded state, in rounds of
 
     K u' = f + nodal loads of the extra forces e,    e' = e(σ, δ_t) of the motion u'
 
@@ -22,20 +22,20 @@ from bondem.errors import ConvergenceError
 from bondem.interactions.lagged_interaction import LaggedInteraction, LaggedStrain
 from bondem.statics.linear import Elimination, Iteration, System
 
-# Up to this many elements one elimination serves all rounds.
+# Largest number of elements for which all rounds share one elimination.
 _DIRECT = 4000
-# Stresses have settled when they change by less than this share in a round, so many rounds in a row.
+# Stresses have converged when they change by less than this share, in this number of successive rounds.
 _SETTLED, _IN_A_ROW = 2e-5, 3
 _ROUNDS = 400
-# Rounds that are mixed, and the least share of the largest square of a difference that counts.
+# Number of mixed rounds, and least eigenvalue over the largest one that counts in the mixing.
 _MEMORY, _RANK = 20, 1e-13
-# Stresses over those of the first round from which on the rounds are taken to diverge.
+# Stresses over those of the loading rounds above which the rounds count as divergent.
 _BEYOND = 1e6
 
 
 @dataclass(frozen=True, eq=False)
 class Settled:
-    """An equilibrium, user's order.
+    """Equilibrium of a law that lags, user's order.
 
     Attributes:
         strain: deformation of all bonds, with their forces.
@@ -51,7 +51,7 @@ class Settled:
 
 
 class LaggedStatics:
-    """Statics of a law that lags: one matrix for all rounds and loads."""
+    """Linear statics of a law that lags: one matrix for all rounds and loads."""
 
     def __init__(self, law: LaggedInteraction, system: System) -> None:
         self._law = law
@@ -68,13 +68,13 @@ class LaggedStatics:
         steps: int = 1,
         limited: bool | None = None,
     ) -> Settled:
-        """Compute the equilibrium of its elements, user's order.
+        """Compute the equilibrium of all elements under a load.
 
         Args:
             load: forces and moments on the elements [N, N·m], (n, 6).
             motion: prescribed motions of the fixed or driven elements [m, rad], (n, 6).
-            slip: additional opening of bonds [m], (m, 3), by a macroscopic strain.
-            steps: number of steps in which all of these are applied.
+            slip: additional opening of bonds by a macroscopic strain [m], (m, 3).
+            steps: number of equal steps in which load, motion and slip are applied.
             limited: True if rounds may be mixed; None for the setting of the law.
 
         Raises:
@@ -126,7 +126,7 @@ class Mixing:
         self._left: list[Floats] = []
 
     def __call__(self, put: Floats, out: Floats) -> Floats:
-        """Return the next values, of the shape of both arguments."""
+        """Return the next input, given the last input `put` and its output `out`, arrays of one shape."""
         if not self._most:
             return out
         self._put, self._left = [*self._put, put][-self._most :], [*self._left, out - put][-self._most :]

@@ -1,4 +1,4 @@
-"""Lowest eigenvalues by Lanczos iteration on a given inverse."""
+"""Lowest eigenvalues by Lanczos iteration with a given inverse of the matrix."""
 
 from collections.abc import Callable
 

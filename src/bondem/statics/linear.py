@@ -1,4 +1,4 @@
-"""The linear system of a lattice, K u = f, with six degrees of freedom (u, θ) per element, and its solvers.
+"""Linear system K u = f of a lattice, with six degrees of freedom (u, θ) per element, and its solvers.
 
 The unknowns of every element are scaled by an inverse root S of its own diagonal block, restricted to its free part.
 Sᵀ K S has unit blocks on its diagonal, translations and rotations in one measure, and zeros for fixed elements and
@@ -22,12 +22,11 @@ from bondem.model.model import Model
 from bondem.statics.coarse_space import Clumps, clump_motions, clump_of, parted
 from bondem.statics.floating import refuse_floating
 
-# Up to this many elements, or in a lattice that is little more than a chain, elimination wins: 1000 spheres take
-# 0.30 s to eliminate and 0.01 s a load, 0.03 s to prepare for iteration and 0.03 s a load. Cells have twice the
-# neighbours, and dilatation couples the next ones: 1200 of them take 1.3 s to eliminate, and 0.2 s to iterate.
+# Largest number of spheres, and of cells, up to which elimination is faster than iteration; bonds per element up to
+# which it is faster at any size, because the lattice is hardly more than a chain.
 _DIRECT, _DIRECT_CELLS = 500, 150
 _CHAIN = 1.5
-# A pivot below this, of a matrix with unit diagonal, belongs to a mechanism.
+# Pivot below which a matrix with unit diagonal has a mechanism.
 _SINGULAR = 1e-13
 _ROUNDS = 5000
 MECHANISM = (
@@ -46,7 +45,7 @@ def require_lasting(model: Model, advice: str) -> None:
 
 @dataclass(frozen=True, eq=False)
 class System:
-    """The matrix of a model and its free motions, in internal order.
+    """Stiffness matrix of a model, with its free degrees of freedom, in internal order.
 
     Attributes:
         matrix: K of all degrees of freedom [N/m, N, N·m], (6 n, 6 n).
@@ -67,7 +66,8 @@ class System:
         """Return the matrix and supports of a model.
 
         Raises:
-            InputError: The model has contacts or walls, which only carry compression and have no matrix, or no bonds.
+            InputError: The model has contacts or walls, which have no matrix, a failure criterion, or no bonds.
+            FloatingBodyError: A body of a scene can move rigidly.
         """
         require_lasting(
             model, "leave contact= and walls= out of the model, and hold or load faces with bd.Fix and bd.Load"
@@ -115,7 +115,7 @@ class System:
 
 
 def orthonormal(vectors: Floats) -> Floats:
-    """Return orthonormal vectors (rows, k) of the same span."""
+    """Return an orthonormal basis (rows, k) of the span of independent vectors (rows, k)."""
     for _ in range(2):
         vectors = vectors / np.sqrt(np.einsum("nk,nk->k", vectors, vectors))
         vectors = vectors @ normalising(vectors.T @ vectors)
@@ -131,7 +131,7 @@ def spanning(vectors: Floats) -> Floats:
 
 
 def normalising(product: Floats) -> Floats:
-    """Return T with Tᵀ product T = 1."""
+    """Return the matrix T with Tᵀ A T = 1, (k, k), for a positive definite `product` A, (k, k)."""
     return np.asarray(np.linalg.inv(np.linalg.cholesky(product)).T, dtype=float)
 
 
@@ -142,14 +142,15 @@ def rigid_motions(position: Floats, periodic: bool) -> Floats:
 
 
 class Solver(Protocol):
-    """Solver of K u = f for one system and many right-hand sides."""
+    """Interface of solvers of K u = f for one system and many right-hand sides."""
 
     def solve(self, load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> tuple[Floats, int]:
         """Return displacements and rotations u (6 n,), without rigid motion, and the number of iterations.
 
         Args:
-            load: forces and torques, (6 n,), that do no work on `System.loose`; ignored where motions are prescribed.
-            guess: start of an iteration.
+            load: forces and torques [N, N·m], (6 n,), that do no work on `System.loose`; ignored where motions are
+                prescribed.
+            guess: initial displacements and rotations of an iteration [m, rad], (6 n,).
             rtol: residual over load at which the iteration ends.
 
         Raises:
@@ -159,19 +160,19 @@ class Solver(Protocol):
 
 
 def solver(system: System) -> Solver:
-    """Return the faster of elimination and iteration."""
+    """Return the solver that is faster for a system: `Elimination` or `Iteration`."""
     return Elimination(system) if prefers_elimination(system) else Iteration(system)
 
 
 def prefers_elimination(system: System) -> bool:
-    """Return True if a lattice is so small, or so nearly a chain, that elimination is faster."""
+    """Return True if a lattice is so small, or has so few bonds per element, that elimination is faster."""
     n = len(system.free)
     bonds = system.matrix.neighbours // 2
     return n <= (_DIRECT if system.matrix.forms is None else _DIRECT_CELLS) or bonds <= _CHAIN * n
 
 
 class Elimination:
-    """LU decomposition of the free part; for a free specimen, one degree of freedom per rigid motion is grounded."""
+    """Solver by LU decomposition; for each free rigid motion of the specimen, it fixes one degree of freedom."""
 
     def __init__(self, system: System) -> None:
         self._system = system
@@ -193,11 +194,11 @@ class Elimination:
             singular = np.abs(self._factors.U.diagonal()).min(initial=1.0) < _SINGULAR
         except RuntimeError:
             singular = True
-        # on a mechanism a load need not work: iteration finds out
+        # a load may do no work on the mechanism, which only the iteration shows
         self._iteration = Iteration(system) if singular else None
 
     def solve(self, load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> tuple[Floats, int]:
-        """See `Solver`; it needs no guess."""
+        """Return the solution by elimination, as `Solver.solve`; only a mechanism requires `guess` and `rtol`."""
         if self._iteration is not None:
             return self._iteration.solve(load, guess=guess, rtol=rtol)
         right = self._scale * load[self._live]
@@ -209,7 +210,7 @@ class Elimination:
 
 
 class Iteration:
-    """Conjugate gradients on Sᵀ K S with the coarse correction of clumps.
+    """Solver by conjugate gradients on Sᵀ K S, preconditioned by the coarse correction of clusters.
 
     Attributes:
         root: S of each element, shape (n, 6, 6).
@@ -237,7 +238,7 @@ class Iteration:
         self.rigid = spanning(self.unscaled(system.loose))
 
     def solve(self, load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> tuple[Floats, int]:
-        """See `Solver`."""
+        """Return the solution by conjugate gradients, as `Solver.solve`."""
         system = self._system
         start = np.zeros_like(load) if guess is None else np.where(system.free.ravel(), guess, 0.0)
         load = system.balanced(load)
@@ -256,8 +257,8 @@ class Iteration:
     def approximate(self, residual: Floats) -> Floats:
         """Return an approximation of (Sᵀ K S)⁻¹ times residuals of shape (6 n,) or (6 n, k)."""
         z = residual + self.coarse(residual)
-        # the clumps nearly resist rigid motion only: what rounding leaves of it in a residual would grow a
-        # billionfold, and iterations on a free specimen stall or diverge near 1e-10
+        # the clusters hardly resist rigid motion of the whole: rounding errors along it in a residual would grow a
+        # billionfold, and iterations on a free specimen would stall or diverge near 1e-10
         return z - self.rigid @ (self.rigid.T @ z)
 
     def turned(self, load: Floats) -> Floats:
@@ -296,10 +297,10 @@ def element_roots(matrix: Stiffness, free: Mask) -> tuple[Floats, Floats]:
 
 
 class Matrix(Protocol):
-    """A matrix given by its product with vectors."""
+    """Interface of a matrix that is given by its product with vectors."""
 
     def __matmul__(self, motion: Floats, /) -> Floats:
-        """Return K x."""
+        """Return the product K x with a vector."""
         ...
 
 

@@ -37,20 +37,20 @@ from bondem.statics.linear import (
 from bondem.statics.prestress import about_equilibrium
 from bondem.statics.static import StaticResult
 
-# Vectors iterated beside the wanted ones, so that a wanted pair is not cut in two.
+# Number of additional vectors in a block, so that it does not end between two equal frequencies.
 _GUARD = 4
 # Error of ω² at which the iteration stops, as a share of ω².
 _TOLERANCE = 1e-8
 _ROUNDS = 300
-# Rounds after which a block is widened, and by how many vectors at least.
+# Rounds after which a block is widened, and least number of further vectors.
 _PATIENCE, _WIDER = 60, 8
-# Share of the largest ω² below minus which the least one is that of an equilibrium that buckles.
+# -ω² of the lowest mode over the largest ω² from which on an equilibrium counts as unstable.
 _UNSTABLE = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
 class ModesResult(Solution, Plotted):
-    """The lowest natural modes, without rigid motions that the supports leave free.
+    """Lowest natural modes of a model, without rigid motions that the supports leave free.
 
     The residual is the largest error of ω² that K φ - ω² M φ allows, over the largest requested ω².
 
@@ -72,7 +72,7 @@ class ModesResult(Solution, Plotted):
 
     @property
     def _pictures(self) -> tuple[Coloured, ...]:
-        # without units: their size depends on the mass only
+        # relative motion, because the size of a mode depends on the mass only
         size = np.linalg.norm(self.shape[0, :, :3], axis=1).max() or 1.0
         moved = self.model.lattice.particles.mean_radius / size * self.shape[0]
         far, title = np.linalg.norm(moved[:, :3], axis=1), f"lowest mode, {self.frequency[0]:.4g} Hz"
@@ -239,7 +239,7 @@ def _inverse_lanczos(system: System, mass: Floats, count: int) -> tuple[Floats, 
 def _block_gradients(system: System, mass: Floats, count: int) -> tuple[Floats, Floats, int]:
     """Compute modes by locally optimal block preconditioned conjugate gradients (Knyazev 2001).
 
-    The iteration starts from the modes of the clumps. Equal frequencies, of which a ball has up to 2 l + 1, converge
+    The iteration starts from modes of the clusters. Equal frequencies, of which a ball has up to 2 l + 1, converge
     slowly if the block ends among them. A block that has not converged in `_PATIENCE` rounds is therefore widened.
     """
     iteration = Iteration(system)

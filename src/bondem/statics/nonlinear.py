@@ -26,19 +26,20 @@ _TURN = 0.3
 _ROUNDS = 20
 _TOLERANCE = 1e-9
 _SHORTEST = 1e-4
-# Up to this many elements the tangent is eliminated where moments act: it need not be definite without what they add.
+# Largest number of elements for which the tangent is eliminated if moments act: without their part it may be
+# indefinite, so that conjugate gradients fail.
 _ELIMINATED = 5000
 
 
 @dataclass(frozen=True, eq=False)
 class Bent:
-    """An equilibrium at large rotations, internal order.
+    """Equilibrium at large rotations, internal order.
 
     Attributes:
         state: state with the poses.
         motion: displacements and rotation vectors [m, rad], shape (n, 6).
         force: resistance of the bonds to displacements and spins, K u for small ones [N, N·m], (n, 6).
-        walls: loads of walls that hold facets of cells on these [N, N·m], (n, 6).
+        walls: loads on cells by walls that hold their facets [N, N·m], (n, 6).
         rounds: number of iterations of Newton's method, over all steps of the load.
         residual: unbalanced force at the end, over that of loads and supports [-].
     """
@@ -84,7 +85,7 @@ def follow(model: Model, system: System) -> Bent:
 
 
 def strained(model: Model, share: float) -> Model:
-    """Return the model with a share of its final stress-free strains and of the final motion of holding walls."""
+    """Return the model with a share of its final stress-free strains, tractions, and motions of walls."""
     law, constraints = model.interaction, model.constraints
     motion = share * law.supports.motion
     strain, pressed = share * constraints.final_strain(), share * constraints.final_press()
@@ -93,7 +94,7 @@ def strained(model: Model, share: float) -> Model:
 
 @dataclass(frozen=True, eq=False)
 class _Trial:
-    """A step of the load: its equilibrium and residual, or the factor by which to shorten it."""
+    """Result of a load step: its equilibrium and residual, or the factor by which to shorten the step."""
 
     rounds: int
     state: State | None = None

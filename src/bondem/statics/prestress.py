@@ -1,4 +1,4 @@
-"""Stiffness of a model about an equilibrium under load, including that of its stresses."""
+"""Stiffness of a model about an equilibrium under load, which includes the effect of its stresses."""
 
 from dataclasses import replace
 from typing import cast
@@ -17,12 +17,12 @@ from bondem.statics.linear import System
 from bondem.statics.nonlinear import at_pose, strained, unbalanced
 from bondem.statics.static import StaticResult
 
-# Unbalanced force over what loads and supports bear, above which nothing rests there.
+# Unbalanced force over that of loads and supports, above which a pose is no equilibrium.
 _REST = 1e-2
 
 
 def about_equilibrium(model: Model, system: System, prestress: StaticResult | State) -> System:
-    """Return the system of a model with the tangent at an equilibrium.
+    """Return the linear system of a model with its matrix replaced by the tangent at an equilibrium.
 
     Args:
         model: model to solve.
@@ -30,8 +30,8 @@ def about_equilibrium(model: Model, system: System, prestress: StaticResult | St
         prestress: a static solution of the model, or a state of it at rest.
 
     Raises:
-        InputError: The value is another object, belongs to another model, is not an equilibrium or has broken bonds,
-            or the supports leave the specimen free.
+        InputError: The value is another object, belongs to another model, is not an equilibrium or has broken bonds.
+            Or the supports leave the specimen free, or the bonds are incremental.
     """
     instance("solve_modes", "prestress", prestress, (StaticResult, State), "a solution of solve_static, or a state")
     if len(prestress.displacement) != len(model.lattice.particles):
@@ -54,7 +54,7 @@ def about_equilibrium(model: Model, system: System, prestress: StaticResult | St
 
 
 def _of_state(model: Model, state: State) -> Model:
-    """Return the model with the strains, walls and tractions of the time of a state."""
+    """Return the model with the strains, walls and tractions that act at the time of a state."""
     if not np.all(state.integrity == 1.0) or len(state.cracks) or state.plastic.any():
         raise InputError("prestress= is a state with broken bonds or cracks; leave these bonds out of a new lattice")
     law, count = model.interaction, len(model.interaction.supports.cell)

@@ -1,4 +1,4 @@
-"""Equilibrium by dynamic relaxation, with damping by the present frequency and masses that speed it up."""
+"""Equilibrium by dynamic relaxation, with adaptive damping, and masses chosen for fast convergence."""
 
 import numpy as np
 
@@ -21,13 +21,13 @@ from bondem.statics.linear import require_lasting
 from bondem.statics.nonlinear import strained
 from bondem.statics.static import StaticResult
 
-# ω_max of the relaxing motion for its step of 1, of which 2 is the limit.
+# Intended ω_max of the relaxing motion for its time step of 1, whose stability limit is 2.
 _FREQUENCY = 1.8
-# Most by which supports move in one step: rotation [rad], and displacement over the shortest bond.
+# Largest motion of supports in one step: rotation [rad], and displacement over the shortest bond.
 _PACE = 0.01
 # Steps in one call of the core.
 _CHUNK = 2_000
-# The same where forces of moments turn.
+# Steps in one call of the core if forces of moments rotate with their regions.
 _TURNING = 20
 
 
@@ -117,7 +117,7 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
 def relaxed(
     beams: Beams, uniform: UniformBeams | None, sums: BeamSums, relaxation: DynamicRelaxation, first: int, most: int
 ) -> tuple[int, float, bool]:
-    """Take steps; return their number, the unbalanced share of the forces, and True if they balance."""
+    """Take at most `most` steps; return their number, unbalanced over total force [-], and True if they balance."""
     span = RelaxationSpan(first, most, np.zeros(1, dtype=np.int64), np.full(1, np.inf))
     if uniform is None:
         ending = run_pass(calls.relax_beams(beams, sums, relaxation, span))

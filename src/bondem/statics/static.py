@@ -28,7 +28,7 @@ from bondem.statics.nonlinear import follow, strained
 
 @dataclass(frozen=True, eq=False)
 class StaticResult(Solution, Plotted):
-    """An equilibrium, in the user's order; rattlers stay at 0.
+    """Static equilibrium of a model, in the user's order; the displacements of rattlers are 0.
 
     `bd.failure_index` evaluates a criterion for it, and `bd.write_vtkhdf` writes it with its stresses.
 
@@ -91,7 +91,7 @@ class StaticResult(Solution, Plotted):
 
     @property
     def drawn(self) -> dict[str, Floats]:
-        """No curves: figures show the elements, with their motion and stress."""
+        """Empty mapping, because figures show the elements with their motion and stress, and no curves."""
         return {}
 
     @property
@@ -104,7 +104,7 @@ class StaticResult(Solution, Plotted):
         )
 
     def scaled(self, factor: float) -> "StaticResult":
-        """Return the same result with motions times a factor, as a guess for bonds of another modulus."""
+        """Return a copy with displacements and rotations times a factor, as a guess for bonds of another modulus."""
         return replace(self, displacement=factor * self.displacement, rotation=factor * self.rotation)
 
 

@@ -29,7 +29,7 @@ class Translation:
 
     Args:
         layout: elements and bonds.
-        blocks: division of a step into one block, which lists elements that own rows of the boundary last.
+        blocks: division of a step into one block, which lists fixed, driven and loaded elements last.
         ledger: sums of a record or a guard.
         rows: number of rows, one per element that is fixed, driven or loaded.
         postponed: elements that failures postpone, uint8, (n,), or (0,) where nothing fails.
@@ -43,7 +43,7 @@ class Translation:
         loads: loads of each bond on its ends.
         dashed: loads of the dashpots of each bond.
         further: True if loads act on elements in addition to those of bonds.
-        owners: number of elements that own rows.
+        owners: number of elements that are fixed, driven or loaded.
         logs: events of the run, whose rows are copied as far as they are filled.
         scratch: arrays of zeros that counterparts have made and only the device reads.
         before_keeping: functions that convert tables copied from the device to the form of the CPU.
@@ -191,12 +191,12 @@ def portions_of_bonds(run: Translation, _: Given) -> int:
 
 
 def free(run: Translation, _: Given) -> int:
-    """Return the number of elements that own no rows of the boundary."""
+    """Return the number of elements that are not fixed, driven or loaded."""
     return run.span.n - run.owners
 
 
 def owners(run: Translation, _: Given) -> int:
-    """Return the number of elements that own rows of the boundary."""
+    """Return the number of elements that are fixed, driven or loaded."""
     return run.owners
 
 

@@ -23,7 +23,7 @@ from bondem.dynamics.on_device.translation import (
 
 
 def _pressed_rows(run: Translation, given: Given) -> int:
-    """Return the number of elements that own rows, or 0 if no surface carries a pressure."""
+    """Return the number of fixed, driven or loaded elements, or 0 if no surface carries a pressure."""
     return run.owners if len(given[StressesOfCells].pressed) else 0
 
 

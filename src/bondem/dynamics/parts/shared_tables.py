@@ -21,7 +21,7 @@ class SharedTables:
         ledger: sums of a record or a guard.
         schedules: schedules of the boundary.
         timeline: the functions of time of these schedules.
-        owned: True if elements own rows of the boundary.
+        owned: True if elements are fixed, driven or loaded.
     """
 
     moving: Moving

@@ -1,1 +1,1 @@
-"""Fracture without inertia: one event after another, each at its own load factor."""
+"""Fracture without inertia, as a sequence of events, each at its own load factor."""

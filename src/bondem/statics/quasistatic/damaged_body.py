@@ -1,4 +1,4 @@
-"""A body of cells whose facets have any integrity, in small motions: its matrix, and the loads of its facets.
+"""Body of cells whose facets have any integrity, in small motions: its matrix, and the loads of its facets.
 
 A facet of integrity s is that of `core/laws/softening.hpp` near the reference. Each half in compression keeps its
 stiffness along the normal: it is k (s 1 + (1 - s) n⊗n), and its share of the dilatation likewise. Closed cracks have
@@ -26,7 +26,7 @@ from bondem.statics.quasistatic.facet_matrix import FacetMatrix, facet_stiffness
 from bondem.statics.quasistatic.facet_passes import OpenedFacets
 from bondem.statics.quasistatic.taken_cracks import CrackedHalves, taken_cracks
 
-# Integrity that stands for none: what is cut off all around goes with its neighbours, and the matrix has an inverse.
+# Integrity of broken facets in the matrix, so that it has an inverse although cells may be cut off on all sides.
 _NONE = 1e-7
 _XX = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
 
@@ -37,12 +37,12 @@ class Loaded:
 
     Attributes:
         traction: traction of each facet [Pa], (m, 3).
-        bending: T_b of each facet, as if it were whole [Pa], (m,).
+        bending: opening traction T_b by bending, of each facet with full integrity [Pa], (m,).
         tensor: σ of each cell, xx, yy, zz, xy, xz, yz [Pa], (n, 6).
         cracked: facets that have lost integrity, (c,).
-        opening: traction of these, as if they were whole [Pa], (c, 3).
-        opened: |F⁺| / A of these [Pa], (c,).
-        turned: mask of their halves that close or open now, (c, 2).
+        opening: traction of cracked facets as if they had full integrity [Pa], (c, 3).
+        opened: |F⁺| / A of cracked facets, its pulling part [Pa], (c,).
+        turned: mask of the halves of cracked facets that have to be closed or opened now, (c, 2).
         wall: force of the walls on the facets that they hold [N], (g, 3).
         stress: λ θ of each cell [Pa], (n,).
     """
@@ -73,13 +73,13 @@ class DamagedBody:
         closed: mask of the halves of cracked facets in compression, (m, 2).
         area: areas of the facets [m²], (m,).
         system: the whole body and its supports.
-        given: V θ of cells at rest, by moving walls and by tractions on free facets [m³], (n,).
-        load: forces and torques on cells at rest, without those of this dilatation [N, N·m], (6 n,).
-        motion: displacements and rotations of elements that are driven themselves [m, rad], (6 n,).
+        given: V θ of cells with all elements at rest, by moved walls and by tractions on free facets [m³], (n,).
+        load: forces and torques on cells at rest, without those of the dilatation `given` [N, N·m], (6 n,).
+        motion: displacements and rotations of driven elements, not of walls [m, rad], (6 n,).
     """
 
     def __init__(self, model: Model, system: System, root: Floats) -> None:
-        """Begin with whole facets.
+        """Prepare a body with uncracked facets.
 
         Args:
             model: model of cells.
@@ -113,7 +113,7 @@ class DamagedBody:
         supports = users.supports
         at_rest = CellStrain.of(model.lattice, users, still, still, wall=supports.motion, pressed=model.pressed)
         self.given = at_rest.swelling[order]
-        self._right: Floats | None = None  # until the next facet loses integrity
+        self._right: Floats | None = None  # valid until the next facet loses integrity
         rigid = replace(users, weight=np.zeros_like(users.weight))
         walls = at_rest.nodal(model.lattice, rigid)[order]
         self.load = (walls + model.constraints.final_load(len(order))).ravel()
@@ -161,13 +161,13 @@ class DamagedBody:
         return 0.5 * _NONE * float((force**2 / self.constants.k[none]).sum())
 
     def state(self, motion: Floats, factor: float, *, balanced: bool = True) -> State:
-        """Return the state at rest under a load factor, with its conditions held there.
+        """Return the state at rest under a load factor; the conditions of its model keep their values there.
 
         Args:
             motion: displacements and rotations at a factor of 1 [m, rad], (6 n,).
             factor: load factor [-].
-            balanced: True if these facets are in equilibrium. False if some of them have just failed, so that the
-                forces have to be found by a run.
+            balanced: True if the body is in equilibrium. False if facets have just failed, so that a run must compute
+                the forces first.
         """
         moved = _Moved(*np.hsplit(factor * motion.reshape(-1, 6)[self.model.layout.rank], 2))
         state = in_equilibrium(self.model, moved, factor)
@@ -183,11 +183,11 @@ class DamagedBody:
         return state
 
     def facets(self, found: Loaded) -> LoadedFacets:
-        """Return the loads of facets and cells as the criteria take them."""
+        """Return the table of the loads of facets and cells that criteria evaluate."""
         return LoadedFacets(self.i, self.j, self.weakened.normal, found.traction, found.bending, found.tensor)
 
     def _halves(self, found: Loaded, factor: float) -> CrackedHalves:
-        """Return the halves of cracked facets at a load factor, after `found` was evaluated."""
+        """Return the halves of cracked facets at a load factor; `found` must be the last result of `loaded`."""
         c, k = self.weakened, found.cracked
         part, stretched = self._part[k], c.k[k, None] * self._facets.motions.gap[k]
         force = [
@@ -251,7 +251,7 @@ class DamagedBody:
         n, rank = len(u), self.model.layout.rank
         swelling = self._facets.swelling(u, phi, self.given)
         if len(self._supported):
-            moved = supports.gap(u[rank], phi[rank])  # what walls do is in `given`
+            moved = supports.gap(u[rank], phi[rank])  # the motion of walls is in `given`
             swelling += np.bincount(self._supported, (supports.share * moved).sum(axis=1), n)
         stress = self.system.matrix.weight * swelling
         loading = self._facets.load(stress, self._pressed)

@@ -1,4 +1,4 @@
-"""Successive equilibria of a body, each a little weaker than the one before."""
+"""Solvers for successive equilibria of a body that loses stiffness from one to the next."""
 
 import math
 from typing import Protocol
@@ -11,19 +11,19 @@ from bondem.statics.linear import MECHANISM, Elimination, Iteration, System
 from bondem.statics.quasistatic.facet_matrix import FacetMatrix
 from bondem.statics.quasistatic.gradient_passes import GradientSolver
 
-# An iteration ends where the energy of its error is this share, squared, of that of the body: tractions are off by
-# 1e-4 of the largest then, a fiftieth of what facets that fail together may differ by. Residual over load would not
-# do: the load of a wall that moves stays as it is while what the body bears vanishes.
+# Root of the energy of the error over that of the body at which an iteration ends. Tractions are then off by 1e-4 of
+# the largest, a fiftieth of the range of facets that fail together. The residual over the load is no measure: the
+# load of a moving wall stays while the forces in the body vanish.
 _ERROR = 5e-5
-# The same where no energy is known: residual over load.
+# Residual over load at which an iteration ends if no energy is known.
 _RTOL = 1e-6
-# The preconditioner is made anew where all iterations since then took so many more than they would have with a new
-# one: about what it costs to make. How fast a new one is the first few solutions tell.
+# Number of iterations, above those of a new preconditioner, after which it is renewed: about its cost. The first
+# solutions determine the rate of a new one.
 _LOST, _NEW = 150.0, 5
 
 
 class Equilibrium(Protocol):
-    """Solver for displacements and rotations that balance a load, with the present matrix.
+    """Interface of solvers for the displacements and rotations that balance a load, with the present matrix.
 
     Attributes:
         rounds: number of iterations so far.
@@ -34,24 +34,24 @@ class Equilibrium(Protocol):
     solutions: int
 
     def solve(self, right: Floats, guess: Floats, energy: float = 0.0) -> Floats:
-        """Return u (6 n,) with K u = `right` where elements are free, starting from a guess.
+        """Return u (6 n,) [m, rad] with K u = `right` where elements are free.
 
         Args:
             right: forces and torques [N, N·m], (6 n,).
-            guess: start of the iteration, (6 n,).
+            guess: start of the iteration [m, rad], (6 n,).
             energy: about twice the energy of the body [J], 0 if unknown.
         """
         ...
 
 
 class Eliminated:
-    """Solver by elimination, repeated for each equilibrium; for small bodies."""
+    """Solver for small bodies, by a new elimination for each equilibrium."""
 
     def __init__(self, system: System) -> None:
         self._system, self.rounds, self.solutions = system, 0, 0
 
     def solve(self, right: Floats, guess: Floats, energy: float = 0.0) -> Floats:
-        """See `Equilibrium`."""
+        """Return the solution by a new elimination; arguments as for `Equilibrium.solve`."""
         self.solutions += 1
         return Elimination(self._system).solve(right, guess=guess)[0]
 
@@ -64,20 +64,20 @@ class Iterated:
     """
 
     def __init__(self, system: System, matrix: FacetMatrix, iteration: Iteration, integrity: PerBond) -> None:
-        """Begin with the preconditioner of the whole body.
+        """Prepare the solver with the preconditioner of the uncracked body.
 
         Args:
-            system: system whose matrix changes.
+            system: system whose matrix the caller changes in place.
             matrix: matrix of the present body, scaled as in `iteration`.
             iteration: iteration with the present matrix.
-            integrity: integrity of its facets, which changes too, (m,).
+            integrity: integrity of the facets, an array that the caller changes in place, (m,).
         """
         self._system, self._matrix, self._iteration, self._integrity = system, matrix, iteration, integrity
         self.rounds = self.solutions = 0
         self._begin()
 
     def solve(self, right: Floats, guess: Floats, energy: float = 0.0) -> Floats:
-        """See `Equilibrium`."""
+        """Return the solution by conjugate gradients; arguments as for `Equilibrium.solve`."""
         S, gradients = self._iteration, self._gradients
         scaled = S.turned(self._system.balanced(right))
         stop = _RTOL * float(np.linalg.norm(scaled)) if energy == 0.0 else 0.0
@@ -94,7 +94,7 @@ class Iterated:
         return self._system.without_rigid_motion(S.displacement(x))
 
     def _judge(self, rounds: int, digits: float) -> None:
-        """Check whether the preconditioner still serves, by the number of iterations per digit of the energy."""
+        """Renew the preconditioner if iterations per decimal digit of the energy have become too many."""
         self._fresh = False
         self._solved += 1
         if self._solved <= _NEW:
@@ -105,12 +105,12 @@ class Iterated:
             self._renew()
 
     def _renew(self) -> None:
-        """Make the preconditioner of the present matrix."""
+        """Compute the preconditioner of the present matrix."""
         self._iteration = Iteration(self._system, (*self._matrix.sides, 1.0 - self._integrity))
         self._matrix.rescale(self._iteration.root)
         self._begin()
 
     def _begin(self) -> None:
-        """Make the tables of the preconditioner, and reset its record."""
+        """Make the tables of the preconditioner, and reset the statistics of its iterations."""
         self._gradients = GradientSolver(self._matrix, self._iteration)
         self._fresh, self._solved, self._rate, self._lost = True, 0, 0.0, 0.0

@@ -11,14 +11,14 @@ from bondem.specimen.ordering import Layout
 
 
 class FacetMatrix:
-    """The matrix K = B + Fᵀ W F of `Stiffness`, with entries of single facets that can change.
+    """Matrix K = B + Fᵀ W F of `Stiffness`, plain and scaled, in which single facets can change.
 
-    It is scaled by blocks S of its elements, Sᵀ K S, and changes with the unscaled matrix.
+    The scaled matrix is Sᵀ K S with a block S per element. Changes apply to both.
 
     Attributes:
         plain: K.
         scaled: Sᵀ K S.
-        rounded: blocks of its B and F in single precision, (b, 6, 6) and (b, 6).
+        rounded: blocks of the scaled B and F in single precision, (b, 6, 6) and (b, 6).
     """
 
     def __init__(self, plain: Stiffness, layout: Layout, root: Floats) -> None:
@@ -50,7 +50,7 @@ class FacetMatrix:
         return self._i, self._j
 
     def rescale(self, root: Floats) -> None:
-        """Scale the matrix by other blocks S."""
+        """Scale the matrix by other blocks S, (n, 6, 6)."""
         self._root = root
         self.scaled = self.plain.scaled(root)
         assert self.scaled.forms is not None
@@ -77,7 +77,7 @@ class FacetMatrix:
         turn = np.zeros((len(facets), 12, 12))
         turn[:, :6, :6], turn[:, 6:, 6:] = self._root[self._i[facets]], self._root[self._j[facets]]
         self._put(self.plain, facets, block, form_i, form_j)
-        self.plain.__dict__.pop("_rows", None)  # what it has made of its forms, once
+        self.plain.__dict__.pop("_rows", None)  # cached rows of the forms, now out of date
         forms = ((form[:, None] @ turn)[:, 0] for form in (form_i, form_j))
         self._put(self.scaled, facets, np.swapaxes(turn, 1, 2) @ block @ turn, *forms)
         i, j = self._diagonal[self._i[facets]], self._diagonal[self._j[facets]]
@@ -98,7 +98,7 @@ class FacetMatrix:
 
 
 def _by_rows(matrix: Stiffness) -> csr_array:
-    """Return F by single rows, in the same memory."""
+    """Return F as a matrix of single rows that shares the memory of its blocks."""
     assert matrix.forms is not None
     forms = matrix.forms
     columns = (6 * forms.indices[:, None] + np.arange(6, dtype=forms.indices.dtype)).ravel()
@@ -108,7 +108,7 @@ def _by_rows(matrix: Stiffness) -> csr_array:
 def facet_stiffness(
     arms: tuple[Floats, Floats], D: Floats, H: Floats, shares: tuple[Floats, Floats]
 ) -> tuple[Floats, Floats, Floats]:
-    """Return the stiffness of facets for motions (u, φ) of their two cells, (c, 12, 12), and their part in V θ.
+    """Return the stiffness of facets, and their part in V θ, for motions (u, φ) of their two cells.
 
     Args:
         arms: arms from the centre of either cell to the facets [m], (c, 3).

@@ -1,4 +1,4 @@
-"""Facets of any integrity in small motions, by the core.
+"""Passes of the core over facets of any integrity, in small motions.
 
 `core/tables/quasistatic_tables.hpp` declares types and shapes.
 """
@@ -33,14 +33,14 @@ class OpenedFacets:
         self._load = bound_pass(calls.load_weakened_facets(facets, self.motions, self.loading))
 
     def swelling(self, displacement: Floats, rotation: Floats, given: Floats) -> Floats:
-        """Return V θ of the cells under motions (n, 3), added to given values [m³], (n,)."""
+        """Return V θ of the cells under motions [m, rad], (n, 3) each, added to `given` [m³], (n,)."""
         self.motions.displacement[:], self.motions.rotation[:] = displacement, rotation
         self.motions.swelling[:] = given
         self._open()
         return self.motions.swelling.copy()
 
     def load(self, stress: Floats, moment: Floats) -> FacetLoading:
-        """Return a copy of the loads at the stresses of cells; facets add to their moments, (n, 6)."""
+        """Return the loads of facets at stresses λ θ of cells [Pa], (n,); facets add to V σ in `moment`, (n, 6)."""
         self.loading.stress[:], self.loading.moment[:] = stress, moment
         self._load()
         return FacetLoading._make(part.copy() for part in self.loading)

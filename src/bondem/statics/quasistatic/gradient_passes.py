@@ -1,4 +1,4 @@
-"""Conjugate gradients for a body whose facets lose integrity, by the core.
+"""Conjugate gradients in the core, for a body whose facets lose integrity.
 
 `core/tables/quasistatic_tables.hpp` declares types and shapes.
 """
@@ -15,12 +15,12 @@ from bondem._types import Floats
 from bondem.statics.linear import Iteration
 from bondem.statics.quasistatic.facet_matrix import FacetMatrix
 
-# Rounds after which conjugate gradients give up.
+# Largest number of rounds of conjugate gradients.
 _ROUNDS = 5000
 
 
 def new_clump_correction(iteration: Iteration) -> ClumpCorrection:
-    """Return the correction of an iteration, with the banded Cholesky factor of its coarse matrix."""
+    """Return the table of the coarse correction of an iteration, with a banded Cholesky factor of its matrix."""
     clumps = iteration.coarse
     matrix = coo_array(clumps.regular)
     sequence = reverse_cuthill_mckee(clumps.regular.tocsr(), symmetric_mode=True)
@@ -39,15 +39,15 @@ def new_clump_correction(iteration: Iteration) -> ClumpCorrection:
 
 
 class GradientSolver:
-    """Conjugate gradients with one preconditioner; the matrix is read at each call.
+    """Conjugate gradients with one preconditioner, and with the present values of a matrix that changes in place.
 
     Attributes:
         rounds: number of rounds of the last solution.
-        first: r·z of its guess, about twice the energy of its error.
+        first: r·z of the guess of the last solution, about twice the energy of its error.
     """
 
     def __init__(self, body: FacetMatrix, iteration: Iteration) -> None:
-        """Make the tables of the scaled matrix of a body, and of the clumps of an iteration with it."""
+        """Make the tables of the scaled matrix of a body, and of the coarse correction of an iteration."""
         matrix = body.scaled
         assert matrix.forms is not None
         bonds, n = matrix.bonds, len(matrix.weight)
@@ -64,11 +64,11 @@ class GradientSolver:
         self.rounds, self.first = 0, 0.0
 
     def solve(self, right: Floats, guess: Floats, *, stop: float, energy: float) -> Floats | None:
-        """Return x with |f - K x| <= `stop` or r·z <= `energy`, (6 n,); None if it is not found.
+        """Return x with |f - K x| <= `stop` or r·z <= `energy`, (6 n,); None if the iteration does not converge.
 
         Args:
-            right: f, (6 n,).
-            guess: start, (6 n,).
+            right: right-hand side f in scaled unknowns, (6 n,).
+            guess: initial x, (6 n,).
             stop: residual at which the iteration ends.
             energy: about twice the energy of the error at which it ends.
         """

@@ -21,10 +21,10 @@ class Reading:
     """Force and displacement of the region that is driven or loaded, at a load factor of 1."""
 
     def __init__(self, body: DamagedBody, drive: Region) -> None:
-        """Find the conditions of a region.
+        """Collect the conditions on the region `drive` that move or load it.
 
         Raises:
-            InputError: Nothing moves on this region, and no load acts on it.
+            InputError: No condition drives or loads this region.
         """
         self._body, model = body, body.model
         motion, force, on_elements = np.zeros(3), np.zeros(3), False
@@ -54,7 +54,7 @@ class Reading:
             self._wall = np.isin(model.interaction.supports.fixed.facet, facet_numbers(drive, model.lattice))
 
     def read(self, found: Loaded, motion: Floats) -> tuple[float, float]:
-        """Return load [N] and displacement [m]."""
+        """Return load [N] and displacement [m] along the direction of the drive or load, at a factor of 1."""
         if not self._driven:
             moved = motion.reshape(-1, 6)[self._element, :3].mean(axis=0)
             return self._force, float(moved @ self._way)
@@ -66,7 +66,7 @@ class Reading:
 
 @dataclass(frozen=True, eq=False)
 class MeasuringPoints(Region):
-    """Elements with material points whose mean displacement is measured, each moving rigidly with its element.
+    """Material points whose mean displacement is measured; each moves rigidly with its element.
 
     Attributes:
         element: element of each point, user's order, (k,).
@@ -79,12 +79,12 @@ class MeasuringPoints(Region):
     weight: Floats
 
     def mask(self, lattice: Lattice) -> Mask:
-        """See `Region`."""
+        """Return a mask of the elements that carry points, (n,)."""
         return np.isin(np.arange(len(lattice.particles)), self.element)
 
     @classmethod
     def of(cls, region: Region, lattice: Lattice) -> "MeasuringPoints":
-        """Return the centres of the elements of a region, with equal weight; points as they are."""
+        """Return the centres of the elements of a region, equally weighted, or given measuring points unchanged."""
         if isinstance(region, MeasuringPoints):
             return region
         element = region.select(lattice)
@@ -92,10 +92,10 @@ class MeasuringPoints(Region):
 
 
 class PointGauges:
-    """Displacements between pairs of regions, each the mean over the centres of its elements, or of points."""
+    """Gauges of the displacement between two regions, each the mean of the centres of its elements or of points."""
 
     def __init__(self, model: Model, gauges: Mapping[str, tuple[Region, Region]]) -> None:
-        """Find the points.
+        """Compute the matrix that gives all displacements from the motions of elements.
 
         Raises:
             InputError: A gauge is not a pair of regions.

@@ -1,4 +1,4 @@
-"""Load factors at which facets begin to crack or soften further, if everything is proportional to the factor."""
+"""Load factors at which facets begin to crack or soften further, if all loads are proportional to the factor."""
 
 from typing import Protocol
 
@@ -15,42 +15,45 @@ from bondem.statics.quasistatic.sawtooth import SofteningLine, Teeth
 
 
 class FacetOnset(Protocol):
-    """Onset of failure of whole facets, and their softening."""
+    """Interface of criteria for the onset of failure of uncracked facets, and for their softening."""
 
     def factors(self, found: Loaded, whole: Ints, below: float, close: float) -> tuple[Ints, Floats]:
-        """Return the facets of `whole` that begin below a factor and the first one, and their factors, (c,) each.
+        """Return the facets of `whole` that begin to fail first, and their load factors, (c,) each.
 
         Args:
             found: loads of the facets.
-            whole: facets that have not failed.
-            below: largest factor of interest.
-            close: distance above the least of their factors, as a share.
+            whole: numbers of uncracked facets, (k,).
+            below: largest factor of interest [-].
+            close: largest distance of factors above the least one, as a share of it [-].
         """
         ...
 
     def teeth(self, found: Loaded, k: int, factor: float, ripple: float) -> Teeth:
-        """Return the softening steps of facet k that begins to fail at a load factor."""
+        """Return the softening steps of facet k, which begins to fail at the load factor `factor`.
+
+        `ripple` is the half-width of the band of the steps, as a share of the traction [-].
+        """
         ...
 
     def again(self, found: Loaded, facets: Ints, traction: Floats) -> PerBond:
-        """Return load factors at which facets that have lost integrity soften further by their curve, (c,).
+        """Return the load factors at which cracked facets soften further along their curve [-], (c,).
 
         Args:
             found: loads of the facets.
-            facets: facets that have lost some of their integrity, (c,).
-            traction: traction of these, as if they were whole [Pa], (c, 3).
+            facets: numbers of the cracked facets, (c,).
+            traction: traction of these facets as if they had full integrity [Pa], (c, 3).
         """
         ...
 
 
 class TractionOnset:
-    """Facets that break at once by their own traction (`bd.MohrCoulomb` without a fracture energy)."""
+    """Onset of facets that break at once by their own traction (`bd.MohrCoulomb` without a fracture energy)."""
 
     def __init__(self, body: DamagedBody, table: FailureTable) -> None:
         self._body, self._table = body, table
 
     def factors(self, found: Loaded, whole: Ints, below: float, close: float) -> tuple[Ints, Floats]:
-        """See `FacetOnset`."""
+        """Return the facets that begin to fail first, and their factors; see `FacetOnset.factors`."""
         index = traction_indices(self._body.weakened.normal, found.traction, self._body.area, self._table)[whole]
         reached = np.divide(1.0, index, out=np.full(len(whole), np.inf), where=index > 0.0)
         least = min(below, float(reached.min(initial=np.inf)) * (1.0 + close))
@@ -58,11 +61,11 @@ class TractionOnset:
         return whole[near], reached[near]
 
     def teeth(self, found: Loaded, k: int, factor: float, ripple: float) -> Teeth:
-        """See `FacetOnset`."""
+        """Return the only step of facet k, which loses all of its integrity."""
         return Teeth.of(SofteningLine(1.0, 0.0), ripple)
 
     def again(self, found: Loaded, facets: Ints, traction: Floats) -> PerBond:
-        """See `FacetOnset`."""
+        """Return infinite factors, (c,), because facets break at once."""
         return np.full(len(facets), np.inf)
 
 
@@ -78,23 +81,23 @@ class StressOnset:
         self._strengths = table.strengths()
 
     def factors(self, found: Loaded, whole: Ints, below: float, close: float) -> tuple[Ints, Floats]:
-        """See `FacetOnset`."""
+        """Return the facets that begin to fail first, and their factors; see `FacetOnset.factors`."""
         factor = onset_factors(self._body.facets(found), self._strengths, whole, below, 1.0 + close)
         near = factor <= min(below, float(factor.min(initial=np.inf)) * (1.0 + close))
         return whole[near], factor[near]
 
     def along(self, found: Loaded, facets: Ints, traction: Floats) -> SofteningSearch:
-        """Return the components of tractions (c, 3) that open facets along the directions of their criterion."""
+        """Return the parts of tractions [Pa], (c, 3), that open facets along the directions of their criterion."""
         body = self._body
         return softening_along(body.facets(found), self._strengths, facets, traction, body.integrity[facets])
 
     def teeth(self, found: Loaded, k: int, factor: float, ripple: float) -> Teeth:
-        """See `FacetOnset`; the steps are along the direction in which the facet begins."""
+        """Return the softening steps of facet k along the direction in which it begins; see `FacetOnset`."""
         opened = self.along(found, np.array([k]), found.traction[k : k + 1])
         traction, onset, last = opened.line[0, opened.factor[0].argmin()].tolist()
         return Teeth.of(SofteningLine(onset, last, *self._curve), ripple, factor * traction)
 
     def again(self, found: Loaded, facets: Ints, traction: Floats) -> PerBond:
-        """See `FacetOnset`."""
+        """Return the load factors of further softening along any direction, (c,); see `FacetOnset.again`."""
         opened = self.along(found, facets, traction)
         return np.minimum(opened.factor.min(axis=1), opened.ended)

@@ -1,4 +1,4 @@
-"""Quasi-static fracture by load factors: bonds fail one by one, at whatever load each event requires."""
+"""Quasi-static fracture by load factors: facets fail one by one, each at the load that it requires."""
 
 import math
 from collections.abc import Callable, Mapping
@@ -23,26 +23,26 @@ from bondem.statics.quasistatic.load_response import PointGauges, Reading
 from bondem.statics.quasistatic.onset import FacetOnset, StressOnset, TractionOnset
 from bondem.statics.quasistatic.sawtooth import Teeth
 
-# Facets whose factors differ by less than this share come in the user's order.
+# Relative difference of load factors below which facets fail in the user's order.
 _TIE = 1e-9
-# A body whose stiffness is this share of that of the whole one is in two parts; and one that holds so much of its
-# energy in facets without integrity: these are a larger share of the stiffness of what is slender.
+# A body counts as parted if its stiffness is below this share of the initial one, or if broken facets store this
+# share of its energy: the residual stiffness of broken facets matters more in slender bodies.
 _PARTED, _RESIDUAL = 1e-5, 0.5
-# Share of the events, the last ones, that have to be below the load at which a run ends.
+# Share of the events, the last ones, whose loads must be below the final load of a run.
 _LAST = 0.05
-# … and so many over the band of the steps at least: as one facet softens from beginning to end, more or less, which
-# may come at much less than what went before.
+# Least number of these events times the half-width of the band: about those of one facet that softens completely,
+# which may occur at much lower loads than earlier events.
 _FEWEST = 2.0
-# Rotations of small motions [rad]: cos is 1 to half a per cent; and the share of the elements that may have turned by
-# more. What hangs loose may turn by as much as it likes.
+# Largest rotation of small motions [rad], for which cos is 1 to half a per cent, and share of the elements that may
+# rotate by more, because loose parts may rotate freely.
 _SMALL, _TURNED = 0.1, 0.1
-# How often halves may open and close until an equilibrium is found.
+# Largest number of rounds in which halves of facets open and close.
 _ROUNDS = 40
 
 
 @dataclass(frozen=True, eq=False)
 class QuasistaticResult(PlottedState):
-    """A path of equilibria, each at the load at which the next facets fail: e events, f failures of facets.
+    """Path of equilibria, each at the load at which the next facets fail, with e events and f failures of facets.
 
     Attributes:
         factor: factor of the load at each event [-], (e,); it falls where the path snaps back.
@@ -63,9 +63,9 @@ class QuasistaticResult(PlottedState):
             "folded": before the next event a tenth of the elements would rotate by more than 0.1 rad, so that motions
             are no longer small.
         motion: displacements of the elements at the last event [m], (n, 3).
-        state: equilibrium at the last event, before its facets fail; of a body that has parted, with the integrities
-            after it. For `bd.fragments`, `bd.cracks` and figures, and to continue in `bd.solve_explicit`. Conditions
-            of its `model` are held at the last factor.
+        state: equilibrium at the last event, before its facets fail; for a body that has parted, with the integrities
+            after the event. For `bd.fragments`, `bd.cracks` and figures, and to continue in `bd.solve_explicit`.
+            Conditions of its `model` are held at the last factor.
         solutions: number of equilibria that were computed: one per event, and more where cracks close or open.
         iterations: total number of iterations.
     """
@@ -234,7 +234,7 @@ def _followed(
 
 
 def _balance(body: DamagedBody, equilibrium: Equilibrium, motion: Floats, size: float) -> tuple[Floats, Loaded]:
-    """Return the equilibrium with pressing halves closed, and its loads; `size` is the previous one, initially 0."""
+    """Return the equilibrium with pressing halves closed, and its loads; `size` is the last `body.size`, or 0."""
     def rest() -> tuple[Floats, Loaded]:
         found = body.motion + equilibrium.solve(body.right - body.pull, motion - body.motion, size)
         return found, body.loaded(found)
@@ -251,12 +251,12 @@ def _balance(body: DamagedBody, equilibrium: Equilibrium, motion: Floats, size: 
 
 
 def _is_residual(body: DamagedBody, found: Loaded, motion: Floats, worked: float) -> bool:
-    """Return True if stiffness of zero integrity holds the body together; `worked` is load times displacement [J]."""
+    """Return True if the residual stiffness of broken facets holds the body; `worked` is load · displacement [J]."""
     return body.residual_energy(found) > _RESIDUAL * 0.5 * max(abs(worked), abs(float(body.right @ motion)))
 
 
 def _folds(motion: Floats, factor: float) -> bool:
-    """Return True if more than a few elements have rotated beyond small motions at a load factor."""
+    """Return True if more than a tenth of the elements rotate beyond small motions at a load factor."""
     turn = factor * np.linalg.norm(motion.reshape(-1, 6)[:, 3:], axis=1)
     return float((turn > _SMALL).mean()) > _TURNED
 
@@ -284,7 +284,7 @@ def _next(
 
 
 class _Path:
-    """Record of all events."""
+    """Record of the events of a path."""
 
     def __init__(self, model: Model) -> None:
         self._model = model
@@ -353,7 +353,7 @@ class _Path:
 
 
 def _begin(model: Model) -> tuple[DamagedBody, Equilibrium, FacetOnset]:
-    """Return the whole body, its solver of equilibria, and the onset of failure of its facets.
+    """Return the uncracked body, its solver of equilibria, and the onset of failure of its facets.
 
     Raises:
         InputError: The model has no quasi-static path.

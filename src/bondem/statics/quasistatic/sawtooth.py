@@ -1,4 +1,4 @@
-"""Softening in steps: a curve from the strength to an opening, followed by teeth within a band around it."""
+"""Softening of a facet in steps: its traction follows a sawtooth within a band around the softening curve."""
 
 from dataclasses import dataclass
 
@@ -14,14 +14,14 @@ from bondem._types import Floats
 class SofteningLine:
     """Traction of a softening facet: the larger of two straight lines in its opening (`core/laws/softening.hpp`).
 
-    T stands for |F⁺| / A, the traction that the facet would have if it were whole, which is proportional to its gap;
-    the facet carries s T.
+    T = |F⁺| / A is the traction that the facet would have with full integrity, which is proportional to its gap. The
+    facet carries s T.
 
     Attributes:
         onset: traction from which the facet softens [Pa].
-        last: T at zero integrity [Pa], 0 for a brittle facet.
-        kink: traction where both lines meet, over `onset`; 0 for one line.
-        steep: T at which the first line would reach zero, over `last`.
+        last: value of T at zero integrity [Pa], 0 for a brittle facet.
+        kink: traction where both lines meet, over `onset` [-]; 0 for one line.
+        steep: value of T at which the first line would reach zero, over `last` [-].
     """
 
     onset: float
@@ -32,15 +32,15 @@ class SofteningLine:
 
 @dataclass(frozen=True, eq=False)
 class Teeth:
-    """Softening steps of a facet from its onset on.
+    """Softening steps of a facet from its onset on, as a sawtooth.
 
     Between two events a facet is elastic with its integrity. At an event it loses some of its integrity and
     dissipates T² Δs, in units of A / 2k.
 
     Attributes:
-        integrity: integrity after events 1 … t, falling to 0, (t,).
-        limit: T of events 2 … t [Pa], (t - 1,).
-        beyond: limits over the T at which the curve itself softens the facet further [-], (t - 1,).
+        integrity: integrity after events 1 … t, 0 after the last [-], (t,).
+        limit: values of T at events 2 … t [Pa], (t - 1,).
+        beyond: `limit` over the value of T at which the curve itself would soften the facet further [-], (t - 1,).
     """
 
     integrity: Floats
@@ -49,18 +49,18 @@ class Teeth:
 
     @classmethod
     def of(cls, line: SofteningLine, ripple: float, now: float = 0.0) -> "Teeth":
-        """Return the teeth of a curve; a brittle facet has one.
+        """Return the softening steps for a curve; a brittle facet has one.
 
-        The first event is at the onset. The others are at a traction `ripple` above the curve, as a share of it, and
-        at most a little below that of the onset; each leaves the traction as much below the curve. If T is beyond the
-        onset when a facet begins, the traction falls to the curve there. The last event is where all of them together
-        have dissipated the energy under the curve: the energy missing from the band that is cut at the onset is added
-        where a facet carries least. Peaks depend on the beginning of a curve, which stays unchanged.
+        The first event is at the onset. Later events occur where the traction exceeds the curve by the share
+        `ripple`, but stay a little below the onset. Each drops the traction by as much below the curve. If T exceeds
+        the onset when a facet begins, the traction falls to the curve there. The last event is placed so that all
+        events together dissipate the energy under the curve. The band is cut off at the onset, and the last event
+        compensates this energy. The beginning of the curve, which determines the peak load, stays unchanged.
 
         Args:
             line: curve of the material.
             ripple: half-width of the band as a share, in (0, 1).
-            now: T at the beginning, if it exceeds the onset [Pa].
+            now: value of T at the beginning, if it exceeds the onset [Pa].
         """
         room = 64
         while True:

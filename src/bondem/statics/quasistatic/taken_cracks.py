@@ -1,4 +1,4 @@
-"""Cracks of an equilibrium, which have one integrity, converted to those of a run (`core/laws/crack.hpp`)."""
+"""Conversion of cracks of an equilibrium, with one integrity each, to those of a run (`core/laws/crack.hpp`)."""
 
 from dataclasses import dataclass
 
@@ -20,8 +20,8 @@ class CrackedHalves:
         k: stiffnesses of the facets [N/m], (c,).
         part: parts of cell i in their compliance [-], (c,).
         normal: normals in the reference [-], (c, 3).
-        left: integrities, 0 for broken ones, (c,).
-        force: forces of the halves on cells i and j as if they were whole [N], (2, c, 3).
+        left: integrities, 0 for broken facets [-], (c,).
+        force: forces of the halves on cells i and j, as if these had full integrity [N], (2, c, 3).
     """
 
     facet: Ints
@@ -33,16 +33,16 @@ class CrackedHalves:
 
 
 def taken_cracks(table: SofteningTable, halves: CrackedHalves, opened: SofteningSearch) -> Floats:
-    """Return the rows of cracks (`bondem.damage.crack_columns`), which carry the same forces in a run.
+    """Return the rows of cracks (`bondem.damage.crack_columns`, (c, CRACK_COLUMNS)) with equal forces in a run.
 
-    A crack keeps one integrity s for all directions: s_1 = γ = s, and s_2 = s_3 = 1. Its first direction is that by
-    which it softens next. Where a half is pressed, or is not pulled along that direction, it is the normal of the
-    facet, along which pressure stays. Both give the force of the equilibrium.
+    A crack keeps one integrity s for all directions: s_1 = γ = s, and s_2 = s_3 = 1. Its first axis is the direction
+    in which it softens next. If a half is in compression, or not in tension along that direction, the first axis is
+    the normal of the facet, along which pressure remains. Both choices give the force of the equilibrium.
 
     Args:
-        table: strengths.
+        table: strengths of the facets.
         halves: the cracked facets.
-        opened: openings of these along the principal directions of stress.
+        opened: openings of the cracked facets along the principal directions of stress.
     """
     force, left = halves.force, halves.left
     first = opened.direction[np.arange(len(left)), opened.factor.argmin(axis=1)]
@@ -57,7 +57,7 @@ def taken_cracks(table: SofteningTable, halves: CrackedHalves, opened: Softening
 
 
 def _rates(halves: CrackedHalves, axes: Floats) -> Floats:
-    """Return -∂U/∂s of three directions and of the grip [J], (c, 4)."""
+    """Return the energy released per lost integrity, -∂U/∂s, of three axes and of the grip [J], (c, 4)."""
     share = np.stack([halves.part, 1.0 - halves.part])[:, :, None] / (2.0 * halves.k[:, None])
     along = np.einsum("hcx,cdx->hcd", halves.force, axes)
     pull, press = (share * np.maximum(sign * along, 0.0) ** 2 for sign in (1.0, -1.0))
