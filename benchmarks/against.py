@@ -1,14 +1,14 @@
-"""This working tree against an older revision of the repository, on the same machine: bits and speed.
+"""Comparison of this working tree with an older revision of the repository, on one machine: bits and speed.
 
     python benchmarks/against.py bits  [--revision c790c8a] [--cases alike grains ...] [--elements 500 3000 9000]
                                        [--threads 1 2 4] [--steps 300]
     python benchmarks/against.py speed [--revision c790c8a] [--kinds beams cells ...]
                                        [--elements 10000 100000 1000000] [--threads 1 2] [--repeat 7]
 
-`bits` runs every kind of bond, load, damping, rotation and contact in both, paused in several ways, and compares
-all that a run leaves by bytes; its exit status is 1 where anything differs. `speed` runs the specimen of
-`tiled.py` in turns, and writes benchmarks/results/against.json, in which each kind of processor has its place.
-A revision that needs other packages runs in its own interpreter: --python.
+`bits` runs every kind of bond, load, damping, rotation and contact in both revisions, interrupted in several ways. It
+compares all results by bytes, and its exit status is 1 if any byte differs. `speed` runs the specimen of `tiled.py`
+in both by turns, and writes benchmarks/results/against.json, with one entry per kind of processor. Option --python
+gives another interpreter for a revision that needs other packages.
 """
 
 import argparse
@@ -25,7 +25,7 @@ from paired import ROOT, SOURCE, Worker, extracted, head, in_turns, specimen_fil
 
 RESULTS = ROOT / "benchmarks" / "results" / "against.json"
 SIZES = (500, 3000, 9000)
-# Larger specimens are there for blocks and domains; ways to pause are tried on the small one.
+# Larger specimens test blocks and domains; the small one tests all ways to interrupt a run.
 PAUSES = {"small": ("every 30", "every 0", "every 1", "every 7", "saved every 37", "two runs"),
           "large": ("every 30", "every 0", "two runs")}  # fmt: skip
 
@@ -34,7 +34,7 @@ PAUSES = {"small": ("every 30", "every 0", "every 1", "every 7", "saved every 37
 
 
 def compared(old: Worker, new: Worker, name: str, size: int, threads: list[int], steps: int) -> tuple[dict, dict]:
-    """What a case was in the old revision, and the first difference for each number of threads."""
+    """Run a case in both revisions; return the answer of the old one, and the first difference per thread count."""
     pauses = PAUSES["small" if size <= SIZES[0] else "large"]
     with tempfile.TemporaryDirectory() as folder:
         told: list[dict] = []
@@ -50,7 +50,7 @@ def compared(old: Worker, new: Worker, name: str, size: int, threads: list[int],
 def _first(folder: Path, count: int, pauses: tuple[str, ...]) -> Difference | None:
     for pause in pauses:
         pair = [folder / side / f"{pause}-{count}.npz" for side in ("old", "new")]
-        if not any(path.exists() for path in pair):  # the case cannot be paused like that
+        if not any(path.exists() for path in pair):  # the case cannot be interrupted in this way
             continue
         found = differing(*pair, pause)
         if found is not None:
@@ -59,7 +59,7 @@ def _first(folder: Path, count: int, pauses: tuple[str, ...]) -> Difference | No
 
 
 def bits(options: argparse.Namespace) -> int:
-    """The table of cases over threads; whether anything differs."""
+    """Compare all chosen cases and print a table of them; return exit status 1 if any byte differs."""
     threads = options.threads or [1, 2, 4]
     cores = max(4, *threads)
     old_source = extracted(options.revision)
@@ -96,7 +96,7 @@ def bits(options: argparse.Namespace) -> int:
 
 
 def _kept(options: argparse.Namespace, begun: dict, found: dict) -> None:
-    """Write an entry for this processor and revision."""
+    """Write the entry of this processor into the results, which keep those of others."""
     here = begun["machine"]
     kept = json.loads(options.output.read_text()) if options.output.exists() else {}
     kept[f"{here['processor']}, {here['vector']}"] = begun | {"revision": options.revision} | found
@@ -104,7 +104,7 @@ def _kept(options: argparse.Namespace, begun: dict, found: dict) -> None:
 
 
 def rates(options: argparse.Namespace, old_source: Path) -> list[dict]:
-    """Paired rates for each size and number of threads."""
+    """Measure both revisions in turns; return a row of rates per kind, size and number of threads."""
     rows = []
     names = (options.revision, "now")
     threads = options.threads or [1, 2]
@@ -133,7 +133,7 @@ def rates(options: argparse.Namespace, old_source: Path) -> list[dict]:
 
 
 def scaling(rows: list[dict], names: tuple[str, str]) -> str:
-    """What threads are worth on each side, by medians: a remark below the lines of one specimen."""
+    """Return the lines that show the speed-up by threads of both revisions, by median rates."""
     one = [row for row in rows if row["threads"] == 1]
     more = [row for row in rows if row["threads"] > 1]
     return "\n".join(
@@ -145,7 +145,7 @@ def scaling(rows: list[dict], names: tuple[str, str]) -> str:
 
 
 def speed(options: argparse.Namespace) -> int:
-    """Rates, printed and written."""
+    """Measure, print and write the rates of both revisions; return exit status 0."""
     begun = origin()
     here = begun["machine"]
     print(", ".join(f"{key}: {value}" for key, value in here.items()))

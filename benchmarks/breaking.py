@@ -1,12 +1,12 @@
-"""What a criterion of failure costs where nothing breaks: steps with and without it, interleaved.
+"""Cost of a failure criterion while no bond breaks: steps with and without it, in turns.
 
 python benchmarks/breaking.py [--elements 10000] [--repeat 15] [--threads 1] [--cells] [--contact] [--out FILE]
 
-With --contact: a body of bonds or cells that may break and touch, whole, and in pieces, after it was driven together
-until thousands of its bonds were broken; of cells in dust too, most of their facets broken.
+With --contact, bodies also have contact, and are timed intact and in pieces. A body moves inward until thousands of
+its bonds are broken; one of cells also until most of its facets are broken ("in dust").
 
-The strength is far above what the bonds bear, and the motion is a random one. Times are of the processor on one
-thread, which other processes disturb less, and of the wall on more.
+Without --contact the strength is far above all loads, and the motion is random. Times are processor time on one
+thread, which other processes disturb less, and wall time on several.
 """
 
 import argparse
@@ -36,7 +36,7 @@ def loops(elements: int, cells: bool) -> tuple[dict[str, CoreLoop], int, dict[st
     criteria: dict[str, bd.Criterion | None] = {
         "elastic": None, "MohrCoulomb": bd.MohrCoulomb(tension=1e15, cohesion=1e15, friction_angle=0.6)
     }  # fmt: skip
-    if cells:  # the stresses of all cells are found, and judged
+    if cells:  # criteria on the stresses of cells, which every step computes and evaluates
         soft = bd.MohrCoulomb(tension=1e15, cohesion=1e15, friction_angle=0.6, fracture_energy=1e18)
         criteria |= {"Rankine": bd.Rankine(tension=1e15), "MohrCoulomb, softening": soft}
     else:

@@ -1,11 +1,11 @@
-"""The time of a calibration: from nothing, warm, and against the way of André et al. (2012).
+"""Time of a calibration: from nothing, warm, and compared with the procedure of André et al. (2012).
 
     python -m benchmarks.calibration [--repeats 3] [--count 10000]          about 4 minutes on 2 cores
 
-From nothing: `bondem calibrate` in processes of their own, with an empty cache and no kept packings.
-The paper's way: curves by explicit quasi-static runs, 100 000 steps each as in its figure 10. One such run is timed,
-on all threads, on the specimen that is calibrated; the curves take `RUNS` of them, which is extrapolated. The paper
-does not print how many points a curve has: five are assumed. Writes benchmarks/results/calibration.json.
+"From nothing" is `bondem calibrate` in a new process, with an empty cache and without stored packings. The paper
+draws curves from explicit quasi-static runs of 100 000 steps each (figure 10). One such run is timed, on all threads,
+on the calibrated specimen; the time of all `RUNS` is extrapolated. Five points per curve are assumed, because the
+paper does not state their number. Writes benchmarks/results/calibration.json.
 """
 
 import argparse
@@ -25,13 +25,13 @@ from validation.measures.explicit_tension import explicit_tension
 RESULT = Path(__file__).resolve().parent / "results" / "calibration.json"
 TARGET = ("--E", "72.5e9", "--nu", "0.17", "--rho", "2201", "--law", "euler-bernoulli")
 
-#: Runs of the paper: fig. 11 five values of ν_μ; figs 13 and 14 five values of E_μ at five of r̃, from which fig. 15
-#: is read; fig. 16 five values of E_μ at the r̃ found. With what is known by then, figs 15 and 16 alone would do.
+#: Numbers of runs in the paper: five values of ν_μ for fig. 11; five of E_μ at five of r̃ for figs 13 and 14, which
+#: give fig. 15; five of E_μ at the r̃ found for fig. 16. With known trends, figs 15 and 16 alone would suffice.
 RUNS = {"whole study": 5 + 25 + 5, "figs 15 and 16": 5 + 5}
 
 
 def from_nothing(count: int, *more: str) -> float:
-    """Wall time of the command with no packings at hand [s]."""
+    """Return the wall time of `bondem calibrate` in a new process without stored packings [s]."""
     with tempfile.TemporaryDirectory() as empty:
         bare = os.environ | {"BONDEM_CACHE_DIR": empty, "BONDEM_PACKING_CACHE": "off"}
         begun = time.perf_counter()
@@ -44,7 +44,7 @@ def from_nothing(count: int, *more: str) -> float:
 
 
 def timed(work, repeats: int) -> dict[str, float]:
-    """Smallest and median wall time of a function [s]."""
+    """Return the smallest and median wall time of a function [s]."""
     taken = []
     for _ in range(repeats):
         begun = time.perf_counter()

@@ -1,8 +1,8 @@
-"""What a Python callback at each output costs: the same run with and without, in turns.
+"""Cost of a Python callback at each output: the same run with and without it, in turns.
 
-At 10 000 elements the difference drowns in the noise of the machine; with few elements the cost of an output shows.
-That of few elements over the time of the steps between two outputs of many is the share that is kept. Processor
-seconds, which on one thread are those of a quiet machine.
+With 10 000 elements the difference is less than the noise of the machine, so that the cost of an output is measured
+with few elements. The recorded share is this cost over the time of the steps between two outputs with many elements.
+Times are processor seconds, which on one thread do not depend on other work of the machine.
 
 python benchmarks/callback.py [--elements 10000] [--few 300] [--every 100] [--steps 2000] [--repeat 9] [--threads 1]
 """
@@ -25,7 +25,7 @@ from validation.measures.jittered_cylinder import cylinder
 
 
 def compared(elements: int, every: int, steps: int, repeat: int) -> dict:
-    """Seconds of runs with and without, and what an output costs by the median of the pairs."""
+    """Measure runs with and without a callback; return their seconds, and the cost of an output (median of pairs)."""
     model = bd.Model(cylinder(elements), LAW, density=2700.0)
     start = State(model)
     start.set_motion(velocity=np.random.default_rng(0).standard_normal((len(model.mass), 3)))

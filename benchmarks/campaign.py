@@ -1,9 +1,8 @@
-"""A hundred specimens on a local cluster: workers are killed in the middle, and the coordinator; and the speed-up.
+"""Campaign of a hundred specimens on a local cluster: speed-up, and survival of killed workers and coordinator.
 
-The specimens are bars of cells torn apart (examples/campaign.toml in small). First a few of 1000 cells on one worker
-and on two, for the speed-up, start of the cluster and all; then all, of 200 cells, on two workers, one of which is
-killed by its process id every few seconds, and halfway the coordinator itself, with SIGKILL; it is started again, and
-its workers are killed again.
+The specimens are small bars of cells in tension, as in examples/campaign.toml. The speed-up is that of a few bars of
+1000 cells on two workers over one, including the start of the cluster. Then all bars, of 200 cells each, run on two
+workers. SIGKILL ends one worker every few seconds, and halfway the coordinator, which is started again.
 
 Run: python benchmarks/campaign.py [--specimens 100] [--few 12] [--cells 1000] [--every 8]
 It writes benchmarks/results/campaign.json.
@@ -52,25 +51,25 @@ seeds = {seeds}
 
 
 def started(study: Path, out: Path, workers: int) -> subprocess.Popen[bytes]:
-    """The coordinator, in a process of its own."""
+    """Start the coordinator of a campaign in a new process, and return the process."""
     command = [sys.executable, "-m", "bondem", "campaign", str(study), "--out", str(out), "--workers", str(workers)]
     return subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
 
 def finished(out: Path) -> dict[str, float]:
-    """When each specimen that is there was finished."""
+    """Return the time at which each finished specimen was written [s], by the name of its folder."""
     return {path.parent.name: path.stat().st_mtime for path in out.glob("specimens/*/specimen.json")}
 
 
 def busy(out: Path) -> list[int]:
-    """Process ids of the workers that are at a specimen, by the names of what is unfinished."""
+    """Return the process ids of the workers that compute a specimen, from the names of lock files."""
     names = [path.name for path in out.glob("specimens/.*.unfinished.lock")]
     pids = [int(name.split("-")[-2]) for name in names]
     return [pid for pid in pids if Path(f"/proc/{pid}").exists()]
 
 
 def timed(folder: Path, specimens: int, workers: int, cells: int) -> float:
-    """Seconds of a whole campaign, start of the cluster and all."""
+    """Return the wall time of a whole campaign, including the start of the cluster [s]."""
     study, out = folder / "study.toml", folder / f"{workers}"
     study.write_text(STUDY.format(seeds=specimens, cells=cells))
     begun = time.perf_counter()
@@ -79,7 +78,7 @@ def timed(folder: Path, specimens: int, workers: int, cells: int) -> float:
 
 
 def killed(folder: Path, specimens: int, every: float) -> dict[str, object]:
-    """Workers killed every few seconds, the coordinator once."""
+    """Run a campaign, kill a worker every few seconds and the coordinator once; return counts of the outcome."""
     study, out, chance = folder / "study.toml", folder / "killed", random.Random(1)
     study.write_text(STUDY.format(seeds=specimens, cells=200))
     deaths, coordinators = 0, 0

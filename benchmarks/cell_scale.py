@@ -1,12 +1,12 @@
-"""Cells of large bodies: time and memory of cutting them, of a static solution, and of an explicit run.
+"""Time and memory of large bodies of cells: packing, cutting, a static solution, and an explicit run.
 
 A cylinder is filled with `count` even centres (`bd.pack(method="even")`) and cut; then it is clamped and pulled
-statically, and let go for some steps. Each size is a process of its own, so that its peak of memory is its own; a
-small body beforehand has everything compiled.
+statically, and an explicit run takes some steps. Each size runs in a new process, so that peak memory belongs to one
+size; a small body is computed first, so that compilation is not timed.
 
 Run: python benchmarks/cell_scale.py [--elements 10000 100000] [--threads 2]
      python benchmarks/cell_scale.py --elements 1000000 --no-static
-It writes benchmarks/results/cell_scale.json, one entry a size; those of other sizes are kept.
+It writes benchmarks/results/cell_scale.json, with an entry per size, and keeps entries of other sizes.
 """
 
 import argparse
@@ -30,7 +30,7 @@ FILE = RESULTS / "cell_scale.json"
 
 
 def measure(count: int, static: bool) -> dict[str, Any]:
-    """Seconds of each stage, and the peak of memory after it, by stage."""
+    """Return the seconds of each stage, and the peak memory of the process after it [bytes], by stage."""
     found: dict[str, Any] = {"elements": count}
     began = time.perf_counter()
 

@@ -1,8 +1,8 @@
-"""Speed of explicit steps of cells beside those of beam bonds on the same elements, and what a microsecond costs.
+"""Speed of explicit steps of cells and of beams on the same elements, per step and per simulated microsecond.
 
 The same packing (periodic, κ = 25 %) is bonded where spheres touch, with beams, and cut into cells. Runs of both
-alternate; ratios are of runs that follow each other. A cell has about 7 facets where an element has 3.1 bonds, in two
-passes, but its time step is longer: what counts is the time to simulate a microsecond of the same specimen.
+alternate, and ratios are those of successive runs. A cell has about 7 facets, in two passes, and a sphere 3.1 bonds,
+but the time step of cells is longer. The relevant ratio is that of the times for a microsecond of the same specimen.
 
 Run: python benchmarks/cell_steps.py [--elements 10000 100000] [--threads 1 2] [--repeat 5]
 It writes benchmarks/results/cell_steps.json.
@@ -25,13 +25,13 @@ from bondem.model.state import State
 from kept import RESULTS, keep, origin, spread
 
 SILICA = bd.materials.fused_silica
-#: Bonds that make such packings about as stiff as the glass; the rate does not depend on them.
+#: Bonds with which such packings are about as stiff as the glass; the speed does not depend on their values.
 BEAMS = bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71)
 EDGE = 10e-3
 
 
 class Runner:
-    """One model in motion."""
+    """Model with a state in random motion, whose steps are timed."""
 
     def __init__(self, model: bd.Model) -> None:
         self.model = model
@@ -44,7 +44,7 @@ class Runner:
         tracemalloc.stop()
 
     def seconds(self, steps: int) -> float:
-        """Of one step, from runs of `steps` and of twice as many."""
+        """Return the wall time of a step [s], from the difference of runs of `steps` and of twice as many."""
         taken = []
         for count in (steps, 2 * steps):
             plan = Plan(duration=(self.state.step + count) * self.dt, dt=self.dt, every=0)
@@ -86,7 +86,7 @@ def measure(count: int, threads_: list[int], repeat: int) -> dict[str, Any]:
 
 
 def _rates(seconds: tuple[float, ...], count: int, each: float, dt: float) -> dict[str, Any]:
-    """Rates of runs: bonds or facets and elements a second, and seconds a microsecond."""
+    """Return bonds or facets, and elements, stepped per second, and seconds per simulated microsecond."""
     return {
         "bond_steps": spread([count * each / s for s in seconds]),
         "element_steps": spread([count / s for s in seconds]),

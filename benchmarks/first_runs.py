@@ -1,10 +1,11 @@
-"""First and second use of four kinds of runs with an empty cache, in processes of their own.
+"""Time of the first and second run of four kinds with an empty cache, each in a new process.
 
     python benchmarks/first_runs.py [--rounds 3]
 
-Beams with breakage and contact; cells with softening and contact; the non-local law with breakage and contact;
-uniaxial compression of cells. Nothing compiles at run time, so both take the same time. Medians of seconds of the
-processor, with packing and without the start of Python, go to benchmarks/results/first_runs.json.
+The kinds are beams with breakage and contact, cells with softening and contact, the non-local law with breakage and
+contact, and uniaxial compression of cells. Nothing compiles at run time, so that both runs should take the same time.
+Medians of processor seconds, with packing but without the start of Python, are written to
+benchmarks/results/first_runs.json.
 """
 
 import argparse
@@ -43,7 +44,7 @@ def pull(kind: str) -> None:
 
 
 def crush() -> None:
-    """Crush a cylinder of 400 cells."""
+    """Compress a cylinder of 400 cells until it fails."""
     particles = bd.pack(bd.Cylinder(radius=10e-3, length=40e-3), count=400, method="even", seed=1)
     bd.labtests.uniaxial_compression(bd.connect(particles, method="laguerre"), CELL, SOFT, density=2500.0)
 
@@ -52,7 +53,7 @@ KINDS = {**{kind: lambda kind=kind: pull(kind) for kind in LAWS}, "compression":
 
 
 def seconds(kind: str, cache: str) -> float:
-    """Seconds that a process needs for a kind, with a folder for its cache."""
+    """Return the processor seconds of a run of a kind in a new process, with the cache folder `cache`."""
     environment = os.environ | {"XDG_CACHE_HOME": cache, "BONDEM_PROGRESS": "off"}
     words = [sys.executable, "-W", "ignore", __file__, "--alone", kind]
     return float(subprocess.run(words, env=environment, capture_output=True, text=True, check=True).stdout)

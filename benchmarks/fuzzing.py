@@ -1,9 +1,9 @@
 """Coverage-guided fuzzing of the readers of studies and of run files, by libFuzzer (`pip install atheris`).
 
-A study is mutated as text, from all examples and templates; a run file as bytes, from two small runs. Each input has
-to be refused in one line, or taken: a study then holds finite numbers only, and a run file the state, the records and
-the masses that were written. Whatever else happens, a traceback, a hang of ten seconds, a crash of the process, ends
-the fuzzing and leaves the input in the folder.
+Studies are mutated as text, from all examples and templates; run files as bytes, from three small runs. Each input
+must raise an error of one line or be read. A study that is read must contain finite numbers only, and a run file the
+state, records and masses that were written. Anything else (a traceback, a hang of ten seconds, a crash) ends the
+fuzzing and leaves the input in the folder.
 
 Run: python benchmarks/fuzzing.py [--seconds 120] [--folder DIR]
 It writes benchmarks/results/fuzzing.json.
@@ -28,7 +28,7 @@ TARGETS = ("study", "run")
 
 
 def finite(value: Any) -> bool:
-    """Whether all numbers within are."""
+    """Return True if all numbers in an object, at any depth, are finite."""
     if isinstance(value, float):
         return math.isfinite(value)
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
@@ -39,12 +39,12 @@ def finite(value: Any) -> bool:
 
 
 def in_one_line(error: Exception) -> None:
-    """What a terminal shows."""
+    """Assert that the message of an error is a single line."""
     assert "\n" not in str(error), "more than one line"
 
 
 def words(folder: Path) -> Path:
-    """What libFuzzer puts in: keys, values and numbers that are none, for studies."""
+    """Write the dictionary of libFuzzer for studies (keys, values, invalid numbers), and return its path."""
     found = {"nan", "inf", "1e400", "-1", "[[", "]]", '"""', "true", "= {", "[]", '""', "\\n", "0x1", "1_0"}
     for path in (folder / "study_seeds").iterdir():
         found |= set(re.findall(r'[A-Za-z_][\w.]*|"[^"\n]*"|[\d.e+-]+', path.read_text(encoding="utf-8")))
@@ -55,7 +55,7 @@ def words(folder: Path) -> Path:
 
 
 def of_study() -> Callable[[bytes], None]:
-    """A text, as `bondem run` reads it."""
+    """Return the fuzzing target that reads a text as a study, like `bondem run`."""
     from bondem.errors import StudyError
     from bondem.study.programme import read
 
@@ -76,7 +76,7 @@ def of_study() -> Callable[[bytes], None]:
 
 
 def of_run(originals: Path) -> Callable[[bytes], None]:
-    """A run file, as `bondem info` and `bondem resume` read it."""
+    """Return the fuzzing target that reads bytes as a run file, like `bondem info` and `bondem resume`."""
     import numpy as np
 
     import bondem as bd
@@ -107,7 +107,7 @@ def of_run(originals: Path) -> Callable[[bytes], None]:
 
 
 def corpus(target: str, folder: Path) -> Path:
-    """What mutations begin with."""
+    """Write the inputs from which mutations begin, and return their folder."""
     seeds = folder / f"{target}_seeds"
     seeds.mkdir(parents=True, exist_ok=True)
     if target == "study":
@@ -127,7 +127,7 @@ def corpus(target: str, folder: Path) -> Path:
 
 
 def fuzz(target: str, seconds: int, folder: Path) -> None:
-    """In a process of its own, which libFuzzer ends."""
+    """Fuzz a target in this process, which libFuzzer ends."""
     atheris: Any = importlib.import_module("atheris")
     with atheris.instrument_imports(include=["bondem.study", "bondem.io", "bondem.specimen", "bondem._checks"]):
         one = of_study() if target == "study" else of_run(folder / "run_seeds")
@@ -142,7 +142,7 @@ def fuzz(target: str, seconds: int, folder: Path) -> None:
 
 
 def told(target: str, seconds: int, folder: Path) -> dict[str, Any]:
-    """How many inputs, how much they reached, and what went wrong."""
+    """Fuzz a target in a new process; return counts of inputs, of branches reached, and of failures."""
     corpus(target, folder)
     command = [sys.executable, __file__, "--target", target, "--seconds", str(seconds), "--folder", str(folder)]
     done = subprocess.run(command, capture_output=True, text=True, errors="replace", check=False)

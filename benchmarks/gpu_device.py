@@ -1,14 +1,14 @@
-"""What a GPU does: all its passes against the CPU, and bond-steps per second in double precision.
+"""Runs on a GPU: deviation of all passes from the CPU, and bond-steps per second in double precision.
 
 python benchmarks/gpu_device.py [--seconds 225] [--out FILE]
 
-As long as there is time: all passes are compiled; small runs with all that acts on bodies, on the device and on the
-CPU; beams and cells of 1e4 to 1e6 elements; a body in contact; beams and cells that break, and cells that crack; a
-batch of 100 specimens of 10 000 elements, several at once; beams of 1e7 elements and cells of 3e6, which processes
-of their own prepare meanwhile. Bodies are periodic packings of 10 000 spheres, repeated.
+Within the given time the script compiles all passes, and compares small runs of all kinds with the CPU. It then times
+beams and cells of 1e4 to 1e6 elements, a body in contact, and beams and cells that break or crack. A batch of 100
+specimens of 10 000 elements runs several at once. Last are beams of 1e7 and cells of 3e6 elements, which other
+processes prepare meanwhile. Bodies are repeated periodic packings of 10 000 spheres.
 
-What fails is written down with its error, and the rest is carried out. The file is written after each result.
-`--host` rehearses the script in small, with the CPU as the device.
+A section that fails is recorded with its error, and the others continue. The file is written after each result.
+`--host` rehearses the script with small bodies and the CPU as the device.
 """
 
 import argparse
@@ -50,18 +50,19 @@ BRITTLE: dict[str, Any] = {"failure": bd.PeripheralStress(tension=1e8, shear=1e8
 WEAK: dict[str, Any] = {"failure": bd.MohrCoulomb(tension=2e7, cohesion=4e7, friction_angle=0.6)}
 COHESIVE: dict[str, Any] = {"failure": bd.Rankine(tension=2e7, fracture_energy=50.0)}
 TOUCHING: dict[str, Any] = {"contact": bd.LinearContact(E=265e9)}
-#: Deviation of small runs from those of the CPU below which they agree, of the largest value of each array.
+#: Largest deviation of small runs from those of the CPU that counts as agreement, over the largest value of each
+#: array.
 CLOSE = 1e-10
-# Share of the time in which small runs may begin.
+# Share of the time after which no further small run begins.
 _CHECKING = 0.4
-# Bond-steps of a measurement, about, and its steps at least and at most.
+# Intended bond-steps of a measurement, and its least and largest number of steps.
 _UPDATES, _LEAST, _MOST = 4e9, 100, 10_000
-# Time that is left when a measurement begins, at least [s].
+# Least remaining time with which a measurement begins [s].
 _NEEDED = 12.0
 
 
 class Sizes(NamedTuple):
-    """Sizes of bodies, of the device or of a rehearsal."""
+    """Numbers of elements of all bodies, for the device or for a rehearsal."""
 
     plain: tuple[int, ...] = (10_000, 100_000, 1_000_000)
     largest: tuple[tuple[str, int], ...] = (("beams", 10_000_000), ("cells", 3_000_000))
@@ -69,8 +70,8 @@ class Sizes(NamedTuple):
     beams_that_break: int = 1_000_000
     cells_that_break: int = 100_000
     cells_that_crack: int = 100_000
-    batch: tuple[int, int, int] = (100, 10_000, 16)  #: specimens, elements of each, how many are at once
-    packing: int = 10_000  #: spheres of the packing that is repeated, at most
+    batch: tuple[int, int, int] = (100, 10_000, 16)  #: specimens, elements of each, specimens at once
+    packing: int = 10_000  #: largest number of spheres of the repeated packing
     steps: float = _UPDATES
 
 
@@ -80,19 +81,19 @@ REHEARSAL = Sizes(
 
 
 class Clock:
-    """Time that is left."""
+    """Clock of the time that remains for the script."""
 
     def __init__(self, seconds: float) -> None:
         self.start, self.seconds = time.perf_counter(), seconds
 
     @property
     def spent(self) -> float:
-        """Seconds since the start."""
+        """Time since the start [s]."""
         return time.perf_counter() - self.start
 
     @property
     def left(self) -> float:
-        """Seconds."""
+        """Time until the end [s]."""
         return self.seconds - self.spent
 
 
@@ -100,7 +101,7 @@ class Clock:
 
 
 def cases() -> dict[str, Any]:
-    """Return small runs of all kinds, of each kind in turn."""
+    """Return functions that make small runs of all kinds, by name, with the kinds in turn."""
     kinds = [
         [(name, make) for name, make in importlib.import_module(f"tests.{module}").CASES.items()]
         for module in ("device_runs", "device_cracks", "device_yielding")
@@ -131,7 +132,7 @@ def checked(device: Callable[[], Device], clock: Clock) -> dict[str, Any]:
 
 
 def agrees(found: dict[str, Any]) -> bool:
-    """Whether all runs for which there was time are those of the CPU."""
+    """Return True if all runs for which there was time agree with those of the CPU."""
     return all(one == "no time" or (isinstance(one, float) and one < CLOSE) for one in found.values())
 
 
@@ -139,16 +140,16 @@ def agrees(found: dict[str, Any]) -> bool:
 
 
 class Body(NamedTuple):
-    """A free periodic body that moves at random."""
+    """Periodic body without constraints in random motion."""
 
     model: bd.Model
     state: State
     dt: float
-    seconds: float  #: that its preparation took
+    seconds: float  #: time of its preparation [s]
 
 
 def prepared(name: str, elements: int, packing: int, options: dict[str, Any]) -> Body:
-    """Return a body; its time step is that of the packing that is repeated."""
+    """Return a body of beams or cells, with half the critical time step of the packing that it repeats."""
     began = time.perf_counter()
     law, method = LAWS[name]
     warnings.simplefilter("ignore")
@@ -162,14 +163,14 @@ def prepared(name: str, elements: int, packing: int, options: dict[str, Any]) ->
 
 
 def loop_on(device: Device, body: Body, state: State) -> DeviceLoop:
-    """Return a loop whose graphs are recorded."""
+    """Return a loop on a device after 200 steps, so that its graphs are recorded."""
     loop = DeviceLoop(body.model, Plan(duration=1.0, dt=body.dt, every=0), state, body.dt, device)
     loop.run(200)
     return loop
 
 
 def timed(loop: DeviceLoop, bonds: int, updates: float, repeat: int) -> dict[str, float]:
-    """Return bond-steps per second; the time holds no copies of the state."""
+    """Return the number of steps, and median and best bond-steps per second, without copies of the state."""
     steps = 100 * round(min(max(updates / max(bonds, 1), _LEAST), _MOST) / 100)
     rates = []
     for _ in range(repeat):
@@ -183,7 +184,7 @@ def timed(loop: DeviceLoop, bonds: int, updates: float, repeat: int) -> dict[str
 
 
 def measured(device: Device, body: Body, name: str, sizes: Sizes) -> dict[str, Any]:
-    """Return how fast a body steps."""
+    """Return the speed of a body on a device, with its sizes, and counts of failures."""
     state, began = body.state, time.perf_counter()
     loop = loop_on(device, body, state)
     first = time.perf_counter() - began
@@ -199,7 +200,7 @@ def measured(device: Device, body: Body, name: str, sizes: Sizes) -> dict[str, A
 
 
 def batch(device: Callable[[], Device], sizes: Sizes) -> dict[str, Any]:
-    """Return how fast many specimens step, several at once, each on a stream of its own."""
+    """Return the speed of many specimens, of which several run at once on separate streams."""
     count, elements, at_once = sizes.batch
     body = prepared("beams", elements, sizes.packing, {})
     bonds, steps = len(body.state.integrity), 1000
@@ -232,7 +233,7 @@ Section = tuple[str, Callable[[], Any]]
 def sections(
     device: Callable[[], Device], clock: Clock, sizes: Sizes, pool: ProcessPoolExecutor
 ) -> Iterator[Section]:
-    """Return what is carried out, by name, in order; large bodies are begun at once."""
+    """Yield the name and function of each section, in order; other processes prepare large bodies from the start."""
     large = {one: pool.submit(prepared, *one, sizes.packing, {}) for one in sizes.largest}
     last = sizes.plain[-1]
     ahead = {name: pool.submit(prepared, name, last, sizes.packing, {}) for name in LAWS}
@@ -259,20 +260,20 @@ def sections(
 
 
 def carried_out(work: Callable[[], Any]) -> Any:
-    """Return the result of a section, or its error."""
+    """Return the result of a section, or a text about the error that it raised."""
     try:
         return work()
-    except Exception as error:  # the other sections are worth their time on a device
+    except Exception as error:  # because the other sections still need their time on the device
         traceback.print_exc()
         return {"failed": f"{type(error).__name__}: {error}"}
 
 
 def report(device: Callable[[], Device], clock: Clock, sizes: Sizes) -> Iterator[tuple[str, Any]]:
-    """Carry out what there is time for; yield each result under its name."""
+    """Run the sections for which there is time; yield each result with its name."""
     pool = ProcessPoolExecutor(4, mp_context=multiprocessing.get_context("spawn"))
     try:
         large = sections(device, clock, sizes, pool)
-        first = next(large)  # begins to prepare bodies
+        first = next(large)  # starts the preparation of bodies
         began = clock.spent
         yield "compiled", carried_out(lambda: device().compile(tuple(pass_tables("kernels"))) or "all passes")
         yield "compiled in s", round(clock.spent - began, 1)
@@ -283,12 +284,12 @@ def report(device: Callable[[], Device], clock: Clock, sizes: Sizes) -> Iterator
             yield name, carried_out(work) if clock.left > _NEEDED else "no time"
     finally:
         for process in list((getattr(pool, "_processes", None) or {}).values()):
-            process.terminate()  # what is still being prepared comes too late
+            process.terminate()  # bodies in preparation come too late
         pool.shutdown(wait=False, cancel_futures=True)
 
 
 def finite(value: Any) -> Any:
-    """Return a result with words for numbers that JSON has not."""
+    """Return a result with texts in place of numbers that JSON lacks, such as infinity."""
     if isinstance(value, dict):
         return {key: finite(one) for key, one in value.items()}
     return str(value) if isinstance(value, float) and not math.isfinite(value) else value
@@ -301,7 +302,7 @@ def main() -> int:
     parser.add_argument("--out", type=Path, default=RESULTS / "gpu_device.json")
     options = parser.parse_args()
     warnings.simplefilter("ignore")
-    sys.path.append(str(ROOT))  # the small runs are those of the tests
+    sys.path.append(str(ROOT))  # for the small runs, which belong to the tests
     clock = Clock(options.seconds)
     found = {"begun with": carried_out(origin)}
     if options.host:

@@ -1,7 +1,7 @@
-"""Seconds of stepping of Kalthoff and Winkler's plate, in finer cells than its study has, on one thread and on two.
+"""Wall time of runs of Kalthoff and Winkler's plate with finer cells than in its study, on one and two threads.
 
-The plate of `python -m validation kalthoff` until 90 µs, f_t = 844 and 1900 MPa, seed 1: nothing is packed, cut or
-compiled in the time that counts, but the making of the state is in it. Asked: a minute for 50 000 cells.
+The plate is that of `python -m validation kalthoff` until 90 µs, with f_t = 844 and 1900 MPa and seed 1. The time
+includes the construction of the state, but no packing, cutting or compilation. The aim is a minute for 50 000 cells.
 
 Run: python benchmarks/kalthoff_seconds.py [--cells 50000] [--threads 1 2] [--repeat 3] [--out FILE]
 """

@@ -1,4 +1,4 @@
-"""What every result of a benchmark begins with, and how it is written: as records of studies."""
+"""Records of benchmarks: the origin with which each begins, and the file format, which is that of studies."""
 
 import sys
 from collections.abc import Callable
@@ -15,22 +15,22 @@ __all__ = ["RESULTS", "ROOT", "Record", "clocked", "command", "commit", "keep", 
 
 
 def command() -> str:
-    """How this process was started."""
+    """Return the command by which this process was started."""
     return record.command_line(["python", str(Path(sys.argv[0]).resolve()), *sys.argv[1:]])
 
 
 def origin() -> dict:
-    """Command, machine with its load, date, version and commit, as they are when a benchmark starts."""
+    """Return command, machine with its load, date, version and commit, at the start of a benchmark."""
     return record.origin(command())
 
 
 def keep(path: Path, report: dict) -> None:
-    """Write a report."""
+    """Write a report to a file."""
     record.write(path, report)
 
 
 def clocked(task: Callable[[], object], repeat: int) -> dict[str, dict[str, float]]:
-    """Seconds of a task by the wall and of all processors: the two differ on a busy machine."""
+    """Return wall and processor seconds of a task, which differ on a busy machine, with their spread."""
     wall, cpu = [], []
     for _ in range(repeat):
         began, worked = perf_counter(), process_time()

@@ -1,4 +1,4 @@
-"""Bits of runs on one level of instructions: a SHA-256 for each case of `bits/`, to be compared with another level.
+"""Bits of runs on one level of vector instructions: a SHA-256 per case of `bits/`, to compare with another level.
 
 BONDEM_ISA=v3 python benchmarks/levels.py --out v3.txt        # on any machine with AVX2
 BONDEM_ISA=v4 python benchmarks/levels.py --against v3.txt    # on one with AVX-512, or in an emulator of one
@@ -19,7 +19,7 @@ from bondem._core import compiled_level
 
 
 def bits_of(name: str, size: int, steps: int) -> str:
-    """SHA-256 of everything that a run of a case leaves: the state, and the record of every 20 steps."""
+    """Return the SHA-256 of the results of a case: its final state, and its records every 20 steps."""
     case = ALL[name](size)
     dt = explicit(case.model, case, duration=0.0, safety=case.share, every=0).dt
     result = explicit(case.model, case, duration=steps * dt, dt=dt, every=20, state=case.start(dt))
@@ -30,7 +30,7 @@ def bits_of(name: str, size: int, steps: int) -> str:
 
 
 def main() -> None:
-    """Print the digests; compare them with those of a file."""
+    """Print the digests of cases, and compare them with those of a file."""
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("--size", type=int, default=60, help="elements: 60, 500, 3000 or 9000")
     options.add_argument("--steps", type=int, default=100)

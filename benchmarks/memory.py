@@ -1,14 +1,13 @@
 """Resident memory of bodies of cells, and of beams between spheres, by stage and size.
 
-Each case is a process of its own: it imports bondem, builds a model of a crooked grid of elements, its state, and the
-loop of an explicit run, which takes three steps. What is resident after the last stage beyond that after the imports
-is divided by the number of elements, `untrimmed`, and once more when the benchmark has returned free memory to the
-system, `bytes`.
+Each case runs in a new process, which imports bondem and builds a model of an irregular grid of elements, its state,
+and the loop of an explicit run, which takes three steps. `untrimmed` is the growth of resident memory since the
+imports, per element. `bytes` is the same after free memory of the heap has been returned to the system.
 
     python benchmarks/memory.py [--sizes 28 46] [--stages model state loop] [--kinds cells beams] [--part cases]
 
 A size is the number of elements along an edge. It writes benchmarks/results/memory.json, which keeps other cases. The
-part `before` was measured by this script beside the sources before decision 0066.
+part `before` was measured with the sources before decision 0066.
 """
 
 import argparse
@@ -35,19 +34,19 @@ CELLS = bd.CellBond(E=1e7, nu=0.2)
 
 
 def resident() -> int:
-    """Bytes that this process keeps in memory."""
+    """Return the resident memory of this process [bytes]."""
     return int(Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
 
 
 def trimmed() -> int:
-    """Bytes that this process keeps in memory once what is free in its heap is returned."""
+    """Return free memory of the heap to the system; return the resident memory of this process [bytes]."""
     gc.collect()
     ctypes.CDLL(None).malloc_trim(0)
     return resident()
 
 
 def model_of(kind: str, size: int) -> bd.Model:
-    """Elastic body of size³ elements of about 1 mm beside the points of a grid."""
+    """Return an elastic model of size³ elements of about 1 mm, on an irregular grid."""
     rng = np.random.default_rng(size)
     grid = np.indices((size,) * 3).reshape(3, -1).T
     place, radius = grid + 0.5 + rng.uniform(-0.1, 0.1, grid.shape), rng.uniform(0.3, 0.4, len(grid))
@@ -58,7 +57,7 @@ def model_of(kind: str, size: int) -> bd.Model:
 
 
 def built(kind: str, size: int, stage: str) -> dict[str, float]:
-    """Bytes and bonds per element after a stage, whose objects live until they are counted."""
+    """Build a model up to a stage in this process; return bytes and bonds per element."""
     before, kept = trimmed(), []
     model = model_of(kind, size)
     if stage != "model":
@@ -75,7 +74,7 @@ def built(kind: str, size: int, stage: str) -> dict[str, float]:
 
 
 def measured(kind: str, size: int, stage: str) -> dict[str, float]:
-    """Bytes and bonds per element after a stage, of a new process."""
+    """Return bytes and bonds per element of a model up to a stage, measured in a new process."""
     words = [sys.executable, "-W", "ignore", __file__, "--alone", kind, str(size), stage]
     return json.loads(subprocess.run(words, stdout=subprocess.PIPE, text=True, check=True).stdout)
 

@@ -1,13 +1,13 @@
-"""What output costs: snapshots of 100 000 elements at every hundredth of a run, over the run without any.
+"""Cost of output: snapshots of 100 000 elements at every hundredth of a run, over the run without any.
 
-Three runs in one process take turns, all with a checkpoint at the end: one without snapshots, one with two more than
-that at the start, one with ten. The difference of the last two over eight is the cost of a snapshot. The rest of the
-cost of the second is that of what does not change, which is computed and written once. That and a hundred snapshots,
-over the time of a run of 50 000 steps, is what output every 1 % costs. The compression test of 12 000 elements in
-`python -m validation celigueta` takes 55 000 steps, and more with smaller elements.
+Three runs in one process take turns, all with a checkpoint at the end. One has no snapshots; two have one at the
+start, and two or ten more. The difference of the last two, over eight, is the cost of a snapshot. The rest of the
+cost of two snapshots belongs to constant data, which is computed and written once. This and a hundred snapshots, over
+the time of a run of 50 000 steps, is the cost of output every 1 %. The compression test of 12 000 elements in `python
+-m validation celigueta` takes 55 000 steps, and more with smaller elements.
 
-Seconds are those of one processor (`process_time`, one thread): they do not depend on other work of the machine. The
-share by the wall is given beside it, because a disk may be slower than the processor.
+Times are processor seconds of one thread, which do not depend on other work of the machine. The share of wall time is
+also given, because a disk may be slower than the processor.
 
 Run: python benchmarks/output_cost.py [--elements 100000] [--steps 200] [--repeat 3] [--threads 1]
 It writes benchmarks/results/output_cost.json.
@@ -28,7 +28,7 @@ FEW, MANY, LONG = 2, 10, 50_000
 
 
 def model_of(kind: str, count: int) -> bd.Model:
-    """Pulled along x, of brittle elements that do not break."""
+    """Return a bar of brittle beams or cells that is pulled along x and does not break."""
     shape = bd.Box((4e-2, 2e-2, 2e-2))
     particles = bd.pack(shape, count=count, method="even", seed=1)
     ends = [bd.Fix(bd.Face("x_min")), bd.Drive(bd.Face("x_max"), vx=0.01)]
@@ -43,7 +43,7 @@ def model_of(kind: str, count: int) -> bd.Model:
 
 
 def seconds(model: bd.Model, steps: int, dt: float, every: int, folder: Path) -> tuple[np.ndarray, int]:
-    """Seconds of a run by the processor and by the wall, and the size of its file [bytes]."""
+    """Return processor and wall seconds of a run, (2,), and the size of its file [bytes]."""
     began = np.array((time.process_time(), time.perf_counter()))
     bd.solve_explicit(model, duration=steps * dt, dt=dt, every=0, snapshot_every=every, out=folder / "run.h5")
     taken = np.array((time.process_time(), time.perf_counter())) - began
@@ -61,7 +61,7 @@ def measured(kind: str, count: int, steps: int, repeat: int) -> dict:
             plain.append(seconds(model, steps, dt, 0, folder))
             few.append(seconds(model, steps, dt, steps // FEW, folder))
             many.append(seconds(model, steps, dt, steps // MANY, folder))
-    # the first snapshot also finds and writes what does not change, such as the polyhedra
+    # the first snapshot also computes and writes constant data, such as the polyhedra
     each = np.array([(b[0] - a[0]) / (MANY - FEW) for a, b in zip(few, many, strict=True)])
     once = np.array([b[0] - a[0] - (FEW + 1) * one for a, b, one in zip(plain, few, each, strict=True)])
     step = np.array([a[0] / steps for a in plain])

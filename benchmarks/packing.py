@@ -1,13 +1,14 @@
-"""Packings: time, density, contacts, overlap and peak memory by number of spheres, and time against spheropack.
+"""Time, density, contacts, overlap and peak memory of packings by number of spheres, and time over spheropack's.
 
     pip install spheropack && python benchmarks/packing.py
     python benchmarks/packing.py --million          # 1 000 000 spheres alone, some ten minutes
     python benchmarks/packing.py --methods          # jamming by growth and by compression and 20 000 spheres, minutes
 
-Results are left in benchmarks/results/packing.json; with an option in packing_million.json, packing_methods.json.
+Results are written to benchmarks/results/packing.json, or with an option to packing_million.json or
+packing_methods.json.
 
-Every packing is made in a process of its own, which compiles first, so that peak memory is that of one packing.
-spheropack (PyPI; event-driven Lubachevsky-Stillinger in C++) takes turns with ours on the same request.
+Every packing runs in a new process, so that peak memory is that of one packing; a small packing before it is not
+timed. spheropack (PyPI; event-driven Lubachevsky-Stillinger in C++) takes turns with bondem on the same request.
 """
 
 import argparse
@@ -20,7 +21,7 @@ import subprocess
 import sys
 import time
 
-# Before bondem: what is timed here must not come from the cache of packings.
+# Set before bondem is imported, so that timed packings do not come from the cache.
 os.environ["BONDEM_PACKING_CACHE"] = "off"
 
 import bondem as bd
@@ -30,7 +31,7 @@ SHAPES = {"cylinder": bd.Cylinder(radius=5e-3, length=40e-3), "cell": bd.Cell(si
 
 
 def one(request: dict) -> dict:
-    """Time, quality and memory of one packing, made here and now."""
+    """Make a packing in this process; return its time [s], quality and peak memory [GiB]."""
     shape, count, seed = SHAPES[request["shape"]], request["count"], request["seed"]
     if request["library"] == "spheropack":
         import spheropack
@@ -40,7 +41,7 @@ def one(request: dict) -> dict:
         del found
         return {"seconds": time.perf_counter() - start}
     options = {"spread": request["spread"], "method": request["method"], **request["target"]}
-    bd.pack(shape, count=2500, seed=0, **options)  # compile outside the timing
+    bd.pack(shape, count=2500, seed=0, **options)  # a first packing outside the timing
     start = time.perf_counter()
     particles = bd.pack(shape, count=count, seed=seed, **options)
     seconds = time.perf_counter() - start
@@ -60,7 +61,7 @@ def one(request: dict) -> dict:
 
 
 def measured(repeat: int, *requests: dict) -> list[list[dict]]:
-    """`repeat` runs of each request, which take turns; seeds 1, 2, ..."""
+    """Run each request `repeat` times in new processes, in turns, with the seeds 1, 2, ...; return all results."""
     runs: list[list[dict]] = [[] for _ in requests]
     for seed in range(1, repeat + 1):
         for k, request in enumerate(requests):
@@ -79,7 +80,7 @@ def asked(
 
 
 def row(request: dict, runs: list[dict]) -> dict:
-    """Smallest and median time of the runs, range of what they came to; printed as one line."""
+    """Return a request with smallest and median time of its runs; print these and the ranges of their results."""
     seconds = [run["seconds"] for run in runs]
     print(
         f"{request['shape']:>8} {request['count']:>8} {request['method']:>11} {json.dumps(request['target']):>18}"
@@ -100,7 +101,7 @@ def _range(runs: list[dict], name: str, digits: int) -> str:
 
 
 def against(count: int, repeat: int) -> list[dict]:
-    """Times of spheropack over ours; above 1 it takes longer."""
+    """Return times of spheropack and bondem, and their ratios; above 1 spheropack takes longer."""
     found = []
     for target in ({"volume_fraction": 0.60}, {"jamming": True}):
         pair = [asked("cell", count, 0.0, target, library=library) for library in ("spheropack", "bondem")]
@@ -148,7 +149,7 @@ def main() -> None:
 
 
 def _plan(options: argparse.Namespace) -> tuple[str, list[tuple[dict, int]], bool]:
-    """Name of the results, requests with their repeats, and whether spheropack is compared."""
+    """Return the name of the result file, requests with repeats, and True if spheropack is compared."""
     if options.million:
         return "packing_million", [(asked("cylinder", 1_000_000, 0.25, {}), 1)], False
     jammed = asked("cell", 10_000, 0.0, {"jamming": True})

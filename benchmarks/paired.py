@@ -1,7 +1,7 @@
-"""Two codes in turns on one machine: long-lived processes that take turns by pipe.
+"""Comparison of two revisions in turns on one machine, in two processes that are controlled by pipes.
 
-Each side is a process of its own (`paired_worker.py`) that imports the bondem it is given, sets up once and then
-waits for its turn. Ratios are taken pair by pair, A B A B, so that a machine that slows down slows both.
+Each process (`paired_worker.py`) imports one revision of bondem, prepares once, and runs when asked. Ratios are taken
+pair by pair, A B A B, so that a machine that slows down affects both.
 """
 
 import io
@@ -19,16 +19,16 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 SOURCE = ROOT / "src"
-# Bond-steps of a sample: about a second; the guards of a run look at all bonds every 100 steps.
+# Bond-steps of a sample, about a second of work; the guards of a run check all bonds every 100 steps.
 SAMPLE = 40_000_000
 _ROUND = 100
-# Share of a core that others may take in a sample which counts.
+# Share of a core that other processes may use during a sample that counts.
 QUIET = 0.08
 _JIFFIES = os.sysconf("SC_CLK_TCK") if hasattr(os, "sysconf") else 100
 
 
 def extracted(revision: str) -> Path:
-    """The folder `src` of an older revision, in a temporary folder that later calls find again."""
+    """Extract an older revision to a temporary folder that later calls reuse, and return its folder `src`."""
     git = ["git", "-C", str(ROOT)]
     commit = subprocess.run(
         [*git, "rev-parse", "--verify", revision + "^{commit}"], check=True, capture_output=True, text=True
@@ -40,20 +40,20 @@ def extracted(revision: str) -> Path:
             with tarfile.open(fileobj=io.BytesIO(archive)) as tar:
                 tar.extractall(aside, filter="data")
             folder.mkdir(exist_ok=True)
-            for part in ("hatch_build.py", "src"):  # the first compiles the core of the second, in later revisions
+            for part in ("hatch_build.py", "src"):  # in later revisions the first file compiles the core
                 if (Path(aside) / part).exists():
                     (Path(aside) / part).rename(folder / part)
     return folder / "src"
 
 
 class Worker:
-    """A process that runs one bondem, and does what it is asked.
+    """Process that imports one revision of bondem and carries out tasks.
 
     Args:
-        source: the folder `src` it imports.
-        cores: threads it may use at most.
-        cache: where it keeps compiled code; None for where it always does.
-        python: interpreter that has what this revision depends on; None for the present one.
+        source: folder `src` of the revision.
+        cores: largest number of threads.
+        cache: folder for compiled code; None for the default one.
+        python: interpreter with the packages of this revision; None for the present one.
     """
 
     def __init__(
@@ -72,7 +72,11 @@ class Worker:
         assert found.is_relative_to(source.resolve()), f"{found} was imported instead of {source}"
 
     def ask(self, task: str, **arguments: object) -> dict:
-        """Have a task of `paired_worker.py` done, and wait for its answer."""
+        """Send a task of `paired_worker.py` with its arguments, and return its answer.
+
+        Raises:
+            RuntimeError: The process ended, or the task raised an error.
+        """
         assert self._process.stdin is not None
         assert self._process.stdout is not None
         self._process.stdin.write(json.dumps({"task": task, **arguments}) + "\n")
@@ -97,7 +101,7 @@ class Worker:
 
 
 def specimen_file(worker: Worker, elements: int, *, largest: int = 100_000) -> Path:
-    """The specimen of `tiled.py`, made once by one side and read by both."""
+    """Return the file of the specimen of `tiled.py`, which one worker makes once and both read."""
     path = Path(tempfile.gettempdir()) / f"bondem-specimen-{elements}-{largest}.npz"
     if not path.exists():
         print(f"packing {elements} elements ...", file=sys.stderr, flush=True)
@@ -107,12 +111,12 @@ def specimen_file(worker: Worker, elements: int, *, largest: int = 100_000) -> P
 
 @dataclass(frozen=True)
 class Sample:
-    """Some steps of one side.
+    """Speed of one revision over some steps.
 
     Attributes:
-        rate: million bond-steps a second, of the clock.
-        own: million bond-steps a second of the processor time of the process.
-        others: share of a core that other processes took meanwhile [-].
+        rate: million bond-steps per second of wall time.
+        own: million bond-steps per second of processor time of the process.
+        others: share of a core that other processes used meanwhile [-].
     """
 
     rate: float
@@ -122,10 +126,10 @@ class Sample:
 
 @dataclass(frozen=True)
 class Pairs:
-    """Samples of two sides in turns, and what they say.
+    """Samples of two revisions in turns, with statistics of their ratios.
 
     Attributes:
-        first, second: samples, as many of each.
+        first, second: samples of each, in equal number.
     """
 
     first: tuple[Sample, ...]
@@ -133,7 +137,7 @@ class Pairs:
 
     @property
     def quiet(self) -> list[int]:
-        """Pairs in which others took little of the machine; all where hardly any is."""
+        """Indices of the pairs with little load by other processes; those of all pairs if fewer than three."""
         pairs = range(len(self.first))
         found = [k for k in pairs if max(self.first[k].others, self.second[k].others) < QUIET]
         return found if len(found) >= 3 else list(pairs)
@@ -151,16 +155,16 @@ class Pairs:
 
     @property
     def busy(self) -> float:
-        """Largest share of a core that others took in a pair that counts [-]."""
+        """Largest share of a core that other processes used in a pair that counts [-]."""
         return max(max(self.first[k].others, self.second[k].others) for k in self.quiet)
 
     def spread(self, side: Sequence[Sample]) -> dict[str, float]:
-        """Smallest, median and largest rate of a side in the pairs that count [M/s]."""
+        """Return smallest, median and largest rate of a revision in the pairs that count [million bond-steps/s]."""
         rates = [side[k].rate for k in self.quiet]
         return {"min": min(rates), "median": statistics.median(rates), "max": max(rates)}
 
     def report(self, names: tuple[str, str]) -> dict:
-        """Everything, for a file."""
+        """Return all statistics and samples as a dictionary for a result file, with the names of both revisions."""
         return {
             "gain": round(self.gain, 3),
             "gain by processor time": {key: round(value, 3) for key, value in self.own_gain.items()},
@@ -178,7 +182,7 @@ class Pairs:
         }
 
     def line(self) -> str:
-        """Both rates (min / median / max), the gain, and how busy the machine was."""
+        """Return a line with both rates (min / median / max), the gain, and the load by other processes."""
         sides = [self.spread(side) for side in (self.first, self.second)]
         rates = "".join(f"  {s['min']:6.1f} /{s['median']:6.1f} /{s['max']:6.1f}" for s in sides)
         own = "/".join(f"{value:5.2f}" for value in self.own_gain.values())
@@ -189,18 +193,18 @@ HEAD = "  {0:>22}  {1:>22}  {2:>6}  processor time     {3:>8}  {4:>6}"
 
 
 def head(names: tuple[str, str]) -> str:
-    """The line above those of `Pairs.line`."""
+    """Return the header of a table of `Pairs.line`."""
     rates = [f"{name}, M/s" for name in names]
     return HEAD.format(*rates, "gain", "pairs", "others")
 
 
 def steps_of(bonds: int) -> int:
-    """Steps of a sample, whole rounds of guards."""
+    """Return the number of steps of a sample, a multiple of 100 (the interval of guards)."""
     return _ROUND * max(1, round(SAMPLE / bonds / _ROUND))
 
 
 def in_turns(first: Worker, second: Worker, bonds: int, *, threads: int, repeat: int, steps: int | None) -> Pairs:
-    """`repeat` pairs of samples of two sides that are loaded."""
+    """Return `repeat` pairs of samples of two workers that have loaded a body, after a warm-up."""
     count = steps if steps is not None else steps_of(bonds)
     sides = (first, second)
     for worker in sides:
@@ -222,7 +226,7 @@ def _sample(worker: Worker, bonds: int, threads: int, steps: int) -> Sample:
 
 
 def _busy() -> float:
-    """Time that all cores together have worked for anybody [s]; 0 where the system does not tell."""
+    """Return the total working time of all cores since boot [s]; 0 if the system has no /proc/stat."""
     path = Path("/proc/stat")
     if not path.exists():
         return 0.0

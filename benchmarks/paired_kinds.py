@@ -1,7 +1,7 @@
 """Kinds of bodies whose steps are timed, all on the elements of one periodic packing.
 
-Beams join spheres that touch, cells fill the periodic cell. Those that fail are timed after some steps in which they
-do, so that they are in pieces; those that are whole have strengths that nothing reaches.
+Beams join spheres that touch, and cells fill the periodic cell. Bodies in pieces are timed after some steps in which
+they fail. Intact bodies with a criterion have strengths that no load reaches.
 """
 
 import math
@@ -15,20 +15,20 @@ import bondem as bd
 BEAM = bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71)
 CELL = bd.CellBond(E=72.5e9, nu=0.17)
 TOUCH = bd.LinearContact(E=70e9, friction=0.4)
-#: Strengths that nothing reaches [Pa], and those of bodies that are in pieces.
+#: Strength that no load reaches, and strength of bodies that break to pieces [Pa].
 SAFE, WEAK = 1e15, 50e6
 MOHR = {"friction_angle": 0.6}
 
 
 @dataclass(frozen=True)
 class Kind:
-    """How a body of a kind is made and moves.
+    """Kind of body: its model and its initial motion.
 
     Attributes:
-        model: of a lattice of spheres that touch.
+        model: function that returns the model for a lattice of touching spheres.
         speed: standard deviation of each component of the velocity at the start [m/s].
-        share: of the critical step.
-        before: steps that come before those that are timed.
+        share: time step over the critical one [-].
+        before: number of steps before those that are timed.
     """
 
     model: Callable[[bd.Lattice], bd.Model]
@@ -38,7 +38,7 @@ class Kind:
 
 
 def beams(lattice: bd.Lattice, failure: bd.Criterion | None = None, *, touch: bool = False) -> bd.Model:
-    """Beams, all alike."""
+    """Return a model of equal beams, with a criterion and contact if given."""
     return bd.Model(lattice, BEAM, density=2500.0, failure=failure, contact=TOUCH if touch else None)
 
 
@@ -46,18 +46,18 @@ def cells(
     lattice: bd.Lattice, failure: bd.Criterion | None = None, *, touch: bool = False,
     law: bd.CellBond | bd.NonLocal = CELL,
 ) -> bd.Model:  # fmt: skip
-    """Cells, or the non-local law between them."""
+    """Return a model of cells by `law`, with a criterion and contact if given."""
     body = bd.connect(lattice.particles, method="laguerre")
     return bd.Model(body, law, density=2500.0, failure=failure, contact=TOUCH if touch else None)
 
 
 def grains(lattice: bd.Lattice) -> bd.Model:
-    """Spheres that touch, without bonds."""
+    """Return a model of spheres that touch, without bonds."""
     return bd.Model(bd.Lattice(lattice.particles, lattice.pairs[:0]), None, density=2500.0, contact=TOUCH)
 
 
 def laid(lattice: bd.Lattice) -> bd.Model:
-    """As many spheres side by side on a plane, each pressed on it by a thousandth of its radius."""
+    """Return a model of as many equal spheres side by side on a plane, each pressed into it by 1e-3 of its radius."""
     count, r = len(lattice.particles), float(lattice.particles.radius.mean())
     across = math.ceil(math.sqrt(count))
     column, row = np.divmod(np.arange(count), across)

@@ -1,7 +1,7 @@
-"""One side of a comparison: does what it is asked over a pipe, with the bondem that PYTHONPATH leads to.
+"""Process of one revision in a comparison: carries out tasks from a pipe with the bondem on PYTHONPATH.
 
-A line of JSON is a task with its arguments, a line of JSON the answer. Only interfaces that old revisions have too
-are used: the public ones, `State(model)` and the loop of a run.
+A task with its arguments is a line of JSON, and so is the answer. Only interfaces that old revisions also have are
+used: public ones, `State(model)` and the loop of a run.
 """
 
 import importlib
@@ -25,7 +25,7 @@ def source() -> dict:
 
 
 def specimen(elements: int, largest: int, path: str) -> dict:
-    """Pack the specimen of `tiled.py` and keep it."""
+    """Pack the specimen of `tiled.py`, write it to a file, and return the number of elements."""
     from tiled import specimen
 
     lattice = specimen(elements, largest=largest)
@@ -46,7 +46,7 @@ def read_lattice(path: str) -> bd.Lattice:
         return bd.Lattice(particles, file["pairs"])
 
 
-# Loops of runs, the newest first: of the core; of Numba; of c790c8a and older revisions.
+# Names and modules of the loop of a run, the newest first: of the core; of Numba; of c790c8a and older revisions.
 _LOOPS = (
     ("CoreLoop", "bondem.dynamics.core_loop"), ("CoreLoop", "bondem.solve.loop_core"),
     ("CpuLoop", "bondem.solve.loop_cpu"), ("_Loop", "bondem.solve.explicit"),
@@ -54,13 +54,13 @@ _LOOPS = (
 
 
 def critical(model: bd.Model) -> float:
-    """Critical step of velocity Verlet, wherever a revision has it [s]."""
+    """Return the critical step of velocity Verlet [s], from the module in which this revision has it."""
     places = ("bondem.dynamics.timestep", "bondem.solve.timestep")
     return importlib.import_module(next(filter(_there, places))).critical_step(model, bd.VelocityVerlet())
 
 
 def _there(module: str) -> bool:
-    """Whether this revision has a module."""
+    """Return True if this revision has a module."""
     try:
         return importlib.util.find_spec(module) is not None
     except ModuleNotFoundError:
@@ -68,7 +68,7 @@ def _there(module: str) -> bool:
 
 
 class Timed:
-    """What is timed: bondem's loop over the steps alone."""
+    """Body whose steps are timed, by the loop of a run alone."""
 
     def __init__(self, path: str, kind: str) -> None:
         from paired_kinds import KINDS
@@ -83,7 +83,7 @@ class Timed:
         self.runs: dict[int, Callable[[int], object]] = {}
 
     def make(self) -> Callable[[int], object]:
-        """A loop of this revision, ready for its first step."""
+        """Return the function that takes steps with a new loop of this revision."""
         from bondem.model.state import State
 
         name, module = next(
@@ -104,7 +104,7 @@ class Timed:
         return loop.run
 
     def go(self, threads: int, steps: int) -> dict:
-        """Wall and processor time of so many steps [s]; a loop is made for each number of threads."""
+        """Return wall and processor time of `steps` steps [s]; each number of threads has its own loop."""
         from bits.case import set_threads
 
         set_threads(threads)
@@ -120,13 +120,13 @@ _loaded: dict[str, Timed] = {}
 
 
 def load(path: str, kind: str = "beams") -> dict:
-    """Prepare the loop of a kind of body for its turns."""
+    """Load the specimen of a file as a kind of body, and return its number of bonds."""
     timed = _loaded["now"] = Timed(path, kind)
     return {"bonds": len(timed.model.lattice.pairs)}
 
 
 def counts() -> dict:
-    """What has failed and what touches."""
+    """Return the numbers of failed bonds, of cracked facets or softened beams, and of contacts."""
     state = _loaded["now"].last
     return {"failed": len(state.broken), "cracked": len(state.cracks) + len(state.softened),
             "touching": len(state.touching)}  # fmt: skip
@@ -143,7 +143,7 @@ def bits(**arguments) -> dict:
 
 
 def cases() -> dict:
-    """Names of the cases of `bits`."""
+    """Return the names of the cases of `bits`."""
     from bits.cases import CASES
 
     return {"names": list(CASES)}
@@ -153,7 +153,7 @@ TASKS = {task.__name__: task for task in (source, specimen, load, go, counts, bi
 
 
 def main() -> None:
-    # whatever anything prints must not get into the answers
+    # printed text must not get into the answers
     answers = os.fdopen(os.dup(1), "w")
     os.dup2(2, 1)
     for line in sys.stdin:

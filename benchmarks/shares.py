@@ -1,7 +1,8 @@
-"""Time of the balanced shares beside that of the cut that they belong to.
+"""Time of the balanced shares of facets, compared with the cut into cells of which they are a part.
 
-A cylinder is filled with even centres and cut, several times; what the shares take is measured within the same call,
-so that both are of one process and one moment. Their remainder is the error of θ under a unit strain.
+A cylinder is filled with even centres and cut several times. The time of the shares is measured within the same call,
+so that both times belong to one process and one moment. The remainder of the shares is the error of θ under a unit
+strain.
 
 Run: python benchmarks/shares.py [--elements 10000 100000] [--repeat 5] [--threads 2]
 It writes benchmarks/results/shares.json.
@@ -22,7 +23,7 @@ SHAPE = bd.Cylinder(radius=5e-3, length=40e-3)
 
 
 def measure(count: int, repeat: int) -> dict[str, Any]:
-    """Seconds of whole cuts and of the shares in them, iterations, and remainders."""
+    """Return seconds of whole cuts and of the shares in them, and iterations and remainders of the shares."""
     particles = bd.pack(SHAPE, count=count, method="even", seed=1)
     plain, solver = facet_tables.balanced_shares, balance_solver.cg
     cut, shares, rounds = [], [], [0]

@@ -1,8 +1,8 @@
-"""Speed over versions: bond-steps per second of beams, one thread, about 10 000 elements, as results were kept.
+"""Figure of the speed over versions: bond-steps per second of beams, one thread, about 10 000 elements.
 
-Every number comes from a result file as some commit kept it: `benchmarks/results/peers*.json` (elastic beams beside
-other codes) and `against.json` (an older revision in turns with the present one). Machines differ, so the figure
-joins only numbers of the same processor and benchmark; nothing is measured here.
+The numbers are those of result files in the history of the repository; this script measures nothing. The files are
+`benchmarks/results/peers*.json` (elastic beams in bondem and other codes) and `against.json` (an older revision in
+turns with the present one). Machines differ, so that lines join only numbers of one processor and benchmark.
 
 Run: python benchmarks/speed_over_versions.py [docs/figures/speed_over_versions.png]
 """
@@ -22,18 +22,18 @@ Point = tuple[datetime, float]
 
 
 def git(*words: str) -> str:
-    """What git prints."""
+    """Return the output of a command of git."""
     return subprocess.run(["git", *words], cwd=ROOT, capture_output=True, text=True, check=True).stdout
 
 
 def versions(name: str) -> list[dict]:
-    """A result file in every commit that changed it."""
+    """Return the contents of a result file in every commit that changed it, the newest first."""
     path = f"benchmarks/results/{name}.json"
     return [json.loads(git("show", f"{one}:{path}")) for one in git("log", "--format=%h", "--", path).split()]
 
 
 def beside_peers(name: str) -> list[tuple[str, Point]]:
-    """Medians of bondem beside other codes [million bond-steps/s], by processor."""
+    """Return dates and median rates of bondem beside other codes [million bond-steps/s], by processor."""
     found = []
     for kept in versions(name):
         small = [one for one in kept["specimens"] if one["elements"] < LARGEST and "bondem" in one["codes"]]
@@ -45,7 +45,7 @@ def beside_peers(name: str) -> list[tuple[str, Point]]:
 
 
 def in_turns() -> list[Point]:
-    """Medians of an older revision and, in the same pairs of runs, of the code of the day."""
+    """Return dates and median rates of an older revision and, from the same pairs of runs, of the newer code."""
     kept = next(iter(versions("against")[0].values()))
     before = datetime.fromisoformat(git("show", "-s", "--format=%cI", kept["revision"]).strip())
     rates = next(one for one in kept["rates"] if one["elements"] < LARGEST and one["threads"] == 1)

@@ -2,8 +2,8 @@
 
 python benchmarks/static_solve.py [elements ...] [--repeat 3] [--out benchmarks/results/static_solve.json]
 
-The bar is pulled, and for relaxation and the non-linear solver bent as well; how far the relaxed bar is from the
-static solution is kept beside the times.
+The bar is pulled, and bent for relaxation; the record also has the deviation of the relaxed bar from the static
+solution.
 """
 
 import argparse
@@ -22,12 +22,12 @@ DEPTH = 1.0
 
 
 def far(found: np.ndarray, expected: np.ndarray) -> float:
-    """Largest difference, over the largest value [-]."""
+    """Return the largest difference over the largest expected value [-]."""
     return float(np.abs(found - expected).max() / np.abs(expected).max())
 
 
 def tasks(lattice: bd.Lattice, report: dict) -> dict[str, Callable[[], object]]:
-    """What is timed, by name; how far the bent bar is from the static solution goes into the report."""
+    """Return the functions to time, by name; write the deviation of the relaxed bar into `report`."""
     clamp = bd.Fix(bd.Face("x_min", depth=DEPTH))
     pull = bd.Load(bd.Face("x_max", depth=DEPTH), force=(1e3, 0.0, 0.0))
     model = bd.Model(lattice, LAW, density=2700.0, boundary=[clamp, pull])

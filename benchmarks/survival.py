@@ -1,9 +1,9 @@
-"""Runs that are killed while they write, and bits that are flipped in their files.
+"""Survival of run files: runs that are killed while they write, and single bits that are flipped.
 
-A block of brittle cells is torn apart, with contact between the pieces, in a process of its own that writes a
-checkpoint and a snapshot every few steps. SIGKILL comes at a random moment after the first. Then: does bondem open
-the file, does VTK's own reader, how much is lost, and does the run that goes on end with the same bits as one that
-was never stopped?
+A block of brittle cells is torn apart, with contact between the pieces, in a new process that writes a checkpoint and
+a snapshot every few steps. SIGKILL ends it at a random moment after the first. The script records whether bondem and
+VTK's own reader open the file, how many steps are lost, and whether the resumed run ends with the bits of an
+uninterrupted one.
 
 Run: python benchmarks/survival.py [--cells 1500] [--kills 200] [--flips 200]
      python benchmarks/survival.py --cells 100000 --kills 10 --flips 0 --steps 120 --every 20 --out FILE
@@ -33,7 +33,7 @@ SAFE = ("state.pose", "state.motion", "state.integrity", "state.broken", "histor
 
 @functools.cache
 def model_of(count: int) -> bd.Model:
-    """Fast enough that pieces come off within a thousand steps."""
+    """Return the model of a block whose end is pulled so fast that pieces detach within a thousand steps."""
     particles = bd.pack(bd.Box((4e-2, 2e-2, 2e-2)), count=count, method="even", seed=1)
     body = bd.connect(particles, method="laguerre")
     failure = bd.MohrCoulomb(tension=2e6, cohesion=6e6, friction_angle=0.6)
@@ -52,12 +52,12 @@ def run(count: int, steps: int, every: int, out: Path, progress=None) -> bd.Expl
 
 
 def worker(count: int, steps: int, every: int, out: Path) -> None:
-    """The run that is killed; it tells how far it has come."""
+    """Carry out the run that is killed, and print the number of each step that is reached."""
     run(count, steps, every, out, progress=lambda share: print(round(share * steps), flush=True))
 
 
 def steps_for_vtk(path: Path) -> int:
-    """How many steps VTK's own reader finds; 0 where it does not read the last one."""
+    """Return the number of steps that VTK's own reader finds, or 0 if it cannot read the last one."""
     from vtkmodules.vtkIOHDF import vtkHDFReader
 
     reader = vtkHDFReader()
@@ -80,7 +80,7 @@ def same(one: bd.ExplicitResult, other: bd.ExplicitResult) -> bool:
 
 
 def killed(whole: bd.ExplicitResult, seconds: float, options: argparse.Namespace, folder: Path, number: int) -> dict:
-    """One run that is killed, and what becomes of it."""
+    """Kill a run at a random time; return its steps, and whether its file opens and the resumed run is the same."""
     path, random = folder / f"{number}.h5", np.random.default_rng(number)
     command = [sys.executable, __file__, "--worker", str(path), "--cells", str(options.cells)]
     command += ["--steps", str(options.steps), "--every", str(options.every)]
@@ -98,7 +98,7 @@ def killed(whole: bd.ExplicitResult, seconds: float, options: argparse.Namespace
     try:
         found["kept"] = bd.read_run(path).state.step
         found["vtk as left"] = steps_for_vtk(path)
-        bd.read_contents(path)  # carries out a commit that was cut off, as `bondem info` does
+        bd.read_contents(path)  # completes an interrupted commit, as `bondem info` does
         found["vtk"] = steps_for_vtk(path)
         assert found["vtk"], "VTK does not read it"
         found["same"] = same(whole, bd.resume(path))
@@ -111,7 +111,7 @@ def killed(whole: bd.ExplicitResult, seconds: float, options: argparse.Namespace
 
 
 def flipped(path: Path, count: int) -> dict:
-    """Single bits of a run file: how many were refused, how many changed nothing, how many gave other numbers."""
+    """Flip single bits of a run file; count those that raise an error, change nothing, or give other numbers."""
     whole, data = bd.read_run(path), path.read_bytes()
     used, random = np.flatnonzero(np.frombuffer(data, dtype=np.uint8)), np.random.default_rng(7)
     found = {"flips": count, "refused": 0, "harmless": 0, "other numbers": 0}

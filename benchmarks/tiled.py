@@ -1,4 +1,4 @@
-"""Large specimens by repeating a periodic one: packing a million spheres takes minutes, copying them a moment."""
+"""Large specimens by repetition of a periodic one, because packing a million spheres takes minutes."""
 
 from collections.abc import Callable
 from dataclasses import fields, replace
@@ -10,21 +10,21 @@ import bondem as bd
 
 
 def tiled(lattice: bd.Lattice, k: int) -> bd.Lattice:
-    """A periodic lattice k times along each edge: k³ as many elements, each with the bonds, or facets, it had.
+    """Return a periodic lattice repeated k times along each edge: k³ copies of all elements, bonds and facets.
 
     Args:
-        lattice: with a period; its shape is a Cell.
-        k: copies along x, y and z.
+        lattice: periodic lattice, whose shape is a Cell.
+        k: number of copies along each of x, y and z.
 
     Returns:
-        Copy c = (cx k + cy) k + cz of element e is element c n + e.
+        Lattice in which copy c = (cx k + cy) k + cz of element e is element c n + e.
     """
     base = lattice.particles
     assert base.period is not None, "only a periodic lattice can be repeated"
     n = len(base)
     copies = np.stack(np.meshgrid(*[np.arange(k)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
     i, j = lattice.pairs.T
-    # how many cells away the nearest image of j is
+    # number of periods between j and its nearest image
     image = -np.rint((lattice.centre[j] - lattice.centre[i]) / base.period).astype(np.int64)
     beyond = (copies[:, None] + image) % k @ (k * k, k, 1)
     pairs = np.stack([np.arange(k**3)[:, None] * n + i, beyond * n + j], axis=-1).reshape(-1, 2)
@@ -45,7 +45,7 @@ def tiled(lattice: bd.Lattice, k: int) -> bd.Lattice:
 
 
 def _repeated(table: Any, moved: Callable[[np.ndarray], np.ndarray], k: int) -> Any:
-    """Facets or cells without walls, copied like their elements."""
+    """Return a table of facets or cells, copied like their elements; `moved` returns the copies of points."""
     columns = {}
     for field in fields(table):
         values = getattr(table, field.name)
@@ -57,13 +57,13 @@ def _repeated(table: Any, moved: Callable[[np.ndarray], np.ndarray], k: int) -> 
 
 
 def specimen(elements: int, *, largest: int = 20_000, seed: int = 1, method: str = "distance") -> bd.Lattice:
-    """About `elements` spheres of 1 mm in a periodic cell, κ = 25 %, z = 6.2, bonded at their contacts.
+    """Return about `elements` bonded spheres of 1 mm in a periodic cell, with κ = 25 % and z = 6.2.
 
     Args:
-        elements: as many, up to rounding to a cube of copies.
-        largest: spheres of the packing that is repeated, at most.
-        seed: of the packing.
-        method: of `bd.connect`: "laguerre" cuts them into cells instead.
+        elements: number of elements, up to rounding to a cube of copies.
+        largest: largest number of spheres of the repeated packing.
+        seed: seed of the packing.
+        method: method of `bd.connect`; "laguerre" returns cells instead of bonded spheres.
     """
     k = 1
     while elements > largest * k**3:

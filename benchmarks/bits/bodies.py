@@ -1,4 +1,4 @@
-"""Cases of bodies that came after those of `cases.py`: cells, the non-local law, and what fails."""
+"""Further cases besides those of `cases.py`: cells, the non-local law, and bodies that fail."""
 
 from collections.abc import Callable
 
@@ -11,7 +11,7 @@ CRUMBLES = {"tension": 1e5, "cohesion": 2e5, "friction_angle": 0.6}
 
 
 def cells(size: int, law: bd.CellBond | bd.NonLocal = CELL, *, speed: float = 0.5, **model: object) -> Case:
-    """Cells of a crooked grid in random motion."""
+    """Return the case of a body of cells, cut from an irregular grid, in random motion."""
     body = bd.connect(crooked(size).particles, method="laguerre")
     moved = random_motion(body, speed=speed)
     if not isinstance(law, bd.CellBond):
@@ -70,5 +70,5 @@ BODIES: dict[str, Callable[[int], Case]] = {
         beams_breaking, beams_mohr_coulomb, beams_softening,
     )
 }  # fmt: skip
-#: The cases of `cases.py`, whose number is 29, and those of this file.
+#: All cases: those of `cases.py` and those of this file.
 ALL = CASES | BODIES

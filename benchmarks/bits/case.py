@@ -1,4 +1,4 @@
-"""What a case is, and the specimens, laws and conditions that cases are made of."""
+"""Definition of a case, and the specimens, laws and conditions from which cases are composed."""
 
 import importlib
 from dataclasses import dataclass, field
@@ -8,18 +8,18 @@ import numpy as np
 import bondem as bd
 from bondem.model.state import State
 
-# Edges of the crooked grids: few bonds for threads; several domains; several blocks of 4000 elements.
+# Edges of the irregular grids, by size: too few bonds for threads; several domains; several blocks of 4000 elements.
 GRIDS = {60: (5, 4, 3), 500: (12, 7, 6), 3000: (20, 15, 10), 9000: (30, 20, 15)}
 E, NU, RATIO = 1e7, 0.2, 0.6
 ALIKE = bd.EulerBernoulli(E=E, nu=NU, radius_ratio=RATIO)
 SHORT = bd.Timoshenko(E=E, nu=NU, radius_ratio=RATIO)
 CONTACT = bd.LinearContact(E=E, friction=0.4, damping=0.1)
-# Steps between two looks at the rotations of bonds, in which spinning elements turn a whole number of times.
+# Steps between two checks of the rotations of bonds, in which spinning elements turn a whole number of times.
 ROUND = 100
 
 
 def set_threads(count: int) -> None:
-    """Set the number of threads; old revisions have those of Numba's loops."""
+    """Set the number of threads, in old revisions that of Numba."""
     if hasattr(bd, "set_threads"):
         bd.set_threads(count)
     else:
@@ -28,18 +28,19 @@ def set_threads(count: int) -> None:
 
 @dataclass(frozen=True, kw_only=True)
 class Case:
-    """A run. What an element starts with is in the user's order.
+    """A run whose bits are compared; arrays are in the user's order.
 
     Attributes:
-        model: what is run.
-        velocity: at the start [m/s], (n, 3).
-        turn: rotation a step at the start [rad], (n, 3).
-        integrity: of the bonds, (m,), where some are broken or weak.
-        strain: stress-free strain given to the state [-].
+        model: model of the run.
+        velocity: initial velocities [m/s], (n, 3).
+        turn: initial rotation per step [rad], (n, 3).
+        integrity: initial integrity of the bonds, (m,), or None for intact ones.
+        strain: size of the stress-free strains in the initial state [-].
         options: scheme, damping and further gauges of `solve_explicit`.
-        then: model of the second of two consecutive runs, where it is another.
-        share: of the critical step.
-        rounds: whether it may pause at whole rounds only, as bonds are out of range in between.
+        then: model of the second of two consecutive runs, or None for the same.
+        share: time step over the critical one [-].
+        rounds: True if the run may be interrupted after whole rounds of `ROUND` steps only, because the rotations of
+            bonds are out of range in between.
     """
 
     model: bd.Model
@@ -53,7 +54,7 @@ class Case:
     rounds: bool = False
 
     def start(self, dt: float) -> State:
-        """A state to start from."""
+        """Return the initial state for a time step [s]."""
         state = State(self.model)
         spin = None if self.turn is None else self.turn / dt
         state.set_motion(velocity=self.velocity, angular_velocity=spin)
@@ -65,7 +66,7 @@ class Case:
 
 
 def crooked(size: int, *, period: bool = False, radius: tuple[float, float] = (0.3, 0.4), reach: float = 1.62):
-    """A bonded grid that is nowhere regular, about 2.9 bonds an element; all of it one piece."""
+    """Return a bonded irregular grid in one connected piece, with about 2.9 bonds per element."""
     edges = GRIDS[size]
     rng = np.random.default_rng(size)
     grid = np.indices(edges).reshape(3, -1).T.astype(float)
@@ -88,7 +89,7 @@ def random_motion(lattice: bd.Lattice, *, speed: float = 0.5, turn: float = 2e-3
 
 
 def bonded(lattice: bd.Lattice, *, bond=ALIKE, boundary=(), **options) -> Case:
-    """Bonds in random motion."""
+    """Return the case of a bonded lattice in random motion; other `options` are fields of `Case`, or the density."""
     size = min(GRIDS, key=lambda count: abs(count - len(lattice.particles)))
     rho = options.pop("density", None)
     model = bd.Model(lattice, bond, density=density(size) if rho is None else rho, boundary=boundary)
@@ -96,7 +97,7 @@ def bonded(lattice: bd.Lattice, *, bond=ALIKE, boundary=(), **options) -> Case:
 
 
 def patches(lattice: bd.Lattice) -> dict:
-    """Three materials: two by region, and one where they meet."""
+    """Return bond laws of three materials by region: one for each half, and one for bonds between them."""
     half = 0.5 * float(lattice.particles.position[:, 0].max())
     left = bd.Within(bd.Box(size=(half, 1e3, 1e3)))
     right = bd.Everything() - left
@@ -105,7 +106,7 @@ def patches(lattice: bd.Lattice) -> dict:
 
 
 def rows(lattice: bd.Lattice) -> list:
-    """Held, driven and loaded elements, in some components and in all, by all kinds of schedules."""
+    """Return conditions that fix, drive and load elements, in some or all components, by all kinds of schedules."""
     n = len(lattice.particles)
     middle, other = n // 2, n // 3
     wave = bd.Table((0.0, 0.05, 0.05, 0.2), (0.0, 1.0, 0.5, -1.0))

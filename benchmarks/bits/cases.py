@@ -1,4 +1,4 @@
-"""Runs whose bits must not change: every kind of bond, load, damping, rotation and contact."""
+"""Cases whose bits must not change: every kind of bond, load, damping, rotation and contact."""
 
 from collections.abc import Callable
 
@@ -47,7 +47,7 @@ def alike_periodic(size: int) -> Case:
 
 @case
 def damaged(size: int) -> Case:
-    """Bonds that are broken or weak."""
+    """Return a case with broken and weakened bonds."""
     lattice = crooked(size)
     integrity = np.random.default_rng(3).uniform(-0.2, 1.3, len(lattice.pairs)).clip(0.0, 1.0)
     return bonded(lattice, integrity=integrity)
@@ -126,7 +126,7 @@ def tchamwa_rows(size: int) -> Case:
 
 @case
 def driven(size: int) -> Case:
-    """Other conditions in the second of two runs."""
+    """Return a case whose second run has other boundary conditions than the first."""
     lattice = crooked(size)
     first = bonded(lattice, bond=patches(lattice), boundary=rows(lattice))
     pull = bd.Load(bd.Face("z_max", depth=0.5), force=(0.0, 0.0, 5e3))
@@ -142,7 +142,7 @@ def driven_alike(size: int) -> Case:
 
 @case
 def weight(size: int) -> Case:
-    """A body force, of which one part has a schedule."""
+    """Return a case with weight, and a second body force that follows a schedule."""
     lattice = crooked(size)
     part = bd.Within(bd.Box(size=(4.0, 1e3, 1e3)))
     pulse = bd.BodyForce((2.0, 0.0, 3.0), region=part, schedule=bd.Ramp(0.0, 1.0, 0.05))
@@ -174,7 +174,7 @@ def eigenstrain(size: int) -> Case:
 
 @case
 def strained(size: int) -> Case:
-    """A strain that the state brings along."""
+    """Return a case with stress-free strains in its initial state."""
     return bonded(crooked(size, period=True), strain=1e-3)
 
 
@@ -182,7 +182,7 @@ def strained(size: int) -> Case:
 
 
 def turns(n: int) -> np.ndarray:
-    """Rotations a step in all three ranges of `half_angle`, each a whole number of turns in a round."""
+    """Return rotations per step [rad], (n, 3), in all three ranges of `half_angle`: whole turns in `ROUND` steps."""
     rng = np.random.default_rng(5)
     axis = rng.standard_normal((n, 3))
     axis /= np.linalg.norm(axis, axis=1)[:, None]
@@ -191,14 +191,14 @@ def turns(n: int) -> np.ndarray:
 
 @case
 def spinning(size: int) -> Case:
-    """Elements that turn by up to half a radian a step, on bonds too soft to hold them."""
+    """Return a case whose elements rotate by up to half a radian per step, on bonds too soft to prevent it."""
     lattice = crooked(size, period=True)
     return bonded(lattice, velocity=None, turn=turns(len(lattice.particles)), share=0.004, rounds=True)
 
 
 @case
 def loose(size: int) -> Case:
-    """Elements without bonds among bonded ones, of which some spin, under all that acts on an element."""
+    """Return a case with unbonded elements among bonded ones, some of them spinning, under weight and damping."""
     lattice = crooked(size)
     n = len(lattice.particles)
     free = np.zeros(n, dtype=bool)
@@ -217,7 +217,7 @@ def loose(size: int) -> Case:
 
 
 def cloud(size: int, spacing: float = 2.15) -> tuple[np.ndarray, np.ndarray]:
-    """Centres and radii of grains on a loose grid."""
+    """Return centres and radii of grains on a grid with gaps."""
     grid = np.indices(GRIDS[size]).reshape(3, -1).T
     return spacing * (grid + 0.5), np.random.default_rng(size).uniform(0.8, 1.05, len(grid))
 
@@ -231,7 +231,7 @@ NO_BONDS = np.zeros((0, 2), dtype=int)
 
 @case
 def grains(size: int) -> Case:
-    """Friction, between walls of which one is driven and one pushed."""
+    """Return a case of grains with friction between fixed, driven and force-controlled walls."""
     position, radius = cloud(size)
     edge = 2.15 * np.array(GRIDS[size])
     ends = [bd.PlaneWall(np.zeros(3), axis, friction=0.2) for axis in np.eye(3)[1:]]
@@ -257,7 +257,7 @@ def grains_periodic(size: int) -> Case:
 
 @case
 def vessel(size: int) -> Case:
-    """Grains in a cylinder that is pressed, around a rod that grows."""
+    """Return a case of grains in a cylinder under pressure, around a rod that grows."""
     position, radius = cloud(size)
     centre = 0.5 * 2.15 * np.array(GRIDS[size])
     away = np.linalg.norm(position[:, 1:] - centre[1:], axis=1)
@@ -271,7 +271,7 @@ def vessel(size: int) -> Case:
 
 
 def touching(size: int, **options) -> bd.Model:
-    """Bonds and contacts, as not all elements that nearly touch are bonded."""
+    """Return a model with bonds and contacts, because not all elements that nearly touch are bonded."""
     lattice = crooked(size, radius=(0.45, 0.52), reach=1.06)
     return bd.Model(lattice, ALIKE, density=density(size), contact=CONTACT, **options)
 
@@ -285,7 +285,7 @@ def bonds_and_contacts(size: int) -> Case:
 
 @case
 def broken_contacts(size: int) -> Case:
-    """Elements touch where a bond is broken."""
+    """Return a case in which elements touch where their bond is broken."""
     model = touching(size)
     integrity = (np.random.default_rng(3).uniform(0.0, 1.0, len(model.lattice.pairs)) > 0.2).astype(float)
     return Case(model=model, **random_motion(model.lattice, speed=6.0), integrity=integrity)
@@ -293,7 +293,7 @@ def broken_contacts(size: int) -> Case:
 
 @case
 def everything(size: int) -> Case:
-    """Bonds, contacts, rows, weight, pressure, dashpots and a scheme that damps."""
+    """Return a case with bonds, contacts, conditions, weight, pressure, dashpots and a dissipative scheme."""
     lattice = touching(size).lattice
     press = bd.Pressure(bd.Face("z_max", depth=0.5), 1e3, schedule=bd.Ramp(0.0, 1.0, 0.05))
     soak = bd.Absorbing(bd.Face("y_min", depth=0.5), density=150.0, E=1e6, nu=0.2)

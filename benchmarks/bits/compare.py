@@ -1,4 +1,4 @@
-"""Files of two revisions compared by bytes."""
+"""Comparison of result files of two revisions by bytes."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -8,12 +8,12 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Difference:
-    """The first array of a run that is not the same.
+    """Difference between two runs: the first array that is not the same.
 
     Attributes:
-        array: its name.
-        what: how it differs.
-        pause: how the run was paused.
+        array: name of the array.
+        what: description of the difference.
+        pause: way in which the run was interrupted.
     """
 
     array: str
@@ -25,7 +25,7 @@ class Difference:
 
 
 def differing(old: Path, new: Path, pause: str) -> Difference | None:
-    """The first difference between two files of arrays; None where every byte is the same."""
+    """Return the first difference between two files of arrays, or None if every byte is the same."""
     with np.load(old) as a, np.load(new) as b:
         for name in sorted({*a.files, *b.files}, key=lambda name: (*a.files, *b.files).index(name)):
             if name not in a.files or name not in b.files:

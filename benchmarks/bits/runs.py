@@ -1,4 +1,4 @@
-"""Runs of a case, paused in several ways on several threads, left as arrays to be compared."""
+"""Runs of a case, interrupted in several ways, on several numbers of threads, whose arrays are stored."""
 
 import tempfile
 import warnings
@@ -19,8 +19,8 @@ GAUGES = {
     "turned": bd.Gauge(bd.Everything(), "rotation"),
     "spin": bd.Gauge(bd.Everything(), "angular_velocity", "max_abs"),
 }
-GRIP = {"grip": bd.Gauge(bd.Everything(), "force", "sum")}  # where anything is held or loaded
-# How a run is interrupted: by records, by checkpoints, or by an end and a new beginning.
+GRIP = {"grip": bd.Gauge(bd.Everything(), "force", "sum")}  # if elements are fixed, driven or loaded
+# Ways to interrupt a run: by records, by checkpoints, or by an end and a second run.
 PAUSES = ("every 0", "every 1", "every 7", "every 30", "saved every 37", "two runs")
 # Share of the first of two consecutive runs.
 _FIRST = 0.43
@@ -28,20 +28,20 @@ _FIRST = 0.43
 
 def run(name: str, size: int, threads: list[int], pauses: list[str], steps: int, folder: str,
         dt: float | None = None) -> dict:  # fmt: skip
-    """Run a case and leave PAUSE-THREADS.npz in the folder for each.
+    """Run a case, and write PAUSE-THREADS.npz for each pause and number of threads.
 
     Args:
-        name: of the case.
-        size: elements, about.
-        threads: on how many, one after the other.
-        pauses: of `PAUSES`.
-        steps: of each run.
-        folder: where the files go.
-        dt: time step [s]; the share of the critical one that the case names when None.
+        name: name of the case.
+        size: approximate number of elements.
+        threads: numbers of threads, one after the other.
+        pauses: ways to interrupt the run, some of `PAUSES`.
+        steps: number of steps of each run.
+        folder: folder of the files.
+        dt: time step [s]; None for `Case.share` times the critical one.
 
     Returns:
-        dt, elements and bonds, how the runs ended that did not end well, largest displacement over the mean radius,
-        and how many contacts there were.
+        "dt", numbers of "elements" and "bonds", "faults" (messages of runs that were not completed), the largest
+        displacement "moved" over the mean radius, and the largest number of contacts, "touching".
     """
     case = CASES[name](size)
     chosen = explicit(case.model, case, duration=0.0, safety=case.share, every=0).dt
@@ -70,7 +70,7 @@ def run(name: str, size: int, threads: list[int], pauses: list[str], steps: int,
 
 
 def arrays(result) -> dict[str, np.ndarray]:
-    """Everything that a run leaves, by name, as it is now: old revisions change a state that they start from."""
+    """Return copies of all arrays of a result by name; copies, because old revisions change an initial state."""
     state = result.state
     values = {name: getattr(state, name).copy() for name in state.ARRAYS}
     values |= {"step": np.array(state.step), "time": np.array(state.time), "records": result.history.records}
@@ -78,7 +78,7 @@ def arrays(result) -> dict[str, np.ndarray]:
 
 
 def _paused(case: Case, pause: str, steps: int, dt: float) -> Iterator[Any]:
-    """The result of the run, or of the two runs, of a case."""
+    """Yield the result of the run, or of the two runs, of a case."""
     start = case.start(dt)
     if pause == "two runs":
         part = ROUND if case.rounds else round(_FIRST * steps)
@@ -97,7 +97,7 @@ def _paused(case: Case, pause: str, steps: int, dt: float) -> Iterator[Any]:
 
 
 def explicit(model: bd.Model, case: Case, **options) -> Any:
-    """Run `solve_explicit` with the options of a case, and gauges of all that it can measure."""
+    """Run `solve_explicit` with the options of a case, and with gauges of all quantities."""
     held = GRIP if len(model.constraints.element) else {}
     gauges = GAUGES | held | case.options.get("gauges", {})
     with warnings.catch_warnings():

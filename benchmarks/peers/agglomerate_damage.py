@@ -1,9 +1,9 @@
-"""Damage of agglomerates that hit a floor, against their speed and energy.
+"""Damage of agglomerates that hit a floor, as a function of speed and energy.
 
     python benchmarks/peers/agglomerate_damage.py [--out FILE]
 
-Falls of `agglomerates.py` in bondem: 50 balls of 200 bonded spheres, turned at random, and one ball of 3000, at
-speeds from hardly any broken bond to most of them; 50 balls of a second packing where the damage grows in between.
+The falls are those of `agglomerates.py`, in bondem: 50 balls of 200 bonded spheres in random orientations, and one
+ball of 3000, at speeds that break from few to most bonds. 50 balls of a second packing fall at intermediate speeds.
 
 over_strength_speed  speed over that at which E v / c, c² = E / ρ, is the tensile strength of a bond [-]
 damage       share of broken bonds at the end [-]
@@ -30,13 +30,13 @@ import bondem as bd
 from kept import RESULTS, Record, command
 
 SPEEDS = (2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 14.0)
-#: Speeds between the threshold and saturation; bodies, spheres of each, number of the packing, and speeds.
+#: Speeds between the threshold and saturation; cases of bodies, spheres of each, seed of the packing, and speeds.
 BETWEEN = (3.0, 4.0, 5.0, 6.0)
 CASES = ((50, 200, 1, SPEEDS), (1, 3000, 1, SPEEDS), (50, 200, 2, BETWEEN))
 
 
 def fall(bodies: int, each: int, seed: int, speed: float) -> dict[str, Any]:
-    """One speed."""
+    """Run a fall at one speed [m/s]; return its row of the result."""
     scene = Fall(bodies=bodies, each=each, speed=speed, seed=seed)
     model, state, bond = model_of(scene)
     energy = 0.5 * float(model.mass.sum()) * speed**2

@@ -1,4 +1,4 @@
-"""Agglomerates of bonded spheres that fall on a floor, or turn in a drum."""
+"""Scenes of agglomerates of bonded spheres that fall on a floor or tumble in a drum."""
 
 import math
 from dataclasses import dataclass
@@ -13,17 +13,17 @@ RADIUS, DENSITY, NU, SHARE = 5e-3, 2500.0, 0.2, 0.6
 #: Strength over E: tension of the section of a bond, twice that in shear, bending and twisting [-].
 STRENGTH = 8e-3
 FRICTION, GRAVITY = 0.5, 9.81
-#: Free fall before the floor is reached, and how long bodies are followed after that, over RADIUS / speed.
+#: Duration of motion before and after the first contact, over RADIUS / speed.
 AHEAD, AFTER = 0.2, 4.0
-#: Distance of the centres of bodies that are stacked [m].
+#: Distance of the centres of stacked bodies [m].
 APART = 2.3 * RADIUS
 
 
 def agglomerate(each: int, seed: int = 1) -> bd.Lattice:
-    """A ball of bonded spheres that do not overlap."""
+    """Return a ball of `each` bonded spheres that do not overlap."""
     packed = bd.pack(bd.Ball(radius=RADIUS), count=each, seed=seed)
     bonds = bd.connect(packed, tolerance=0.01)
-    # spheres of broken bonds do not push each other apart from the start: LAMMPS knows no overlap without force
+    # no overlaps, because LAMMPS has none without force: spheres of broken bonds would push each other apart
     i, j = bonds.pairs.T
     shrunk = min(1.0, float((bonds.length / (packed.radius[i] + packed.radius[j])).min()))
     return bd.Lattice(bd.Particles(packed.position, shrunk * packed.radius), bonds.pairs)
@@ -31,7 +31,7 @@ def agglomerate(each: int, seed: int = 1) -> bd.Lattice:
 
 @dataclass(frozen=True, kw_only=True)
 class Fall:
-    """Bodies that hit a floor at a speed [m/s], in a cube above it."""
+    """Scene of bodies that hit a floor at a speed [m/s], stacked as a cube above it."""
 
     bodies: int = 50
     each: int = 200
@@ -43,11 +43,11 @@ class Fall:
 
     @property
     def duration(self) -> float:
-        """From the start to AFTER the first contact [s]."""
+        """Duration from the start until AFTER the first contact [s]."""
         return (AHEAD + AFTER) * RADIUS / self.speed
 
     def stacked(self, rock: bd.Lattice) -> bd.Lattice:
-        """The bodies, the lowest sphere of all at z = 0."""
+        """Return the stacked bodies, with the lowest sphere at z = 0."""
         side = int(np.ceil(self.bodies ** (1.0 / 3.0)))
         k = np.arange(self.bodies)
         places = APART * np.column_stack([k % side, k // side % side, k // side**2])
@@ -62,15 +62,15 @@ class Fall:
 
     @property
     def gauges(self) -> dict[str, Any]:
-        """Its force."""
+        """Gauge of the force on the floor."""
         return {"floor": bd.WallGauge(0, "force")}
 
     def fixes(self, rough: str, smooth: str) -> str:
-        """The floor in LAMMPS, given the springs of walls with and without friction."""
+        """Return the commands of LAMMPS for the floor, given contact models with and without friction."""
         return f"fix floor all wall/gran {rough} zplane {-AHEAD * RADIUS:.17g} NULL"
 
     def balance(self, model: bd.Model, start: bd.State, run: bd.ExplicitResult) -> dict[str, float]:
-        """Momentum that floor and weight gave, and that along the floor."""
+        """Return impulse over gained momentum, and momentum along the floor over that of the fall [-]."""
         gained = model.mass @ (run.state.velocity - start.velocity)
         pushed = -float(np.trapezoid(run.history["floor"][:, 2], run.history.time))
         given = pushed - float(model.mass.sum()) * GRAVITY * run.state.time
@@ -80,7 +80,7 @@ class Fall:
 
 @dataclass(frozen=True, kw_only=True)
 class Drum:
-    """Bodies that fall at a speed on the shell of a drum that turns; the drum is as long as they ask for."""
+    """Scene of bodies that fall on the shell of a rotating drum, whose length follows from their number."""
 
     bodies: int = 1000
     each: int = 60
@@ -94,28 +94,28 @@ class Drum:
 
     @property
     def spin(self) -> float:
-        """60 % of the speed at which bodies would stay on the shell [rad/s]."""
+        """Angular velocity of the drum, 60 % of that at which bodies would stay on the shell [rad/s]."""
         return 0.6 * math.sqrt(GRAVITY / self.radius)
 
     @property
     def turn(self) -> float:
-        """Duration of a turn [s]."""
+        """Duration of a turn of the drum [s]."""
         return 2.0 * math.pi / self.spin
 
     @property
     def section(self) -> np.ndarray:
-        """Places of bodies in the lower half of the drum and a layer above, (k, 2)."""
+        """Positions of bodies in the lower half of the section of the drum [m], (k, 2)."""
         reach = int(self.radius / APART)
         x, y = APART * np.mgrid[-reach : reach + 1, -reach : 1].reshape(2, -1)
         return np.column_stack([x, y])[np.hypot(x, y) < self.radius - 1.05 * RADIUS]
 
     @property
     def length(self) -> float:
-        """Between the ends [m]."""
+        """Length of the drum between its ends [m]."""
         return APART * math.ceil(self.bodies / len(self.section))
 
     def stacked(self, rock: bd.Lattice) -> bd.Lattice:
-        """The bodies, layer by layer along the axis, which is z."""
+        """Return the stacked bodies, layer by layer along the axis z."""
         where = self.section
         k = np.arange(self.bodies)
         z = APART * (k // len(where) + 0.5) - 0.5 * self.length
@@ -123,19 +123,22 @@ class Drum:
 
     @property
     def walls(self) -> list[Any]:
-        """The shell, which turns, and two ends without friction, which do not."""
+        """Walls of the drum: the rotating shell, and two fixed ends without friction."""
         turn = bd.Driven(spin=self.spin, axis=(0, 0, 1))
         ends = [bd.PlaneWall((0, 0, 0.5 * s * self.length), (0, 0, -s), friction=0.0) for s in (-1, 1)]
         return [bd.CylinderWall(self.radius, axis=(0, 0, 1), motion=turn), *ends]
 
     @property
     def gauges(self) -> dict[str, Any]:
-        """Mean displacements of the spheres that are equal in all bodies."""
+        """Gauges of the displacement of each sphere of a body, averaged over all bodies."""
         alike = (bd.Index(range(k, self.bodies * self.each, self.each)) for k in range(self.each))
         return {str(k): bd.Gauge(spheres, "displacement") for k, spheres in enumerate(alike)}
 
     def fixes(self, rough: str, smooth: str) -> str:
-        """Shell and ends in LAMMPS; the shell is a region: a `zcylinder` sums its velocity over the spheres."""
+        """Return the commands of LAMMPS for the drum.
+
+        The shell is a region, because a `zcylinder` adds up its velocity over the spheres.
+        """
         half, inside = 0.5 * self.length, f"cylinder z 0 0 {self.radius:.17g} INF INF side in units box"
         return "\n".join((
             f"variable turn equal {self.spin:.17g}*step*dt", f"region shell {inside} rotate v_turn 0 0 0 0 0 1",
@@ -144,12 +147,16 @@ class Drum:
         ))  # fmt: skip
 
     def balance(self, model: bd.Model, start: bd.State, run: bd.ExplicitResult) -> dict[str, float]:
-        """Angular momentum about the axis, the work of the drum being torque by angle, and the mean torque."""
+        """Return the gain of angular momentum over the moments by drum and weight [-], and the number of turns.
+
+        After a whole turn also the mean torque over that of the weight [-], and the lever of the weight [m]. The
+        torque of the drum is its work per angle.
+        """
         history, weight = run.history, GRAVITY * float(model.mass.sum())
         share = model.mass[: self.each] / model.mass[: self.each].sum()
         place = sum(share[k] * history[str(k)] for k in range(self.each)) + self.centre(model, start)
         weighed = weight * place[:, 0]
-        # on the bodies, integrated over time from the start
+        # angular impulse of the drum on the bodies since the start
         drum = (history.energy["work"] - weight * (place[0, 1] - place[:, 1])) / self.spin
         gained = _spun(model, run.state) - _spun(model, start)
         given = drum[-1] - drum[0] - float(np.trapezoid(weighed, history.time))
@@ -163,12 +170,12 @@ class Drum:
 
     @staticmethod
     def centre(model: bd.Model, state: bd.State) -> np.ndarray:
-        """Centre of mass [m], (3,)."""
+        """Return the centre of mass of all bodies [m], (3,)."""
         return model.mass @ state.position / model.mass.sum()
 
 
 def _spun(model: bd.Model, state: bd.State) -> float:
-    """Angular momentum about the z axis [N·m·s]."""
+    """Return the angular momentum about the z axis [N·m·s]."""
     x, v = state.position, state.velocity
     orbit = model.mass * (x[:, 0] * v[:, 1] - x[:, 1] * v[:, 0])
     return float((orbit + model.inertia * state.angular_velocity[:, 2]).sum())
@@ -178,7 +185,7 @@ Scene = Fall | Drum
 
 
 def stiffness(rock: bd.Lattice, E: float) -> dict[str, float]:
-    """Of a bond as long as the mean one, as an Euler–Bernoulli beam, and its strengths in `LinearSum`."""
+    """Return stiffnesses of an Euler–Bernoulli beam of the mean bond length, and its strengths for `LinearSum`."""
     r, length = SHARE * rock.particles.mean_radius, float(rock.length.mean())
     area, second = np.pi * r**2, 0.25 * np.pi * r**4
     tension = STRENGTH * E
@@ -190,7 +197,7 @@ def stiffness(rock: bd.Lattice, E: float) -> dict[str, float]:
 
 
 def model_of(scene: Scene, *, rubs: bool = True) -> tuple[bd.Model, bd.State, dict[str, float]]:
-    """Model and state of a scene, and what a bond has."""
+    """Return model and initial state of a scene, and the `stiffness` of its bonds; no friction unless it `rubs`."""
     rock = agglomerate(scene.each, scene.seed)
     bond, radius = stiffness(rock, scene.E), rock.particles.mean_radius
     law = Alike(E=scene.E, nu=NU, **{name: bond[name] for name in ("kn", "ks", "kb", "kt", "radius")})

@@ -1,14 +1,15 @@
-"""Agglomerates of bonded spheres that fall on a floor or turn in a drum and break, in bondem and in LAMMPS.
+"""Agglomerates of bonded spheres that break as they fall on a floor or tumble in a drum, in bondem and in LAMMPS.
 
     LAMMPS=lammps/bin/lmp python benchmarks/peers/agglomerates.py [--bodies 50] [--each 200] [--repeat 3]
     LAMMPS=lammps/bin/lmp python benchmarks/peers/agglomerates.py --scene drum [--bodies 1000] [--each 60]
     python benchmarks/peers/agglomerates.py --scene drum --bodies 40 --turns 2
 
-Balls of 10 mm of bonded spheres, turned at random and stacked without touching, move down at a speed and hit a floor,
-or the shell of a drum that turns between two smooth ends. Both codes have the same spheres, four stiffnesses of all
-bonds, `LinearSum` (the sum of `bond_style bpm/rotational`) with the same strengths, contact with one stiffness, share
-of critical damping and friction, gravity, and time step, that of bondem; one thread each, in turns. Spheres of a bond
-that breaks touch. Seconds are those of the processor in the loop alone.
+Balls of 10 mm of bonded spheres, in random orientations and stacked without contact, move down at a speed. They hit a
+floor, or the shell of a drum that rotates between two smooth ends. Both codes have the same spheres, the same four
+stiffnesses of all bonds, and `LinearSum` (the sum of `bond_style bpm/rotational`) with the same strengths. Contact
+has one stiffness, share of critical damping and friction. Gravity and time step, that of bondem, are also the same.
+The codes run in turns on one thread each. Spheres of a broken bond touch. Times are processor seconds of the loop
+alone.
 
 best      time of a run, LAMMPS over bondem, of the fastest runs; "median" of all
 memory    largest resident size of the process [MiB]
@@ -46,7 +47,10 @@ SPEEDS = (5.0, 7.0, 10.0)
 
 
 def bondem(scene: Scene, *, rubs: bool, every: int) -> dict[str, Any]:
-    """One run; those that need a balance have many records, those that are timed have few."""
+    """Run a scene in bondem; return its measures, with balances for a drum or without friction.
+
+    `every` is the number of steps between records: few for a balance, many for a run that is timed.
+    """
     model, state, _ = model_of(scene, rubs=rubs)
     start = state.copy()
     began = process_time()
@@ -62,7 +66,7 @@ def bondem(scene: Scene, *, rubs: bool, every: int) -> dict[str, Any]:
 
 
 def wall_spring(kn: float, soft: float, rate: float, friction: float) -> str:
-    """Contact with a wall of LAMMPS: kn [N/m], ks over kn, dashpot over mass [1/s] and friction.
+    """Return the contact model of walls of LAMMPS for kn [N/m], ks / kn, dashpot over mass [1/s] and friction.
 
     Walls of style `hooke/history` have ks times √(R overlap / m²) in version 22 Jul 2025, and hardly any friction.
     """
@@ -71,7 +75,7 @@ def wall_spring(kn: float, soft: float, rate: float, friction: float) -> str:
 
 
 def script(scene: Scene, model: bd.Model, bond: dict[str, float], steps: int, dt: float) -> str:
-    """The input of LAMMPS."""
+    """Return the input script of LAMMPS for a scene."""
     order = "kn", "ks", "kt", "kb", "force", "shear", "bending", "twisting"
     values = " ".join(f"{bond[name]:.17g}" for name in order)
     # the damping of two mean spheres; without any, sliding at a wall divides by zero there
@@ -108,7 +112,7 @@ run {steps}
 
 
 def data(model: bd.Model, state: bd.State) -> str:
-    """Spheres, velocities and bonds as a data file."""
+    """Return the data file of LAMMPS with spheres, velocities and bonds."""
     particles, pairs = model.lattice.particles, model.lattice.pairs
     low, high = particles.position.min(axis=0) - 3.0 * RADIUS, particles.position.max(axis=0) + 3.0 * RADIUS
     lines = ["agglomerates", "", f"{len(particles)} atoms", "1 atom types", f"{len(pairs)} bonds", "1 bond types"]
@@ -128,7 +132,7 @@ def data(model: bd.Model, state: bd.State) -> str:
 
 
 def lammps(scene: Scene, steps: int, dt: float) -> dict[str, Any]:
-    """The same run in LAMMPS."""
+    """Run a scene in LAMMPS; return its seconds, version, share of broken bonds and memory [MiB]."""
     model, state, bond = model_of(scene)
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "start.data").write_text(data(model, state))
@@ -142,7 +146,7 @@ def lammps(scene: Scene, steps: int, dt: float) -> dict[str, Any]:
 
 
 def apart(scene: Scene, *, rubs: bool = True, every: int = 200) -> dict[str, Any]:
-    """A run of bondem in a process of its own, with one thread."""
+    """Return the result of `bondem` for a scene in a new process with one thread."""
     words = json.dumps([type(scene).__name__, asdict(scene), rubs, every])
     single = {**os.environ, "BONDEM_NUM_THREADS": "1"}
     command = [sys.executable, __file__, "--one", words]
@@ -151,7 +155,7 @@ def apart(scene: Scene, *, rubs: bool = True, every: int = 200) -> dict[str, Any
 
 
 def in_turns(scene: Scene, repeat: int) -> dict[str, Any]:
-    """Runs of both codes, the load of the machine before each pair, and how they compare."""
+    """Run both codes in turns; return all results, the loads of the machine, and the ratios of times."""
     loads, ours, theirs = [], [], []
     for _ in range(repeat):
         loads.append(os.getloadavg()[0])
@@ -200,7 +204,7 @@ def main(arguments: list[str] | None = None) -> None:
         scene = Fall(speed=speed, **sizes)
         row = in_turns(scene, given.repeat if speed == SPEEDS[1] else 1)
         if speed == SPEEDS[1]:
-            # the force of the floor is added up from records
+            # many records, because the impulse of the floor is integrated from them
             row["smooth"] = apart(scene, rubs=False, every=2)
         report |= {"bodies": scene.bodies, "each": scene.each}
         report["falls"].append(row)

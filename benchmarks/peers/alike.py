@@ -1,4 +1,4 @@
-"""Bonds of four stiffnesses that do not depend on their length, as `bond_style bpm/rotational` of LAMMPS has them."""
+"""Bond law with stiffnesses that do not depend on the length, as in `bond_style bpm/rotational` of LAMMPS."""
 
 import dataclasses
 from typing import ClassVar
@@ -10,11 +10,11 @@ from bondem.interactions.beams.bond_law import BondGeometry, BondLaw, BondStiffn
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class Alike(BondLaw):
-    """Bonds of the same four stiffnesses, however long, with their contact point in the middle.
+    """Bonds with the same four stiffnesses at any length, and the contact point in the middle.
 
     Attributes:
-        kn, ks: along and across the bond [N/m].
-        kb, kt: of bending and twisting [N·m].
+        kn, ks: normal and shear stiffness [N/m].
+        kb, kt: bending and twisting stiffness [N·m].
     """
 
     title: ClassVar[str] = "alike"

@@ -1,11 +1,11 @@
-"""The same bonded specimen in bondem and in its peers, in turns, one thread each: bond-steps per second and ratios.
+"""Speed of bondem and other codes on the same bonded specimen, in turns on one thread: bond-steps per second.
 
     python benchmarks/peers/compare.py [--elements 10000 100000] [--steps 500] [--repeat 3]
                                        [--codes bondem non-local lammps yade kratos] [--contacts]
 
-How to install the peers, and where they differ: README.md in this folder. Peers that are not installed are left out.
-Each run is a process of its own; setting up, compiling and the first steps are not timed. Those first steps are
-compared: a code that moves the elements otherwise, or breaks a bond, gets no ratio.
+README.md in this folder describes the installation of the other codes and their differences. Codes that are not
+installed are left out. Each run is a new process; set-up, compilation and the first steps are not timed. The first
+steps are compared with those of bondem: a code with another motion, or with broken bonds, gets no ratio.
 """
 
 import argparse
@@ -32,18 +32,18 @@ from validation.frame.machine import processor, vector_extensions
 
 RESULTS = Path(__file__).parent.parent / "results"
 CODES = {code.name: code for code in (Bondem, NonLocalBondem, Lammps, Yade, Kratos)}
-# Steps that are compared: some three periods of the highest mode, so that every bond has worked both ways.
+# Number of compared steps: about three periods of the highest mode, so that every bond is both stretched and pressed.
 CHECK = 20
-# Largest difference of positions, and of the share of kinetic energy at the end, that is still the same motion.
-# Codes that keep velocities half a step earlier have a twentieth more of it, and the share swings at the start.
+# Largest difference of positions, and of the share of kinetic energy at the end, of equal motions. Codes that store
+# velocities half a step earlier have a twentieth more kinetic energy, and the share oscillates at the start.
 SAME_MOTION = 0.01
 SAME_ENERGY = 0.1
-# A run should take about as long in each code.
+# Factors by which codes take fewer steps than bondem, so that runs of all codes take about equally long.
 SLOWER = {"bondem": 1, "non-local": 8, "lammps": 8, "yade": 16, "kratos": 64}
 
 
 def installed(names: list[str], contacts: bool) -> list:
-    """The codes that can run here; bondem is always the first, as it is what others are compared with."""
+    """Return the codes that can run here, with bondem, the reference, first; print why others cannot."""
     found = []
     for name in dict.fromkeys(["bondem", *names]):
         code = CODES[name](contacts=contacts)
@@ -56,7 +56,7 @@ def installed(names: list[str], contacts: bool) -> list:
 
 
 def turns(codes: list, specimen: Specimen, steps: dict[str, int], repeat: int) -> dict[str, list[Outcome]]:
-    """`repeat` runs of each code, one after the other."""
+    """Run all codes in turns, `repeat` times, and return the outcomes by code."""
     runs: dict[str, list[Outcome]] = {code.name: [] for code in codes}
     for _ in range(repeat):
         for code in codes:
@@ -66,7 +66,7 @@ def turns(codes: list, specimen: Specimen, steps: dict[str, int], repeat: int) -
 
 
 def judged(code, specimen: Specimen, found: Outcome, ours: Outcome) -> dict:
-    """Whether it is the same physics: bonds left, motion after the first steps, kinetic energy at the end."""
+    """Compare an outcome with that of bondem; return differences of motion and kinetic energy, and faults as text."""
     apart = difference(specimen, found, ours, CHECK)
     share, own = kinetic_share(specimen, found), kinetic_share(specimen, ours)
     bonds = len(specimen.pairs)
@@ -81,7 +81,7 @@ def judged(code, specimen: Specimen, found: Outcome, ours: Outcome) -> dict:
 
 
 def table(codes: list, specimen: Specimen, runs: dict[str, list[Outcome]], steps: dict[str, int]) -> dict:
-    """Rates, ratios and judgement of each code; printed as a line each."""
+    """Return rates, ratios and the comparison of each code, and print a line for each."""
     bonds = len(specimen.pairs)
     ours = runs["bondem"]
     report = {}
@@ -156,7 +156,7 @@ def main() -> None:
 
 
 def _processor() -> str:
-    """Its name, where the system tells it, and its vector extension."""
+    """Return the name of the processor, where the system gives it, and its vector extensions."""
     return f"{processor()} ({'+'.join(vector_extensions()) or 'no vector extension known'})"
 
 

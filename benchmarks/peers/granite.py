@@ -1,19 +1,19 @@
-"""Granite of parallel bonds in uniaxial compression, in bondem and in LAMMPS.
+"""Uniaxial compression of a granite of parallel bonds, in bondem and in LAMMPS.
 
     LAMMPS=lammps/bin/lmp python benchmarks/peers/granite.py [--seeds 1 2] [--out FILE]
 
-Packings, bonds, platens and strength of `validation/studies/bonded_granite.py`: cylinders of 600 spheres between
-platens with a friction of 0.3, local damping of 0.7. Both codes have the same spheres, four stiffnesses of every bond
-(a type of its own in LAMMPS), time step, speed and damping, contacts of one stiffness, and the criterion of
-`bond_style bpm/rotational`, `bd.LinearSum`, with the strengths that a section of the strength of the granite has.
-Three things differ from the granite itself, as LAMMPS cannot have them:
+Packings, bonds, platens and strength are those of `validation/studies/bonded_granite.py`: cylinders of 600 spheres
+between platens with a friction of 0.3, and local damping of 0.7. Both codes have the same spheres, four stiffnesses
+of every bond (one bond type each in LAMMPS), time step, speed, damping, and contacts of one stiffness. The criterion
+is that of `bond_style bpm/rotational`, `bd.LinearSum`, with strengths of sections of the strength of the granite.
+Three properties of the granite that LAMMPS lacks are changed:
 
-- the contact point of a bond is in its middle (`Central`), not between the surfaces of its spheres;
-- spheres are shrunk until none overlap (by about 6 %), as LAMMPS has no overlap without force. Where a bond breaks in
-  compression its spheres come nearer before they touch;
+- the contact point of a bond is in the middle (`Central`), not between the surfaces of its spheres;
+- spheres are shrunk until none overlap (by about 6 %), as LAMMPS has no overlap without force. When a bond breaks in
+  compression, its spheres approach each other before they touch;
 - the criterion is a sum, in which compression strengthens, not the stress of the outermost fibre.
 
-"variants" have them one by one, in bondem, "as calibrated" being the granite.
+"variants" are runs of bondem with these changes one by one; "as calibrated" is the granite itself.
 
 E         slope of stress over the mean strain of the middle half between a tenth and half of the smaller peak [Pa]
 ucs       largest stress [Pa]; "broken" bonds at that peak
@@ -48,7 +48,7 @@ RUBS, DAMPING = 0.4, 0.7
 
 @dataclass(frozen=True, kw_only=True)
 class Central(bd.ParallelBond):
-    """Parallel bonds with their contact point in the middle."""
+    """Parallel bond with its contact point in the middle."""
 
     title: ClassVar[str] = "parallel, central"
 
@@ -57,7 +57,7 @@ class Central(bd.ParallelBond):
 
 
 class Granite:
-    """The granite, and a packing of it as LAMMPS can have it."""
+    """Calibrated granite, with its law, density and strength, and its compression tests in both codes."""
 
     def __init__(self) -> None:
         self.shape = bd.Cylinder(radius=bonded_granite.RADIUS, length=bonded_granite.LENGTH)
@@ -68,17 +68,17 @@ class Granite:
         self.strength = float(record["granite"][0]["bond_strength"])
 
     def shrunk(self, body: bd.Lattice) -> bd.Lattice:
-        """The same centres and bonds with spheres that nowhere overlap."""
+        """Return the lattice with the same centres and bonds, and spheres small enough not to overlap."""
         i, j = body.pairs.T
         radius = body.particles.radius
         share = float((body.length / (radius[i] + radius[j])).min())
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # they do not fill the cylinder
+            warnings.simplefilter("ignore")  # the small spheres do not fill the cylinder
             spheres = bd.Particles(body.particles.position, share * radius, shape=self.shape)
         return bd.Lattice(spheres, body.pairs)
 
     def measure(self, seed: int) -> list[dict[str, Any]]:
-        """E, strength and broken bonds of a packing in both codes, and in bondem with one thing after the other."""
+        """Return E, strength and broken bonds of a packing in both codes, and of the variants in bondem."""
         whole = bonded_granite.packed(self.shape, PIN, seed)
         small, radius = self.shrunk(whole), float(whole.particles.mean_radius)
         share = float(small.particles.mean_radius) / radius
@@ -123,14 +123,14 @@ class Granite:
 
 
 def _slope(strain: np.ndarray, stress: np.ndarray, limit: float) -> float:
-    """Slope between a fifth of a stress and that stress, before it is first exceeded."""
+    """Return the slope of stress [Pa] over strain from a fifth of `limit` to its first exceedance."""
     end = int(np.argmax(stress > limit))
     chosen = np.arange(end)[stress[:end] > 0.2 * limit]
     return float(np.polyfit(strain[chosen], stress[chosen], 1)[0])
 
 
 def _read(test: bd.labtests.StrengthTest, limit: float) -> dict[str, float]:
-    """E, strength, and bonds broken at the peak."""
+    """Return E and strength [Pa] of a test in bondem, bonds broken at the peak, and the unbalance of forces."""
     strain, stress = test.curve.T
     strain = -test.run.history["strain"][:, 0]
     at = test.run.history.time[int(np.argmax(stress))]
@@ -141,7 +141,7 @@ def _read(test: bd.labtests.StrengthTest, limit: float) -> dict[str, float]:
 
 
 class Lammps:
-    """A compression test of bondem in LAMMPS: its input, its run, its answer."""
+    """Run of a compression test of bondem in LAMMPS, with its input and results."""
 
     def __init__(
         self, test: bd.labtests.StrengthTest, body: bd.Lattice, bonds: BondStiffness, kn: float, failure: bd.LinearSum
@@ -149,12 +149,12 @@ class Lammps:
         self.body, self.bonds, self.kn, self.failure, self.step = body, bonds, kn, failure, test.run.dt
         self.mass, self.walls = test.run.state.model.mass, test.run.state.model.walls
         self.every = round(float(np.diff(test.run.history.time[:2])[0]) / self.step)
-        # half as long again: bonds may break a little later
+        # half as many steps more than bondem, because bonds may break a little later
         self.steps = self.every * (3 * test.run.steps // (2 * self.every))
         self.version = ""
 
     def script(self) -> str:
-        """The input."""
+        """Return the input script of LAMMPS."""
         near, far = self.walls
         ramp = far.motion.components["vx"]
         speed, begin = ramp.end, ramp.duration
@@ -202,7 +202,7 @@ run {self.steps}
 """
 
     def data(self) -> str:
-        """Spheres and bonds, each bond of its own type."""
+        """Return the data file of LAMMPS with spheres and bonds, each bond of its own type."""
         particles, pairs = self.body.particles, self.body.pairs
         wide = 3.0 * bonded_granite.LENGTH
         volume = particles.volume
@@ -220,7 +220,7 @@ run {self.steps}
         return "\n".join(lines) + "\n"
 
     def run(self) -> dict[str, np.ndarray]:
-        """Stress, strain of the middle half and broken bonds of each record."""
+        """Run LAMMPS; return stress [Pa], strain of the middle half, and broken bonds at each record, (s,) each."""
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
             (folder / "start.data").write_text(self.data())

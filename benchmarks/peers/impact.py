@@ -1,4 +1,4 @@
-"""A ball hits a bonded plate: the published impact example of LAMMPS' bonded particles, in LAMMPS and in bondem.
+"""Impact of a ball on a bonded plate, the published example of bonded particles of LAMMPS, in LAMMPS and bondem.
 
     LAMMPS=lammps/bin/lmp python benchmarks/peers/impact.py
 
@@ -8,10 +8,10 @@ as strong, speed 0.05. LAMMPS makes the specimen, and bondem takes centres and b
 bondem has the same four stiffnesses for all bonds, `LinearSum` with the same strengths, `BondDamping(beta=0.1)`
 and `LinearContact` from the surface of the spheres, with the same kn, ks, friction and (nearly) dashpots.
 
-Three runs of LAMMPS for one of bondem: as published, where a bond softens by 1 - (index)^4 before it breaks; without
-that (`smooth no`); and with rolling and twisting dashpots as bondem has them besides. Counted are bonds lost over
-time, for several disturbances of the lattice. The dashpots are those of the input as it stands in 2026; the logs
-beside it are of a shear dashpot ten times as strong: theirs are in the result as `log`.
+One run of bondem is compared with three of LAMMPS: as published, where a bond softens by 1 - (index)^4 before it
+breaks; without softening (`smooth no`); and without softening and with the rolling and twisting dashpots of bondem.
+The result has the bonds lost over time, for several disturbances of the lattice. The dashpots are those of the input
+of 2026. The published logs have a shear dashpot ten times as strong; the result contains them as `log`.
 """
 
 import argparse
@@ -37,7 +37,7 @@ KN, KS, KB, KT = 1.0, 0.2, 0.02, 0.02
 STRENGTH = {"force": 0.05, "shear": 0.01, "bending": 0.01, "twisting": 0.01}  # of the plate
 STRONGER = 4.0  # the ball
 SPEED = 0.05
-# Bonds an element that LAMMPS' own log of September 2026 has left, every 500 steps, with a shear dashpot of 0.2.
+# Unbroken bonds per element in LAMMPS' own log of September 2026, every 500 steps, with a shear dashpot of 0.2.
 LOG = (10.8703, 10.8703, 10.734844, 10.567008, 10.471128, 10.373448)
 VARIANTS = {
     "published": {"smooth": "yes", "roll": 0.002, "twist": 0.002},
@@ -49,7 +49,11 @@ VARIANTS = {
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class TwoBodies(bd.LinearSum):
-    """The linear sum, with bonds of two sorts."""
+    """Linear sum with one strength factor per bond, for a plate and a stronger ball.
+
+    Attributes:
+        stronger: strength of each bond over that of the criterion [-], (m,).
+    """
 
     stronger: np.ndarray = dataclasses.field(default_factory=lambda: np.ones(0))
 
@@ -66,14 +70,17 @@ comm_modify vel yes cutoff 2.6
 
 
 class Crowded(bd.Particles):
-    """Spheres that may overlap by more than half a radius, as some of the example do (bonded, so it is harmless)."""
+    """Spheres that may overlap by more than half a radius, as bonded ones of the example do."""
 
     def _check_overlap(self) -> None:
         pass
 
 
 def making(seed: int) -> str:
-    """The specimen of the example, written out; bonds are made under a style that does nothing."""
+    """Return the input of LAMMPS that makes the specimen of the example and writes it to a data file.
+
+    Bonds are made under a bond style without forces.
+    """
     return f"""{COMMON}special_bonds lj 0.0 1.0 1.0 coul 0.0 1.0 1.0
 lattice fcc 1.0
 region box block -25 15 -22 22 -22 22
@@ -98,7 +105,7 @@ write_data start.data nocoeff
 
 
 def hitting(smooth: str, roll: float, twist: float) -> str:
-    """The example from there on, for the release of July 2025."""
+    """Return the input of LAMMPS that reads the specimen and runs the impact, for the release of July 2025."""
     strengths = [" ".join(f"{s * value:.17g}" for value in STRENGTH.values()) for s in (1.0, STRONGER)]
     coefficients = "\n".join(
         f"bond_coeff {n} {KN} {KS} {KT} {KB} {strength} 0.1 0.02 {roll} {twist}"
@@ -124,7 +131,7 @@ run {STEPS}
 
 @dataclasses.dataclass(frozen=True)
 class Specimen:
-    """Centres and velocities (n, 3), pairs (m, 2), which body a bond belongs to (m,)."""
+    """Specimen of LAMMPS: centres and velocities, (n, 3), pairs (m, 2), and body of each bond, 1 or 2, (m,)."""
 
     position: np.ndarray
     velocity: np.ndarray
@@ -133,7 +140,7 @@ class Specimen:
 
     @classmethod
     def read(cls, path: Path) -> "Specimen":
-        """Of a data file of LAMMPS."""
+        """Return the specimen of a data file of LAMMPS."""
         text = path.read_text()
 
         def table(name: str) -> np.ndarray:
@@ -147,7 +154,7 @@ class Specimen:
 
 
 def lammps(seed: int, variant: str, folder: Path) -> dict:
-    """Bonds lost by each record."""
+    """Run a variant in LAMMPS; return lost bonds at each record, broken pairs, loop seconds and version."""
     ran(folder, making(seed))
     log, _ = ran(folder, hitting(**VARIANTS[variant]))
     broken = np.loadtxt(folder / "broken.dump", ndmin=2)
@@ -161,7 +168,7 @@ def lammps(seed: int, variant: str, folder: Path) -> dict:
 
 
 def bondem(specimen: Specimen) -> dict:
-    """The same of bondem; `missed` is what its ledger of energies misses."""
+    """Run the impact in bondem; return lost bonds by record, broken pairs, and the energy error."""
     particles = Crowded(specimen.position, 0.5)
     label = np.zeros(len(specimen.position), dtype=int)
     label[np.unique(specimen.pairs[specimen.kind == 2])] = 1
@@ -190,7 +197,7 @@ def bondem(specimen: Specimen) -> dict:
 
 
 def shared(one: np.ndarray, other: np.ndarray) -> float:
-    """Share of the pairs broken in either run that broke in both [-]."""
+    """Return the share of the pairs broken in either run that broke in both [-]."""
     first, second = ({tuple(pair) for pair in pairs.tolist()} for pairs in (one, other))
     return len(first & second) / max(len(first | second), 1)
 

@@ -1,4 +1,4 @@
-"""The figure of `impact.py`: python benchmarks/peers/impact_figure.py"""
+"""Figure of the results of `impact.py`: python benchmarks/peers/impact_figure.py."""
 
 import json
 import sys

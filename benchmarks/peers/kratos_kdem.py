@@ -1,4 +1,4 @@
-"""Kratos DEM, continuum law `DEM_KDEM`: its input, its run, its answer."""
+"""Runs of Kratos DEM with the continuum law `DEM_KDEM`: input, execution and outcome."""
 
 import json
 import os
@@ -14,10 +14,10 @@ _NEVER = 1e20
 
 
 class Kratos:
-    """Its Python is `python3`, or what the environment variable KRATOS names."""
+    """Kratos DEM, run by the Python that the environment variable KRATOS names, or else by `python3`."""
 
     name = "kratos"
-    # Another bond: what it does to positions is printed, but no reason to refuse a ratio.
+    # The bond law differs: the difference of positions is printed, but does not exclude a ratio.
     alike = False
     own_law = False
     differs = (
@@ -54,7 +54,7 @@ class Kratos:
 
 
 def write_spheres(path: Path, specimen: Specimen) -> None:
-    """Spheres that bond with those they touch."""
+    """Write the file of the spheres, which Kratos bonds to those they touch."""
     ids = range(1, len(specimen.radius) + 1)
     lines = ["Begin ModelPartData", "End ModelPartData", "", "Begin Properties 0", "End Properties", ""]
     lines += ["Begin Nodes"]
@@ -69,7 +69,7 @@ def write_spheres(path: Path, specimen: Specimen) -> None:
 
 
 def materials(specimen: Specimen) -> dict:
-    """One material, with the E that gives bonds the normal stiffness of ours on average."""
+    """Return the materials: one, with the E that gives bonds the mean normal stiffness of the specimen."""
     mean = specimen.radius[specimen.pairs].mean(axis=1)
     young = float((specimen.kn * specimen.length / (np.pi * mean**2)).mean())
     relation = {
@@ -94,7 +94,7 @@ def materials(specimen: Specimen) -> dict:
 
 
 def parameters(specimen: Specimen, *, contacts: bool = False) -> dict:
-    """Bonds and motion, and a search for contacts every 50 steps where wanted."""
+    """Return the settings of a run: bonds and motion, and with contacts a search every 50 steps."""
     return {
         "problem_name": "bonds", "Dimension": 3, "do_print_results_option": False, "BoundingBoxOption": False,
         "dem_inlet_option": False, "GravityX": 0.0, "GravityY": 0.0, "GravityZ": 0.0, "RotationOption": True,

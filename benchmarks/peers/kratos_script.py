@@ -1,4 +1,4 @@
-"""Runs in the Python that Kratos is installed in: `python kratos_script.py FOLDER CHECK STEPS`, input in FOLDER."""
+"""Script that the Python of Kratos runs: `python kratos_script.py FOLDER CHECK STEPS`, with the input in FOLDER."""
 
 import sys
 import time
@@ -22,7 +22,7 @@ for node, velocity in zip(nodes, specimen.velocity, strict=True):
 
 
 def go(count: int) -> float:
-    """What the loop of an analysis does, without its output."""
+    """Take steps as the loop of an analysis does, without output; return their wall time [s]."""
     start = time.perf_counter()
     for _ in range(count):
         stage.time = stage._AdvanceTime()
@@ -37,8 +37,8 @@ def values(variable) -> np.ndarray:
 
 
 def touching() -> int:
-    """Pairs that bear force, bonds and contacts."""
-    # it wants to be given the spread of the coordination number, which is not used
+    """Return the number of pairs that transmit force: bonds and contacts."""
+    # the argument is the spread of the coordination number, which Kratos does not use
     return round(0.5 * stage._GetSolver().cplusplus_strategy.ComputeCoordinationNumber(0.0) * len(nodes))
 
 

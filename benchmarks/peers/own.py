@@ -1,4 +1,4 @@
-"""bondem itself, in a process of its own like any peer: `python own.py FOLDER CHECK STEPS CONTACTS LAW`."""
+"""Runs of bondem itself, in a new process like other codes: `python own.py FOLDER CHECK STEPS CONTACTS LAW`."""
 
 import os
 import subprocess
@@ -11,7 +11,7 @@ from specimen import DENSITY, POISSON, RADIUS_RATIO, YOUNG, Specimen
 
 
 class Bondem:
-    """The code that is compared with the others."""
+    """bondem with Euler–Bernoulli beams, the reference of the comparison."""
 
     name = "bondem"
     differs: tuple[str, ...] = ()
@@ -33,7 +33,7 @@ class Bondem:
 
 
 class NonLocalBondem(Bondem):
-    """The law that Kratos' own authors published, with its non-local terms and its criterion."""
+    """bondem with the non-local law, which authors of Kratos published, and its criterion."""
 
     name = "non-local"
     differs = (
@@ -42,7 +42,7 @@ class NonLocalBondem(Bondem):
     )
     alike = False
     law = "non-local"
-    own_law = True  # its motion is another one
+    own_law = True  # its motion differs from that of beams
 
 
 def _run(specimen: Specimen, check: int, steps: int, contacts: bool, which: str) -> Outcome:

@@ -1,6 +1,6 @@
-"""The specimen that all codes run: a dense random packing in a box, bonded at its contacts, given a small motion.
+"""Specimen that all codes run: a dense random packing in a box, bonded at its contacts, with a small motion.
 
-Only NumPy is needed to read one, so that a script inside a peer's own Python can.
+Only NumPy is needed to read a specimen, so that scripts in the Python of other codes can read it.
 """
 
 from dataclasses import asdict, dataclass, fields
@@ -16,21 +16,22 @@ MEAN_RADIUS = 1e-3
 # Amplitude of the motion over the mean bond length: small enough for linear bonds to be compared, far above rounding
 # (LAMMPS takes angles from arc cosines, which are good to 1e-8).
 STRAIN = 1e-4
-# Share of the critical time step: peers break up near the limit, and dt has no influence on the time a step takes.
+# Share of the critical time step: other codes become unstable near the limit, and a step takes the same time at any
+# dt.
 STEP_SHARE = 0.5
 
 
 @dataclass(frozen=True, kw_only=True)
 class Specimen:
-    """Everything a code needs to know, and nothing else.
+    """Input of a run that is the same for all codes.
 
     Attributes:
         position: centres [m], shape (n, 3).
-        radius: [m], shape (n,).
+        radius: radii of the elements [m], shape (n,).
         pairs: elements i < j of each bond, shape (m, 2).
         kn, ks, kb, kt: normal, shear [N/m], bending and twisting stiffness [N·m], each of shape (m,).
-        bond_radius: [m].
-        velocity: at the start, elements at rest otherwise [m/s], shape (n, 3).
+        bond_radius: radius of all bonds [m].
+        velocity: initial velocities [m/s], shape (n, 3); initial spins are zero.
         dt: time step [s].
     """
 
@@ -52,7 +53,7 @@ class Specimen:
 
     @property
     def mass(self) -> np.ndarray:
-        """[kg], shape (n,)."""
+        """Masses of the elements [kg], shape (n,)."""
         return 4.0 / 3.0 * np.pi * self.radius**3 * DENSITY
 
     def save(self, path: Path) -> None:
@@ -65,7 +66,7 @@ class Specimen:
 
 
 def build(elements: int, *, seed: int = 1) -> Specimen:
-    """The specimen of `elements` spheres, κ = 25 %, z about 6.2, Euler–Bernoulli bonds."""
+    """Return a specimen of `elements` spheres with κ = 25 %, z of about 6.2, and Euler–Bernoulli bonds."""
     import bondem as bd
     from bondem.dynamics.timestep import critical_step
 

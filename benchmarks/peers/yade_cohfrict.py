@@ -1,4 +1,4 @@
-"""Yade, `CohFrictMat` with `Law2_ScGeom6D_CohFrictPhys_CohesionMoment`: its run and its answer."""
+"""Runs of Yade with `CohFrictMat` and `Law2_ScGeom6D_CohFrictPhys_CohesionMoment`: execution and outcome."""
 
 import os
 import subprocess
@@ -11,7 +11,7 @@ _SCRIPT = Path(__file__).parent / "yade_script.py"
 
 
 class Yade:
-    """The executable is `yade`, or what the environment variable YADE names."""
+    """Yade, run by the executable that the environment variable YADE names, or else by `yade`."""
 
     name = "yade"
     alike = True
@@ -40,7 +40,7 @@ class Yade:
         command.append(str(int(self.contacts)))
         environment = {**os.environ, "PYTHONPATH": str(_SCRIPT.parent), "OMP_NUM_THREADS": "1"}
         done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True)
-        # its exit status says nothing of errors in the script
+        # the exit status of Yade does not show errors in the script
         if not answer.exists():
             raise RuntimeError(f"Yade left no answer: {done.stderr.strip()[-2000:]}")
         return Outcome.load(answer)

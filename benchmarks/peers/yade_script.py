@@ -1,6 +1,6 @@
-"""Runs inside Yade: `yade -n -x -j1 yade_script.py FOLDER CHECK STEPS CONTACTS`.
+"""Script that Yade runs: `yade -n -x -j1 yade_script.py FOLDER CHECK STEPS CONTACTS`.
 
-This folder is on PYTHONPATH, as Yade does not say where a script is.
+This folder must be on PYTHONPATH, because a script in Yade cannot find its own place.
 """
 # ruff: noqa: F821  Yade puts its names into the script
 
@@ -30,7 +30,7 @@ loop = InteractionLoop(
     [Law2_ScGeom6D_CohFrictPhys_CohesionMoment(always_use_moment_law=True)],
 )
 # Without contacts there is no collider, as there are no other interactions than bonds. Elements move first: shear
-# adds up from velocities, and in the usual order it would begin with a step that was not made.
+# accumulates from velocities, and in the usual order it would include a step before the first motion.
 collider = [InsertionSortCollider([Bo1_Sphere_Aabb()])] if contacts else []
 O.engines = [NewtonIntegrator(damping=0.0), ForceResetter(), *collider, loop]
 O.dt = float(specimen.dt)
@@ -40,7 +40,7 @@ for k, (i, j) in enumerate(specimen.pairs):
     bonds.append(bond)
     bond.phys.kn, bond.phys.ks = float(specimen.kn[k]), float(specimen.ks[k])
     bond.phys.kr, bond.phys.ktw = float(specimen.kb[k]), float(specimen.kt[k])
-    # bonds know no rest length: without it overlaps would be stretched bonds
+    # Yade's bonds have no rest length: without this offset overlaps would strain the bonds
     bond.phys.unp = bond.geom.penetrationDepth
     bond.phys.cohesionBroken = False
     bond.phys.fragile = False

@@ -15,20 +15,10 @@ from bondem._tables.cell_tables import (
     WallConstraints,
 )
 from bondem._tables.columns import BONDS_OF_PORTION, LogCount
-from bondem._tables.crack_tables import (
-    CellSlack,
-    CrackOnset,
-    StressesOfCells,
-)
+from bondem._tables.crack_tables import CellSlack, CrackOnset, StressesOfCells
 from bondem._tables.step_tables import HistoryRows
 from bondem._types import Floats
-from bondem.damage.cohesive_tables import (
-    facet_forces,
-    keep_cracks,
-    new_cohesive_cracks,
-    new_crack_lists,
-    yielding_of,
-)
+from bondem.damage.cohesive_tables import facet_forces, keep_cracks, new_cohesive_cracks, new_crack_lists, yielding_of
 from bondem.damage.crack_columns import FACET
 from bondem.damage.damage_part import CrackJoints, new_event_log
 from bondem.damage.failing_state import FailingState, StepTables

@@ -23,21 +23,21 @@ from bondem.specimen.ordering import Layout
 
 @dataclass(frozen=True, eq=False)
 class Blocks:
-    """Blocks of bonds and elements that a step computes one after the other, and domains of blocks for threads.
+    """Division of the work of a step into domains for threads, and of these into blocks of elements and bonds.
 
-    The force sum of an element occupies a row from its first block to the block that moves the element. The row is
-    then reused, so that the rows of a domain stay in the cache. Ranges a … b below exclude b.
+    An element uses a row for its sum of forces from the block with its first bond to the block that moves it. Later
+    blocks reuse the row, so that the rows of a domain stay in the cache. Ranges a … b below exclude b.
 
     Attributes:
         domain: domain d has the blocks domain[d] … domain[d + 1], shape (domains + 1,).
         bond: block b has the bonds bond[b] … bond[b + 1], shape (blocks + 1,).
         move: block b moves the elements ready[move[b]] … ready[move[b + 1]], shape (blocks + 1,).
-        first_owner: elements that block b moves own rows of the boundary from ready[first_owner[b]] on, (blocks,).
+        first_owner: elements of block b from ready[first_owner[b]] on are fixed, driven or loaded, shape (blocks,).
         ready: all elements that are not shared, in the order in which they move, uint32.
         ready_row: rows of their sums, uint32.
         row_i, row_j: rows that each bond adds to, uint32, shape (m,).
-        shared: elements with bonds computed by another domain, those that own rows last, uint32, shape (s,).
-        shared_first_owner: number of shared elements that own no row.
+        shared: elements with bonds in other domains; fixed, driven or loaded ones last, uint32, shape (s,).
+        shared_first_owner: number of shared elements that are not fixed, driven or loaded.
         shared_row: rows of their sums, uint32, shape (s,).
         part: rows parts + part[e] … parts + part[e + 1] also belong to shared element e, shape (s + 1,).
         parts: first row of sums for bonds between domains.

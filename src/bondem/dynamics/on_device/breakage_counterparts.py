@@ -6,10 +6,7 @@ from bondem._device import Launch
 from bondem._passes import kernels
 from bondem._tables.damage_tables import BeamIntegrity, Candidates, EventLog, Postponed
 from bondem._tables.device_tables import BondMarks
-from bondem._tables.step_tables import (
-    Beams,
-    Moving,
-)
+from bondem._tables.step_tables import Beams, Moving
 from bondem.dynamics.on_device.beam_counterparts import DASHED
 from bondem.dynamics.on_device.translation import (
     Counterpart,

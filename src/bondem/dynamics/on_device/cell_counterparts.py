@@ -1,11 +1,7 @@
 """Counterparts on a device of the passes of cells: dilatation, facets, walls that hold facets, tractions."""
 
 from bondem._passes import kernels
-from bondem._tables.cell_tables import (
-    CellStrains,
-    FacetTractions,
-    WallConstraints,
-)
+from bondem._tables.cell_tables import CellStrains, FacetTractions, WallConstraints
 from bondem._tables.step_tables import Rows
 from bondem.dynamics.on_device.translation import (
     Counterpart,

@@ -6,11 +6,7 @@ from bondem._device import Launch
 from bondem._passes import kernels
 from bondem._tables.cell_tables import ElasticFacets, FacetForces
 from bondem._tables.columns import CrackNumber
-from bondem._tables.crack_tables import (
-    CohesiveCracks,
-    CrackLists,
-    FacetStrengths,
-)
+from bondem._tables.crack_tables import CohesiveCracks, CrackLists, FacetStrengths
 from bondem._tables.damage_tables import EventLog
 from bondem._tables.device_tables import FallenCracks
 from bondem._tables.step_tables import Moving

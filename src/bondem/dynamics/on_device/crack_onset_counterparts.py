@@ -3,14 +3,8 @@
 import numpy as np
 
 from bondem._passes import kernels
-from bondem._tables.cell_tables import (
-    FacetForces,
-    WallConstraints,
-)
-from bondem._tables.device_tables import (
-    FacetArms,
-    RowOrder,
-)
+from bondem._tables.cell_tables import FacetForces, WallConstraints
+from bondem._tables.device_tables import FacetArms, RowOrder
 from bondem.dynamics.on_device.device_tables import new_row_order
 from bondem.dynamics.on_device.translation import (
     Counterpart,

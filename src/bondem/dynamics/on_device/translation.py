@@ -11,12 +11,7 @@ from bondem._device import Launch
 from bondem._passes import Kernel, StepEntry
 from bondem._tables.columns import BONDS_OF_PORTION, ELEMENTS_OF_PORTION
 from bondem._tables.damage_tables import EventLog
-from bondem._tables.device_tables import (
-    BondsOfElements,
-    DeviceSpan,
-    LoadsOfBonds,
-    RowOrder,
-)
+from bondem._tables.device_tables import BondsOfElements, DeviceSpan, LoadsOfBonds, RowOrder
 from bondem._tables.step_tables import Ledger, StepBlocks
 from bondem.dynamics.on_device.device_tables import new_row_order
 from bondem.specimen.ordering import Layout

@@ -1,13 +1,8 @@
 """Counterparts on a device of the passes of yielding cells, material planes, and changing strains at cracks."""
 
 from bondem._passes import kernels
-from bondem._tables.cell_tables import (
-    WallConstraints,
-)
-from bondem._tables.crack_tables import (
-    FacetStrengths,
-    StressesOfCells,
-)
+from bondem._tables.cell_tables import WallConstraints
+from bondem._tables.crack_tables import FacetStrengths, StressesOfCells
 from bondem.dynamics.on_device.crack_onset_counterparts import ON_SURFACE
 from bondem.dynamics.on_device.translation import (
     Counterpart,

@@ -17,13 +17,7 @@ from bondem._types import Floats, PerBond, PerElement6
 from bondem.geometry.rotations import relative_rotations, turned_vectors
 from bondem.interactions.beams.bond_table import BondTable
 from bondem.interactions.cells.cell_constants import CellConstants
-from bondem.interactions.cells.cell_tables import (
-    STRESS,
-    body_energies,
-    cell_tables,
-    gradient_tables,
-    load_body,
-)
+from bondem.interactions.cells.cell_tables import STRESS, body_energies, cell_tables, gradient_tables, load_body
 from bondem.interactions.energy_parts import EnergyParts
 from bondem.interactions.interaction import Arrays, Interaction, SurfaceState
 from bondem.interactions.stiffness import Stiffness
