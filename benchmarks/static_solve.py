@@ -2,8 +2,8 @@
 
 python benchmarks/static_solve.py [elements ...] [--repeat 3] [--out benchmarks/results/static_solve.json]
 
-The bar is pulled, and bent for relaxation; the record also has the deviation of the relaxed bar from the static
-solution.
+The bar is pulled, and bent for relaxation. The deviation of the relaxed bar from the static solution is also
+recorded.
 """
 
 import argparse

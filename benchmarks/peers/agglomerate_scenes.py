@@ -57,7 +57,7 @@ class Fall:
 
     @property
     def walls(self) -> list[bd.PlaneWall]:
-        """The floor."""
+        """Walls of the scene: the floor alone."""
         return [bd.PlaneWall((0, 0, -AHEAD * RADIUS), (0, 0, 1))]
 
     @property

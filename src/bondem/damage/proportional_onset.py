@@ -18,7 +18,7 @@ from bondem.damage.stress_passes import new_stress_candidates
 def onset_factors(
     loaded: LoadedFacets, strengths: FacetStrengths, whole: Ints, below: float = math.inf, spread: float = math.inf
 ) -> PerBond:
-    """Return the load factors at which uncracked facets begin to crack, inf for facets beyond both limits, (c,).
+    """Return the load factors at which uncracked facets begin to crack, inf beyond `below` and `spread`, (c,).
 
     Args:
         loaded: loads of facets and cells at a factor of 1.

@@ -16,7 +16,7 @@ class LocalDamping:
     half period. Reference: Chen et al. (2022) eqs (11), (12), where the printed F U/U stands for F.
 
     Attributes:
-        gamma: damping coefficient γ [-], in [0, 1).
+        gamma: damping coefficient γ [-], in [0, 1); other values raise InputError.
     """
 
     gamma: float
@@ -33,7 +33,7 @@ class MassDamping:
     not conserved. The damping does not lower the time step.
 
     Attributes:
-        alpha: damping coefficient α [1/s].
+        alpha: damping coefficient α [1/s]; a negative value raises InputError.
     """
 
     alpha: float
@@ -55,8 +55,8 @@ class BondDamping:
     Reference: Chen et al. (2022) eqs (9), (10), each component with its own k.
 
     Attributes:
-        eta: share η of the critical damping of a pair [-].
-        beta: coefficient β of damping in proportion to stiffness [s].
+        eta: share η of the critical damping of a pair [-]; a negative value raises InputError.
+        beta: coefficient β of damping in proportion to stiffness [s]; a negative value raises InputError.
     """
 
     eta: float = 0.0

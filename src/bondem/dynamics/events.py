@@ -29,7 +29,7 @@ class AtRest(Event):
     """An event that occurs when all elements are slower than `speed`.
 
     Attributes:
-        speed: limit of the speed [m/s].
+        speed: limit of the speed [m/s]; a value that is not positive raises InputError.
         after: earliest time of the event [s], so that a run from rest can start.
     """
 
@@ -47,12 +47,12 @@ class AtRest(Event):
 
 @dataclass(frozen=True)
 class LoadDrop(Event):
-    """An event that occurs when a load has dropped below a share of its largest value.
+    """An event that occurs when a load has dropped below a share of its largest value so far.
 
     Attributes:
         load: factors of the three components of gauges, by the name of the gauge [-]; the load is their weighted sum.
             {"end": (1.0, 0.0, 0.0)} is the component along x of the gauge "end".
-        share: share of the largest load so far below which the event occurs [-].
+        share: share of the largest load so far below which the event occurs [-], in [0, 1); others raise InputError.
         least: largest load that must have been exceeded before [N].
     """
 
@@ -86,7 +86,7 @@ class ContactEnd(Event):
     Attributes:
         gauge: name of the gauge of the force of the elements on the wall.
         direction: direction of pressure on the wall, into it, (3,).
-        quiet: time without contact [s].
+        quiet: time without contact [s]; a value that is not positive raises InputError.
     """
 
     gauge: str

@@ -59,6 +59,9 @@ def integrate(
         halt: function called repeatedly; the run stops, with a checkpoint, if it returns a signal.
 
     A given dt is not checked, because `settled` has done so.
+
+    Raises:
+        InputError: A callback is given without records, or a value does not fit the model.
     """
     if callback is not None and not plan.every:
         raise InputError("callback= is called with each record, but every = 0; give every= of at least 1")

@@ -2,9 +2,9 @@
 
 The trapezoidal rule computes the work of forces at the ends of steps. It is exact along a straight line. Let a crack
 open by d in the step that passes the corner at the strength. The error of the work is then at most d²/8 times the
-change of slope there, and at most half the strength times d. A crack that softens within n steps has d ≤ (1 - β) / (n
-- 1) times the last opening, where β is the opening at the strength over the last one. Relative to the fracture energy
-of a straight softening curve the error is
+change of slope there, and at most half the strength times d. With n steps of softening, d ≤ (1 - β) / (n - 1) times
+the last opening, where β is the opening at the strength over the last one. Relative to the fracture energy of a
+straight softening curve the error is
 
     error ≤ min((1 - β) / (n - 1), (1 - β) / (4 β (n - 1)²))
 

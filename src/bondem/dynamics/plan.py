@@ -1,4 +1,4 @@
-"""The plan of an explicit run, and its result."""
+"""Plan of an explicit run, its result, and the interface of loops over its steps."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -34,7 +34,7 @@ _MOST = 10**12
 
 @dataclass(frozen=True, kw_only=True)
 class Plan:
-    """Parameters of an explicit run.
+    """Parameters of an explicit run; an invalid value raises InputError.
 
     Attributes:
         duration: physical time [s]; the run takes round(duration / dt) steps.

@@ -72,12 +72,12 @@ def listening(listener: Callable[[RunProgress], None]) -> Iterator[None]:
 
 
 def has_listener() -> bool:
-    """Return True if progress has a receiver: a listener of this context, or the note of a running study."""
+    """Return True if progress has a receiver: a listener of this context, or the display of a running stage."""
     return _listener.get() is not None or _progress.noted()
 
 
 def send(progress: RunProgress) -> None:
-    """Send progress to the listener of this context, if any, and note it for a running study."""
+    """Send progress to the listener of this context, if any, and show it beside the running stage."""
     _progress.note(progress.words if progress.step < progress.steps else "")
     listener = _listener.get()
     if listener is not None:

@@ -1,7 +1,7 @@
 """Measurement of runs that are meant to be quasi-static: kinetic energy, forces at both ends and of servo walls.
 
-A run with a servo wall counts as meant to be quasi-static. So does a run that loads the specimen between two ends,
-one of them driven, on one of two further conditions. It has local or mass damping, or it records a force and reaches
+A run with a servo wall counts as meant to be quasi-static. A run that loads the specimen between two ends, one of
+them driven, counts on one of two conditions. Either it has local or mass damping, or it records a force and reaches
 its largest elastic energy only after many transits of a wave. Impacts, waves, vibrations and pulses of pressure are
 not checked.
 """

@@ -62,7 +62,7 @@ class TchamwaWielgosz(Scheme):
     another one, and unstable for φ > 1.
 
     Attributes:
-        phi: dissipation φ >= 1 [-]; 1 dissipates nothing.
+        phi: dissipation φ >= 1 [-]; 1 dissipates nothing, and a smaller value raises InputError.
     """
 
     phi: float = 1.3

@@ -1,1 +1,1 @@
-"""Equilibria, modes and quasi-static crack paths."""
+"""Statics: equilibria, natural modes and quasi-static crack paths."""

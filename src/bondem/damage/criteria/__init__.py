@@ -1,1 +1,1 @@
-"""Failure criteria, one file each."""
+"""Failure criteria, one module per criterion."""

@@ -1,4 +1,4 @@
-"""The cone of Drucker and Prager: shear strength that grows with pressure, defined by two material strengths."""
+"""Drucker–Prager criterion: shear strength that grows with pressure, defined by two material strengths."""
 
 import math
 from dataclasses import dataclass

@@ -1,1 +1,1 @@
-"""Steps on a device: the counterparts of the passes that a step is composed of."""
+"""Steps on a device: kernel launches that correspond to the passes of a step, its counterparts."""

@@ -16,8 +16,8 @@ class ContactBond(ParallelBond):
 
         kn = E A / L    ks = kn / κ    kb = kt = 0    contact point at (L + Ri - Rj) / 2
 
-    Statics needs lattices so dense that no element rolls freely; calibration in studies therefore leaves it out.
-    Tension is positive. Reference: Potyondy and Cundall (2004), contact bond.
+    Static solutions need lattices so dense that no element rolls freely. Calibration in studies therefore excludes
+    it. Tension is positive. Reference: Potyondy and Cundall (2004), contact bond.
     """
 
     title: ClassVar[str] = "contact"

@@ -96,7 +96,7 @@ class CellStrain:
         return np.stack(parts, axis=1).astype(float)
 
     def work(self, other: "CellStrain", constants: CellConstants) -> float:
-        """Return the work of the stresses of one deformation on another [J]; for equal ones twice the energy."""
+        """Return the work of these stresses on another deformation [J]; on itself it is twice the energy."""
         supports = constants.supports
         bent = np.einsum("ma,mab,mb->", self.turn, constants.H, other.turn)
         moments, at_wall = constants.gradients.moments(self.turn, self.rotation)

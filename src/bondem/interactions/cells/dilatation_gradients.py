@@ -103,7 +103,7 @@ class GradientConstants:
         )  # fmt: skip
 
     def ordered(self, layout: Layout | Reversed) -> "GradientConstants":
-        """Return the constants in internal order."""
+        """Return the constants in the order of a layout, internal or reversed."""
         place = np.empty(len(layout.bond_order), dtype=np.int64)
         place[layout.bond_order] = np.arange(len(place))
         weight = self.weight[layout.order] if len(self.weight) else self.weight

@@ -209,8 +209,11 @@ class LinearContact(ContactLaw):
         rolling: coefficient μ_r of resistance to rolling [-]: a spring of stiffness ks R̄² against the rotation of one
             sphere on the other, 1/R̄ = 1/Ri + 1/Rj (at a wall R̄ = R), with the limit μ_r R̄ F_n and without a dashpot
             (type C of Ai et al., Powder Technology 206 (2011) 269–282). 0 for none.
-        twisting: coefficient of resistance to rotation about the normal of the contact, of the same form [-].
+        twisting: coefficient μ_w of resistance to rotation about the normal of the contact, like μ_r [-].
         adhesion: attraction up to a gap, in addition to repulsion; None for none. For beams and loose spheres.
+
+    Raises:
+        InputError: A value is outside its range.
     """
 
     E: float

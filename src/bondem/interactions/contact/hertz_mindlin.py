@@ -64,6 +64,12 @@ class HertzMindlin(ContactLaw):
         rolling: see `LinearContact`; ks of its spring is that at the overlap `overlap`, a constant of each pair.
         twisting: see `LinearContact`.
         adhesion: see `LinearContact`.
+
+    Raises:
+        InputError: A value is outside its range.
+
+    Warns:
+        ContactWarning: `friction` is more than the tangential spring can transmit.
     """
 
     E: float
