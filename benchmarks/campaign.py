@@ -90,7 +90,7 @@ def killed(folder: Path, specimens: int, every: float) -> dict[str, object]:
         if coordinators == 0 and len(done) >= specimens // 2:
             process.kill()
             process.wait()
-            time.sleep(3.0)  # its workers follow it
+            time.sleep(3.0)  # its workers end after it
             before, coordinators = finished(out), 1
             process = started(study, out, 2)
         elif pids := busy(out):

@@ -97,7 +97,7 @@ class Timed:
         state = self.state.copy()
         self.last = state
         loop = loop_of(self.model, plans.Plan(duration=1.0, dt=self.dt, every=0), state, self.dt)
-        getattr(loop, "record_present" if hasattr(loop, "record_present") else "look")()  # formerly look
+        getattr(loop, "record_present" if hasattr(loop, "record_present") else "look")()  # once "look"
         if self.before:
             loop.run(self.before)
             self.state, self.before = state.copy(), 0

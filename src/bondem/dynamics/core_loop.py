@@ -52,7 +52,7 @@ class CoreLoop:
         blocks = Blocks.of(model.layout, size, domains, model.constraints.row_of >= 0).table(postponed)
         self._tables, self._parts = parts_of(model, terms, state, blocks, gauge_tables(model, plan), dt)
         self._still = noticeable(model, dt)
-        # tables of all parts whose lists are not renewed
+        # tables of the parts without neighbour lists, which stay the same during a run
         self._lasting = Composer()
         self._lasting(composed([part for part in self._parts if part.renewed is None], *STAGES))
         self._make_lists()

@@ -73,7 +73,7 @@ def integrate(
     history = History.empty(names) if history is None else history
     midway = plan.every > 0 and state.step % plan.every > 0 and state.step < plan.steps
     if midway and len(history) and history.time[-1] == state.time:
-        history = History(history.records[:-1], names)  # the end of a part of the run is no record of the whole
+        history = History(history.records[:-1], names)  # a record at the end of a part, between two of the run
     written = GrowingHistory(history)
     loop = (CoreLoop if loop_of is None else loop_of)(model, plan, state, dt)
     total = plan.steps

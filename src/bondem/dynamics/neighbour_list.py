@@ -99,7 +99,7 @@ class ContactSearch:
         ))  # fmt: skip
         own = np.zeros(len(pairs.first))
         if contacts.laws.parallel:
-            pairs.bond[:] = -1  # pairs as any others
+            pairs.bond[:] = -1  # bonded pairs count like any others
         bonded = np.flatnonzero(pairs.bond >= 0)
         of_bond = np.full(len(layout.i), -1)
         of_bond[pairs.bond[bonded]] = bonded

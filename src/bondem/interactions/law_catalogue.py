@@ -21,10 +21,9 @@ from bondem.interactions.non_local.non_local_law import NonLocal
 #: Laws of a specimen: a bond law or laws by region, a cell law or cell laws by region, or the non-local law.
 AnyLaw = BondAssignment | CellAssignment | NonLocal
 
-# In the order in which they are recommended: Euler–Bernoulli bonds are those of the paper that bondem follows, with
-# one parameter beside E_μ that is a length one can see; those of Obermayr and parallel bonds reach the widest range
-# of ν by a factor on the shear stiffness alone; those of Timoshenko barely change ν at all; contact bonds let
-# elements roll.
+# Bond laws in the order of recommendation. Euler–Bernoulli bonds are those of the paper that bondem follows, and
+# their only parameter beside E_μ is geometric. Obermayr and parallel bonds reach the widest range of ν, by a factor
+# on the shear stiffness alone. Timoshenko bonds hardly change ν, and contact bonds allow elements to roll.
 _LAWS: tuple[type[BondLaw], ...] = (EulerBernoulli, Obermayr, ParallelBond, Timoshenko, ContactBond)
 
 #: Every law by the name of its class.

@@ -142,7 +142,7 @@ class StressCriterion(Criterion):
         """Return the result of the function for stresses (k, 3, 3); raise InputError if it raises any error."""
         try:
             return self._surface.indices(stress.copy())
-        except Exception as error:  # the user's own
+        except Exception as error:  # any error of the user's function
             raise InputError(
                 f"{_NAME}: {self.name} raises '{_reason(error)}' for stresses {stress.shape}; give a function of many"
                 " stresses (k, 3, 3) that returns k indices for any stress"

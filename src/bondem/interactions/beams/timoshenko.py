@@ -19,7 +19,7 @@ class Timoshenko(BondLaw):
     """
 
     title: ClassVar[str] = "Timoshenko"
-    # ν goes on falling, ever more slowly, beyond the elements
+    # ν decreases further, ever more slowly, for bonds wider than the elements
     free: ClassVar[FreeParameter] = replace(RADIUS_RATIO, curve=(*RADIUS_RATIO.curve, 1.25, 1.5), fitted=(0.6,))
 
     def stiffness(self, bonds: BondGeometry) -> BondStiffness:

@@ -4,9 +4,10 @@ import numpy as np
 
 from bondem._types import Floats
 
-# Tangential stretch [m] and dashpot force [N], three each; START: for spheres, the distance of centres at which the
-# contact starts [m] if it is less than usual, else 0; for faces of cells, the overlap that does not count [m]. KIND:
-# the normal stiffness of faces [N/m], 0 for spheres, or one of the two numbers below. FACES: code of the two faces.
+# First tangential stretch [m] and dashpot force [N], three columns each. START: for spheres, the distance of centres
+# at which the contact starts [m] if it is less than usual, else 0; for faces of cells, the overlap that does not
+# count [m]. KIND: the normal stiffness of faces [N/m], 0 for spheres, or one of the two numbers below. FACES: code of
+# the two faces.
 START, KIND, FACES = 6, 7, 8
 CONTACT_COLUMNS = 9
 # Columns that the core keeps of a pair in one line of the cache.
