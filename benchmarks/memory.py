@@ -1,8 +1,8 @@
 """Resident memory of bodies of cells, and of beams between spheres, by stage and size.
 
-Each case runs in a new process, which imports bondem and builds a model of an irregular grid of elements, its state,
-and the loop of an explicit run, which takes three steps. `untrimmed` is the growth of resident memory since the
-imports, per element. `bytes` is the same after free memory of the heap has been returned to the system.
+Each case runs in a new process, which imports bondem and builds a model of an irregular grid of elements and its
+state. An explicit run then takes three steps. `untrimmed` is the growth of resident memory since the imports, per
+element. `bytes` is the same after free memory of the heap has been returned to the system.
 
     python benchmarks/memory.py [--sizes 28 46] [--stages model state loop] [--kinds cells beams] [--part cases]
 

@@ -104,7 +104,7 @@ def write_data(path: Path, specimen: Specimen) -> None:
 
 
 def script(specimen: Specimen, check: int, steps: int, *, contacts: bool = False) -> str:
-    """Return the input of a run of elastic bonds without output in the loop, with contacts if asked."""
+    """Return the input of a run of elastic bonds without output in the loop, with contacts if requested."""
     _, length = classes(specimen)
     # products with powers of L are the same for all bonds
     L = specimen.length

@@ -33,10 +33,10 @@ def lagged_limits(
 ) -> tuple[float, float]:
     """Return the critical step of a law that lags, and its value without the dashpots of bonds [s].
 
-    The critical step is the smaller of two: that of springs and contacts with the dashpots of contacts, and the
-    largest share of that of springs and contacts at which lagged steps are stable, with dashpots of bonds in these
-    trials. Dashpots of contacts are bounded by M⁻¹ C, and not by the largest c / k, which the smallest facet would
-    determine.
+    The critical step is the smaller of two. One is that of springs and contacts with the dashpots of contacts. The
+    other is the largest share of the step of springs and contacts at which lagged trial steps, with dashpots of
+    bonds, are stable. Dashpots of contacts are bounded by M⁻¹ C, and not by the largest c / k, which the smallest
+    facet would determine.
 
     Args:
         model: model that will move.

@@ -1,8 +1,8 @@
 """Interface between a law of bonds and the rest of the package.
 
 An interaction knows the elements and bonds of a specimen, but neither model nor state. Its methods receive the arrays
-of the state that the law owns. Defaults are those of beams, which have a potential and no memory. A solver that needs
-more checks `Interaction.has_potential` or the class `LaggedInteraction`.
+of the state that belong to the law. Defaults are those of beams, which have a potential and no memory. A solver that
+needs more checks `Interaction.has_potential` or the class `LaggedInteraction`.
 """
 
 from abc import ABC, abstractmethod
@@ -47,7 +47,7 @@ Evaluated = Literal["force", "traction", "stress"]
 
 @dataclass(frozen=True)
 class StateField:
-    """An array of the state that a law owns.
+    """Array of the state that belongs to a law.
 
     Attributes:
         name: name in `State` and in run files.
@@ -96,8 +96,8 @@ class Run:
     Attributes:
         moving: motion of the elements.
         blocks: division of a step into domains and blocks.
-        ledger: sums of a record or a guard.
-        arrays: arrays of the state that the law owns.
+        ledger: sums of energies for a record or for a check of the energy.
+        arrays: arrays of the state that belong to the law.
         dashpots: dashpots parallel to the bonds, or None.
         damage: damage pipeline, or None if bonds do not fail.
         failing: function that returns the part of the damage pipeline, given passes that find failing bonds, passes
@@ -131,18 +131,18 @@ class LawParts:
 
 
 class Interaction(ABC):
-    """A law of the bonds of a specimen.
+    """Interaction of the elements of a specimen by a law of its bonds, in any pose and for small motions.
 
     Attributes:
         lattice: elements and bonds.
         layout: internal order of both.
-        law: class of its parameters (class attribute).
+        law: class of the parameters of the law (class attribute).
         bond: word for a bond in messages (class attribute).
         turned: consequence of bonds that have turned far, for messages (class attribute).
         title: common name of the law, for messages (class attribute).
-        name: word for its bonds in messages (class attribute).
+        name: word for bonds of this law in messages (class attribute).
         formulation: "total" or "incremental" (class attribute).
-        fields: arrays of the state that the law owns (class attribute).
+        fields: arrays of the state that belong to the law (class attribute).
         has_potential: True if forces are the derivative of an energy (class attribute).
         evaluated: quantity that a criterion evaluates (class attribute).
         on_facets: True if elements interact by facets, which also carry loads and conditions (class attribute).

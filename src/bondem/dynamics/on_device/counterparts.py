@@ -32,7 +32,7 @@ def launches_of(passes: Passes, run: Translation, instead: Mapping[str, Counterp
 
     Args:
         passes: passes of a step.
-        run: translation that owns the tables of the run.
+        run: translation with the tables of the run.
         instead: counterparts to use instead of the usual ones.
     """
     counterparts = COUNTERPARTS if instead is None else {**COUNTERPARTS, **instead}

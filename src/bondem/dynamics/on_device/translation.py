@@ -25,14 +25,14 @@ class Translation:
     Args:
         layout: elements and bonds.
         blocks: division of a step into one block, which lists fixed, driven and loaded elements last.
-        ledger: sums of a record or a guard.
+        ledger: sums of energies for a record or for a check of the energy.
         rows: number of rows, one per element that is fixed, driven or loaded.
         postponed: elements that failures postpone, uint8, (n,), or (0,) where nothing fails.
         further: True if loads act on elements in addition to those of bonds; their sums are in memory then.
 
     Attributes:
         blocks: division of the step into blocks.
-        ledger: sums of a record or a guard.
+        ledger: sums of energies for a record or for a check of the energy.
         span: clock of the run, elements and bonds.
         bonds: bonds of each element.
         loads: loads of each bond on its ends.

@@ -18,7 +18,7 @@ class SharedTables:
         moving: motion of the elements.
         rows: rows of the boundary.
         blocks: division of a step into domains and blocks, and sums of forces.
-        ledger: sums of a record or a guard.
+        ledger: sums of energies for a record or for a check of the energy.
         schedules: schedules of the boundary.
         timeline: the functions of time of these schedules.
         owned: True if elements are fixed, driven or loaded.
