@@ -36,7 +36,7 @@ class HistoryColumn(IntEnum):
 
 
 class StepCount(IntEnum):
-    """Counts of what a call of the core has done."""
+    """Counts of a call of the core: steps, records, bonds turned wide and lost."""
 
     STEPS = 0
     RECORDS = 1
@@ -45,8 +45,8 @@ class StepCount(IntEnum):
 
 
 class GuardNumber(IntEnum):
-    """Numbers that the guard finds: bonds turned wide and lost, how the call ends, and whether lists are out of
-    date.
+    """Results of the guard: bonds turned wide (beyond safe angles) and lost (beyond valid ones), ending, lists too
+    old.
     """
 
     WIDE = 0
@@ -87,7 +87,7 @@ class LogCount(IntEnum):
 
 
 class EventColumn(IntEnum):
-    """Columns of the failure of a bond."""
+    """Columns of an event, the failure of a bond."""
 
     TIME = 0  #: [s]
     STEP = 1  #: number of the step
@@ -95,7 +95,7 @@ class EventColumn(IntEnum):
     MODE = 3  #: `failure_mode`
     GAP = 4  #: how far it is open [m]
     ENERGY = 5  #: energy released [J]
-    PLACE = 6  #: [m], and two columns more
+    PLACE = 6  #: x of the place [m]; y and z follow
     OPENING_STEPS = 9  #: steps since the onset of softening, nan of a bond that failed at once
     COUNT = 10
 
@@ -141,7 +141,7 @@ class TensorColumn(IntEnum):
 
 
 class LoadColumn(IntEnum):
-    """Columns of the sums of an element: force, energy damped, torque, energy rubbed."""
+    """Columns of the sums of an element: force, energy lost to damping, torque, energy lost to friction."""
 
     FORCE = 0
     DAMPED = 3
@@ -157,7 +157,7 @@ class StrainDue(IntEnum):
 
 
 class ListCount(IntEnum):
-    """Counts of lists of cracks: treated one by one, resting, cells of the first, and parted in this step."""
+    """Counts of lists of cracks: treated one by one, resting, cells of treated cracks, and parted in this step."""
 
     TREATED = 0
     RESTING = 1
@@ -193,9 +193,9 @@ class CrackStatus(IntEnum):
 
 
 class TouchState(IntEnum):
-    """States of contacts. A contact that has parted in this step still counts its losses. Cells whose cracked faces
-    face each other touch by these faces, not as spheres; where they turn away from each other inside their
-    spheres, the spheres touch from the distance then, until they have come apart.
+    """States of contacts. A contact that has parted in this step still counts its losses. `facing` cells touch by
+    cracked faces that face each other, not as spheres. Where such faces turn away within the reach of the
+    spheres, the contact is `late`: the spheres touch at the distance of that time, until the cells are apart.
     """
 
     SEPARATE = 0

@@ -8,7 +8,7 @@ from bondem._types import Bytes, Floats, Ints, Singles, Uint32s
 class FailureBounds(NamedTuple):
     """Bounds of the loads of bonds, below which no bond fails."""
 
-    limit: Singles  #: of of_force |F|² + of_moment |M|²; inf of bonds that cannot fail, (m,)
+    limit: Singles  #: bound of of_force |F|² + of_moment |M|²; inf for bonds that cannot fail, (m,)
     of_force: float  #: [1/N²]
     of_moment: float  #: [1/(N·m)²]
 
@@ -24,9 +24,9 @@ class Candidates(NamedTuple):
     """Bonds that are near to failure, and then those of them that fail, in the order of the bonds."""
 
     begin: Ints  #: first bond of each block, (blocks + 1,)
-    marked: Ints  #: those of a block from begin[block] on, (bonds,)
-    mode: Ints  #: of those that fail, (bonds,)
-    count: Ints  #: number of each block, (blocks,)
+    marked: Ints  #: numbers of these bonds; those of a block from begin[block] on, (bonds,)
+    mode: Ints  #: modes of bonds that fail, (bonds,)
+    count: Ints  #: number of these bonds in each block, (blocks,)
     any: Ints  #: 1 where a bond fails in this step, (1,)
 
 
@@ -36,7 +36,7 @@ class Postponed(NamedTuple):
     flag: Bytes  #: not 0 for elements that are postponed, (n,)
     element: Uint32s  #: lists of these elements, (n,)
     row: Uint32s  #: rows of their sums, (n,)
-    first_row: int  #: of the sums of a step that keep those of the postponed, one row per element
+    first_row: int  #: first row of the sums of a step that keeps sums of postponed elements, one row per element
     sum: Floats  #: these rows, (n, 8)
 
 
@@ -46,7 +46,7 @@ class EventLog(NamedTuple):
     event: Floats  #: time [s], step, bond, mode, gap [m], energy [J], place [m], steps since onset, (bonds, 10)
     written: Ints  #: number of events, and of those before the present step, (2,)
     released: Floats  #: energy released since the start of the run [J], (1,)
-    crushed: Floats  #: what bonds had released before it beyond their fracture energy [J], (1,)
+    crushed: Floats  #: energy released beyond the fracture energy before the run [J], (1,)
 
 
 class BeamIntegrity(NamedTuple):
@@ -73,11 +73,11 @@ class LoadedTractions(NamedTuple):
 class StressCandidates(NamedTuple):
     """Bonds of which a criterion evaluates a stress."""
 
-    bond: Ints  #: those of a portion of bonds from its first bond on, (candidates,)
+    bond: Ints  #: bonds; those of a portion begin at the number of its first bond, (candidates,)
     stress: Floats  #: symmetric [Pa], (candidates, 3, 3)
     found: Floats  #: index of each, at 1 a bond fails [-], (candidates,)
     number: Ints  #: number of candidates of each portion, (bond_portions,)
-    total: Ints  #: of all portions, where they have been moved together, (1,)
+    total: Ints  #: number of candidates of all portions, once moved together, (1,)
 
 
 class StressFunction(NamedTuple):

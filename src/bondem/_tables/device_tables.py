@@ -8,20 +8,20 @@ from bondem._types import Bytes, Floats, Int32s, Ints, Uint32s
 class DeviceSpan(NamedTuple):
     """The clock of a run on a device, and how many elements and bonds there are."""
 
-    clock: Ints  #: word by word: times and coefficients of the scheme (5), step, first, continues, record;, (9,)
+    clock: Ints  #: words of `Clock`: time, dt and coefficients of the scheme (5), step, first, goes_on, record, (9,)
     postponed: Bytes  #: not 0 for elements that do not open the next step with the others, (*,)
     halted: Ints  #: 1 where a list of contacts has to be made anew before the step goes on, (1,)
-    n: int
-    m: int
+    n: int  #: number of elements
+    m: int  #: number of bonds
 
 
 class Tick(NamedTuple):
     """Change of the clock."""
 
-    ahead: int  #: by how many steps
-    goes_on: int  #: whether elements open the next step
-    still: int  #: whether the step has no time
-    first: int  #: whether the time was not reached by a step
+    ahead: int  #: number of steps ahead
+    goes_on: int  #: 1 if elements open the next step
+    still: int  #: 1 for a step of duration 0
+    first: int  #: 1 at a time that no step has reached
 
 
 class LoadsOfBonds(NamedTuple):
@@ -35,36 +35,36 @@ class BondMarks(NamedTuple):
 
     mark: Bytes  #: 1 for bonds near to failure, 2 for those that fail, (bonds,)
     failing: Uint32s  #: bonds that fail in a step, in any order, (bonds,)
-    mode: Bytes  #: how, (bonds,)
+    mode: Bytes  #: `failure_mode` of these bonds, (bonds,)
 
 
 class BondsOfElements(NamedTuple):
     """Bonds of each element, both lists ascending."""
 
     in_start: Int32s  #: bonds in_start[p] … in_start[p + 1] have j = p, (n + 1,)
-    out_start: Int32s  #: where the list of those with i = p begins, (n + 1,)
-    out_bond: Uint32s  #: (*,)
+    out_start: Int32s  #: start of the bonds with i = p in `out_bond`, (n + 1,)
+    out_bond: Uint32s  #: bonds by their elements i, (*,)
 
 
 class EarlierPairs(NamedTuple):
     """Pairs of contact whose earlier element each element is, ascending."""
 
-    start: Int32s  #: (n + 1,)
-    pair: Uint32s  #: (pairs,)
+    start: Int32s  #: start of the pairs of each element, (n + 1,)
+    pair: Uint32s  #: numbers of these pairs, (pairs,)
 
 
 class RowOrder(NamedTuple):
-    """Loads of each row, or walls, in their order."""
+    """Loads, walls or contacts that act on each row, cell or wall, in their order."""
 
-    start: Ints  #: where those of each row begin, (*,)
-    load: Ints  #: (*,)
+    start: Ints  #: start of the loads of each row, cell or wall, (*,)
+    load: Ints  #: numbers of these loads, (*,)
 
 
 class FallenCracks(NamedTuple):
     """Cracks that break in a step."""
 
     fallen: Ints  #: facets, in any order until they are logged, (*,)
-    number: Ints  #: how many, (1,)
+    number: Ints  #: number of these facets, (1,)
 
 
 class FacetArms(NamedTuple):
@@ -78,4 +78,4 @@ class GaugeParts(NamedTuple):
 
     each: int  #: parts of each gauge
     sums: Ints  #: exact sums of their components, zero between records, (*, 68)
-    largest: Floats  #: (*, 3)
+    largest: Floats  #: largest absolute values of each part, (*, 3)

@@ -10,10 +10,10 @@ class NonLocalBonds(NamedTuple):
 
     area: Floats  #: [m²], (m,)
     kn: Floats  #: [N/m], (m,)
-    kt: Floats  #: [m², N/m], (m,)
+    kt: Floats  #: [N/m], (m,)
     normal: Floats  #: from i to j in the reference [-], (3, m)
     lever_i: Floats  #: from the element i to the contact point in the reference [m], (3, m)
-    lever_j: Floats  #: from the elements to the contact point in the reference [m], (3, m)
+    lever_j: Floats  #: from the element j to the contact point in the reference [m], (3, m)
     nu: float  #: ν [-]
     limited: int  #: whether the extra shear force is limited
     history: Floats  #: gap [m], extra force [N] and its work [J], in the frame of element i, (7, m)
@@ -40,7 +40,7 @@ class SmallSprings(NamedTuple):
     lever_i: Floats  #: from the element i to the contact point [m], (m, 3)
     lever_j: Floats  #: from the element j to the contact point [m], (m, 3)
     along: Floats  #: dashpots along the normals [N·s/m], (m,)
-    across: Floats  #: dashpots across them [N·s/m], (m,)
+    across: Floats  #: dashpots across the normals [N·s/m], (m,)
 
 
 class SmallSteps(NamedTuple):

@@ -11,7 +11,7 @@ class Spheres(NamedTuple):
     sphere: Floats  #: centres and radii [m], (n, 4)
     unit: Floats  #: radii at scale 1 [m], (n,)
     velocity: Floats  #: kept between calls, (n, 3)
-    force: Floats  #: overlap forces [m], less what walls carry, (n, 3)
+    force: Floats  #: overlap forces [m], without the parts that walls carry, (n, 3)
     period: Floats  #: periodic edge lengths [m], 0 where there is none, (3,)
     ease: Floats  #: 1 / √mass of each sphere in a relaxation [-], (n,)
 
@@ -24,10 +24,10 @@ class PackingWalls(NamedTuple):
     #: 1 for the axes along which the distance from the centre, or the centre line, of the round wall counts, else 0,
     #: (3,)
     weight: Floats
-    radius: float  #: of the round wall [m], infinite without one
+    radius: float  #: radius of the round wall [m], infinite without one
     corner: Floats  #: first node of the grid [m], (3,)
-    spacing: float  #: of its nodes [m]
-    depth: Floats  #: at its nodes [m], (a, b, c); empty without a grid, (grid_x, grid_y, grid_z)
+    spacing: float  #: distance of its nodes [m]
+    depth: Floats  #: depth at its nodes [m], empty without a grid, (grid_x, grid_y, grid_z)
 
 
 class Near(NamedTuple):
@@ -44,7 +44,7 @@ class Relaxing(NamedTuple):
 
     tolerance: float  #: converged when the rms force is below this share of the mean contact force [-]
     loose: float  #: spheres with a mean overlap below this do not press on each other [m]
-    steps: int  #: most steps
+    steps: int  #: largest number of steps
     fire: Floats  #: time step, mixing, steps downhill; zeros at the beginning, (3,)
     part: Floats  #: sums of each block of spheres, (blocks, 8)
     report: Floats  #: rms force [m], mean overlap [m], contacts, largest overlap [m], steps, (5,)
@@ -53,21 +53,21 @@ class Relaxing(NamedTuple):
 class Growing(NamedTuple):
     """Growth of flying spheres, and a report of its end."""
 
-    scale: float  #: of the radii at the beginning [-]
+    scale: float  #: scale of the radii at the beginning [-]
     rate: float  #: scale gained per unit of time
-    duration: float  #: how long to go on
-    events: int  #: most collisions
-    report: Floats  #: time gone by, sum of distance times exchanged momentum [m²], collisions, (3,)
+    duration: float  #: duration of the growth
+    events: int  #: largest number of collisions
+    report: Floats  #: elapsed time, sum of distance times exchanged momentum [m²], collisions, (3,)
 
 
 class Flight(NamedTuple):
     """Times and next events of n flying spheres; passes write all."""
 
-    since: Floats  #: when its centre was true, (n,)
-    when: Floats  #: time of its next event, (n,)
-    what: Ints  #: its next event: another sphere, or a code, (n,)
+    since: Floats  #: time for which the centre of each sphere is stored, (n,)
+    when: Floats  #: time of the next event of each sphere, (n,)
+    what: Ints  #: next event of each sphere: the number of another sphere, or a code, (n,)
     heap: Ints  #: spheres by the time of their events, the next one first, (n,)
-    place: Ints  #: of each sphere in the heap, (n,)
+    place: Ints  #: place of each sphere in the heap, (n,)
 
 
 class SphereGrid(NamedTuple):
@@ -79,7 +79,7 @@ class SphereGrid(NamedTuple):
     period: Floats  #: periodic edge lengths [m], 0 where there is none, (3,)
     cells: Ints  #: along each axis, (3,)
     skin: float  #: largest gap of neighbours [m]
-    cell: Ints  #: of each sphere, (n,)
+    cell: Ints  #: cell of each sphere, (n,)
     first: Ints  #: where the members of each cell begin, (cells + 1,)
     member: Uint32s  #: spheres, cell by cell, (n,)
     place: Floats  #: their centres and radii [m], in that order, (4, n + 8): several are read at once, (4, n + 8)

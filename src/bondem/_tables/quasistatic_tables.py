@@ -39,8 +39,8 @@ class FacetLoading(NamedTuple):
     traction: Floats  #: [Pa], (m, 3)
     bending: Floats  #: T_b of each facet, as if it were whole [Pa], (m,)
     opening: Floats  #: traction of facets that have lost integrity, as if they were whole [Pa], (m, 3)
-    opened: Floats  #: |F⁺| / A of these [Pa], (m,)
-    turned: Bytes  #: 1 for halves of these that close or open, (m, 2)
+    opened: Floats  #: |F⁺| / A of these facets [Pa], (m,)
+    turned: Bytes  #: 1 for halves of these facets that close or open, (m, 2)
     moment: Floats  #: V σ of the cells, to which facets add, xx, yy, zz, xy, xz, yz [J], (n, 6)
 
 
@@ -58,14 +58,14 @@ class ScaledMatrix(NamedTuple):
 
 
 class ClumpCorrection(NamedTuple):
-    """Correction by clumps that move rigidly, with c unknowns and a factor L of half-width w - 1."""
+    """Coarse correction by clumps, groups of cells that move rigidly: c unknowns, and a factor L of half-width w - 1."""
 
     place: Ints  #: first coarse unknown of the clump of each cell, (n,)
     order: Ints  #: place of each coarse unknown in L, (c,)
     basis: Floats  #: motion of each cell per motion of its clump, (n, 6, 6)
     factor: Floats  #: columns of L from the diagonal down, (c, w)
     rigid: Floats  #: rigid motions that are free, orthonormal, (r, x)
-    coarse: Floats  #: (c,)
+    coarse: Floats  #: values of the coarse unknowns, (c,)
 
 
 class ConjugateGradients(NamedTuple):

@@ -6,7 +6,7 @@ from bondem._types import Bytes, Floats, Ints
 
 
 class DynamicRelaxation(NamedTuple):
-    """Elements that relax, n of them."""
+    """Motion, loads and constraints of n elements that relax."""
 
     pose: Floats  #: (n, 8)
     velocity: Floats  #: of centres and rotations, (n, 6)
@@ -17,7 +17,7 @@ class DynamicRelaxation(NamedTuple):
     motion: Floats  #: prescribed displacements and rotations at the end of the ramp [m, rad], (n, 6)
     memory: Floats  #: running means Σ v·ΔF and Σ m v² of the steps so far, (2,)
     ramp: int  #: steps in which loads and prescribed motions grow
-    length: float  #: by which torques become forces [m]
+    length: float  #: length that turns torques into forces [m]
     tolerance: float  #: unbalanced force over applied and supporting force at which to stop [-]
     noise: float  #: force that rounding leaves [N]
 
@@ -26,6 +26,6 @@ class RelaxationSpan(NamedTuple):
     """Steps of one call of the core."""
 
     first: int  #: number of the first step
-    steps: int  #: how many at most
-    done: Ints  #: how many were done, (1,)
+    steps: int  #: largest number of steps
+    done: Ints  #: number of steps that were taken, (1,)
     ratio: Floats  #: unbalanced force over applied and supporting force [-], (1,)

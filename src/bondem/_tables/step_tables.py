@@ -11,26 +11,26 @@ class Moving(NamedTuple):
     pose: Floats  #: (n, 8)
     motion: Floats  #: (n, 8)
     acceleration: Floats  #: at a pause [m/s², rad/s²], (n, 6)
-    loss: Floats  #: taken by damping [J], its present power [W], lost to friction [J], (n, 3)
+    loss: Floats  #: loss to damping [J], its present power [W], loss to friction [J], (n, 3)
     rest: Floats  #: centres in the reference [m], (n, 3)
 
 
 class Beams(NamedTuple):
-    """Beams, m of them; fewer than a group are followed by beams without force."""
+    """Beams, m of them; beams without force follow if they are fewer than a group of lanes."""
 
-    i: Uint32s  #: (m,)
-    j: Uint32s  #: (m,)
-    X0: Floats  #: reference direction i→j [-], (m,)
-    Y0: Floats  #: reference direction i→j [-], (m,)
-    Z0: Floats  #: reference direction i→j [-], (m,)
-    length: Floats  #: at rest, L (1 + ε*) [m], (m,)
+    i: Uint32s  #: first element of each beam, (m,)
+    j: Uint32s  #: second element of each beam, (m,)
+    X0: Floats  #: x of the reference direction i→j [-], (m,)
+    Y0: Floats  #: y of the reference direction i→j [-], (m,)
+    Z0: Floats  #: z of the reference direction i→j [-], (m,)
+    length: Floats  #: rest length L (1 + ε*) [m], (m,)
     kn: Floats  #: [N/m], (m,)
     A: Floats  #: constants of the energy [N·m], (m,)
     B: Floats  #: constants of the energy [N·m], (m,)
     C: Floats  #: constants of the energy [N·m], (m,)
     kt: Floats  #: [N·m], (m,)
     ks: Floats  #: [N/m], (m,)
-    lever: Floats  #: of the contact point from i [m], (m,)
+    lever: Floats  #: distance of the contact point from i [m], (m,)
     integrity: Floats  #: 1 intact … 0 broken [-], (m,)
     period: Floats  #: edges of the periodic cell and their inverses, zero where there is none, (6,)
 
@@ -54,8 +54,8 @@ class Poses(NamedTuple):
 class BeamSums(NamedTuple):
     """Sums to which beams add the forces on their two ends."""
 
-    row_i: Uint32s  #: (m,)
-    row_j: Uint32s  #: (m,)
+    row_i: Uint32s  #: row of the sums of element i of each beam, (m,)
+    row_j: Uint32s  #: row of the sums of element j of each beam, (m,)
     sums: Floats  #: force, 0, torque, 0 [N, N·m], (sums, 8)
 
 
@@ -76,7 +76,7 @@ class Dashpots(NamedTuple):
 
     c: Floats  #: cn, cs [N·s/m], cb, ct [N·m·s], (4, m)
     share: Floats  #: where the contact point divides a beam, from i [-], (m,)
-    sums: Floats  #: on each element, in rows as `StepBlocks.sums`, (*, 8)
+    sums: Floats  #: forces on each element, in rows as `StepBlocks.sums`, (*, 8)
 
 
 class StepBlocks(NamedTuple):
@@ -110,16 +110,16 @@ class StepScheme(NamedTuple):
 
 
 class Rows(NamedTuple):
-    """Rows of the elements that are fixed, driven or loaded, r of them; passes write all but `of` and `fixed`."""
+    """Rows of the elements that are fixed, driven or loaded; passes write all but `of` and `fixed`."""
 
     of: Ints  #: row of each element, or -1, (n,)
     fixed: Bytes  #: degrees of freedom with prescribed motion, (rows, 6)
-    force: Floats  #: of loads now [N, N·m], (rows, 6)
+    force: Floats  #: loads now [N, N·m], (rows, 6)
     half: Floats  #: prescribed velocities over the step [m/s, rad/s], (rows, 6)
     full: Floats  #: prescribed velocities now, (rows, 6)
     reaction: Floats  #: minus the bond forces [N, N·m], (rows, 6)
-    support: Floats  #: of walls that hold facets of cells [N, N·m], (r, 6), or (0, 6) without any, (*, 6)
-    #: of loads, drives, walls that hold cells and tractions on each row [J], then of body forces and strains,
+    support: Floats  #: loads of walls that hold facets of cells [N, N·m], empty without any, (*, 6)
+    #: works of loads, drives, walls that hold cells and tractions on each row, then of body forces and strains [J],
     #: (works,)
     work: Floats
 
@@ -128,8 +128,8 @@ class Timeline(NamedTuple):
     """Piecewise linear functions of time, one after the other."""
 
     times: Floats  #: [s], (times,)
-    values: Floats  #: [s], and what they are of, (times,)
-    start: Ints  #: where each begins, (schedules + 1,)
+    values: Floats  #: values at these times, (times,)
+    start: Ints  #: start of each schedule, (schedules + 1,)
 
 
 class Drives(NamedTuple):
@@ -151,27 +151,27 @@ class RowLoads(NamedTuple):
 
 
 class CoupleTable(NamedTuple):
-    """Moments of loads on points of elements, c of them."""
+    """Moments of loads on points of elements."""
 
-    start: Ints  #: where the points of each begin, (couples + 1,)
+    start: Ints  #: start of the points of each moment, (couples + 1,)
     schedule: Ints  #: (couples,)
     moment: Floats  #: [N·m], (couples, 3)
-    element: Ints  #: of each point, (points,)
-    row: Ints  #: of the boundary, that the element owns, (points,)
-    arm: Floats  #: from its centre [m], (points, 3)
-    share: Floats  #: of the moment's forces [-], (points,)
+    element: Ints  #: element of each point, (points,)
+    row: Ints  #: row of the boundary that the element owns, (points,)
+    arm: Floats  #: arm of each point from the centre of its element [m], (points, 3)
+    share: Floats  #: share of each point in its moment [-], (points,)
 
 
 class BodyForces(NamedTuple):
-    """Body forces, b of them, on g groups of elements."""
+    """Body forces on groups of elements."""
 
-    group: Uint32s  #: of each element, (n,)
-    member: Floats  #: whether each acts on a group, (groups, bodies)
-    pull: Floats  #: accelerations [m/s²], (bodies, 3)
+    group: Uint32s  #: group of each element, (n,)
+    member: Floats  #: 1 where a body force acts on a group, else 0, (groups, bodies)
+    pull: Floats  #: accelerations at factor 1 [m/s²], (bodies, 3)
     schedule: Ints  #: (bodies,)
     present: Floats  #: acceleration of each group now [m/s²], (groups, 3)
-    factor: Floats  #: of which factors it is, (bodies,)
-    work: Floats  #: on each element [J], (n, 1)
+    factor: Floats  #: factors for which `present` is computed, (bodies,)
+    work: Floats  #: work on each element [J], (n, 1)
 
 
 class Resistance(NamedTuple):
@@ -180,24 +180,24 @@ class Resistance(NamedTuple):
     gamma: float  #: of local damping [-]
     alpha: float  #: of mass damping [1/s]
     viscous: int  #: whether there is mass damping or any dashpot
-    dashed: Floats  #: the sums of `Dashpots`, or, (*, 8)
-    absorbing: Floats  #: dashpots of each row, xx, yy, zz, xy, xz, yz [N·s/m], or, (*, 6)
+    dashed: Floats  #: the sums of `Dashpots`, empty without, (*, 8)
+    absorbing: Floats  #: dashpots of each row, xx, yy, zz, xy, xz, yz [N·s/m], empty without, (*, 6)
 
 
 class Strain(NamedTuple):
-    """Stress-free strains that change in time; e bonds, g strains."""
+    """Stress-free strains of beams that change in time."""
 
     schedule: Ints  #: (strains,)
     bond: Uint32s  #: (strained,)
     part: Floats  #: strain of each bond at factor 1 [-], (strains, strained)
-    still: Floats  #: 1 and what does not change [-], (strained,)
-    length: Floats  #: L [m], (strained,)
-    shear: Floats  #: ks [N/m], (strained,)
-    lever: Floats  #: a [m], (strained,)
-    factor: Floats  #: rows: present factors, those to come, ∂U/∂factor [J] a step ago and now, (4, strains)
+    still: Floats  #: 1 and the strains that do not change [-], (strained,)
+    length: Floats  #: L without strain [m], (strained,)
+    shear: Floats  #: ks without strain [N/m], (strained,)
+    lever: Floats  #: a without strain [m], (strained,)
+    factor: Floats  #: rows: factors a step ago and now, ∂U/∂factor [J] a step ago and now, (4, strains)
     power: Ints  #: exact sums of ∂U/∂factor [J], zero between steps, (strains, 68)
     due: Bytes  #: 1 where ∂U/∂factor is needed, and where lengths have changed, (2,)
-    place: int  #: in the list of works
+    place: int  #: place of the work in the list of works
 
 
 class Ledger(NamedTuple):
@@ -205,12 +205,12 @@ class Ledger(NamedTuple):
 
     sums: Ints  #: energies by `history_column` [J], (15, 68)
     turned: Ints  #: unbroken bonds turned wide, and lost; portions with a number that is not finite, (3,)
-    budget: Floats  #: energy at the start, and the most that was put in since [J], (2,)
+    budget: Floats  #: energy at the start, and the largest energy supplied since [J], (2,)
     found: Ints  #: bonds turned wide, and lost; 1 not finite, 2 a runaway; 1 for a list out of date, (4,)
 
 
 class Gauges(NamedTuple):
-    """Elements, quantities and reductions of the gauges of a run, g of them."""
+    """Elements, quantities and reductions of the gauges of a run."""
 
     start: Ints  #: start of the elements of each gauge, (gauges + 1,)
     element: Ints  #: elements, or the number of a wall, (gauged,)
@@ -230,24 +230,24 @@ class StepPasses(NamedTuple):
     present: Ints  #: bring boundary conditions to the time of the clock, (*, 8)
     opening: Ints  #: elements open a step after a pause, (*, 8)
     travel: Ints  #: walls move, and lists of contacts may be out of date, (*, 8)
-    forces: Ints  #: forces, and what elements do with them, (*, 8)
+    forces: Ints  #: forces, and the motion of elements by them, (*, 8)
     resume: Ints  #: postponed elements find their acceleration without failed bonds, (*, 8)
-    reopening: Ints  #: and open the next step, (*, 8)
-    guard: Ints  #: whether the run is sound, (*, 8)
+    reopening: Ints  #: postponed elements open the next step, (*, 8)
+    guard: Ints  #: check of the run, (*, 8)
     record: Ints  #: a row of the history, (*, 8)
 
 
 class StepSpan(NamedTuple):
-    """Steps that a call takes, and counts of what it did."""
+    """Steps of a call of the core, and counts of its results."""
 
-    step: int  #: number of the present one
-    steps: int  #: how many to go
+    step: int  #: number of the present step
+    steps: int  #: number of steps to take
     every: int  #: steps between records, 0 for none
-    records_present: int  #: whether it takes none, and records the present
-    stale: int  #: whether the acceleration is to be found for that
-    moved: int  #: whether elements and walls have moved already in the first step, whose list was out of date
-    n: int  #: elements
-    m: int  #: bonds, without those that fill a group
+    records_present: int  #: 1 to record the present state without a step
+    stale: int  #: 1 if forces have to be found before that
+    moved: int  #: 1 if elements and walls have moved already in the first step, whose list was out of date
+    n: int  #: number of elements
+    m: int  #: number of bonds, without those that fill a group
     done: Ints  #: steps done, records written, bonds turned wide at most and lost, (4,)
 
 

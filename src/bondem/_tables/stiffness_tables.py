@@ -12,7 +12,7 @@ class BeamRows(NamedTuple):
     j: Uint32s  #: elements, i < j, (m,)
     direction: Floats  #: reference direction i→j [-], (3, m)
     length: Floats  #: at rest [m], (m,)
-    lever: Floats  #: of the contact point from i [m], (m,)
+    lever: Floats  #: distance of the contact point from i [m], (m,)
     kn: Floats  #: [N/m], (m,)
     ks: Floats  #: [N/m], (m,)
     kb: Floats  #: [N·m], (m,)
@@ -25,19 +25,19 @@ class FacetRows(NamedTuple):
     i: Uint32s  #: cells, i < j, (m,)
     j: Uint32s  #: cells, i < j, (m,)
     k: Floats  #: [N/m], (m,)
-    lever_i: Floats  #: from the centres to the facet [m], (m, 3)
-    lever_j: Floats  #: from the centres to the facet [m], (m, 3)
+    lever_i: Floats  #: from the centre of cell i to the facet [m], (m, 3)
+    lever_j: Floats  #: from the centre of cell j to the facet [m], (m, 3)
     H: Floats  #: [N·m], (m, 3, 3)
-    share_i: Floats  #: of each side in the dilatation of its cell [m²], (m, 3)
-    share_j: Floats  #: of each side in the dilatation of its cell [m²], (m, 3)
+    share_i: Floats  #: share in V θ of cell i [m²], (m, 3)
+    share_j: Floats  #: share in V θ of cell j [m²], (m, 3)
 
 
 class BlockRows(NamedTuple):
     """Block rows of a matrix, one per element: earlier neighbours, the diagonal, later neighbours."""
 
     in_start: Ints  #: bonds in_start[p] … in_start[p + 1] - 1 end in p, (n + 1,)
-    out_start: Ints  #: those that begin in p are in …, (n + 1,)
-    out_bond: Uint32s  #: … this, from out_start[p] to out_start[p + 1] - 1, (m,)
+    out_start: Ints  #: bonds that begin in p are out_bond[out_start[p]] …, (n + 1,)
+    out_bond: Uint32s  #: bonds by their first elements, (m,)
     indptr: Int32s  #: where the blocks of each row begin, (n + 1,)
     indices: Int32s  #: column of each block, (blocks,)
     data: Floats  #: blocks of (u, θ) [N/m, N, N·m], (blocks, 6, 6)

@@ -35,7 +35,7 @@ class LoadedFacets(NamedTuple):
 class OnsetSearch(NamedTuple):
     """Whole facets, and the load factors at which they begin to crack."""
 
-    whole: Ints  #: (whole,)
+    whole: Ints  #: numbers of the facets, (whole,)
     below: float  #: largest factor of interest
     spread: float  #: largest factor over the least of all
     factor: Floats  #: inf of facets that are not evaluated, or never begin, (whole,)
@@ -47,7 +47,8 @@ class SofteningSearch(NamedTuple):
     facet: Ints  #: (listed,)
     traction: Floats  #: as if they were whole [Pa], (listed, 3)
     integrity: Floats  #: [-], (listed,)
-    #: at which the integrity along each of three directions falls below that; inf for never, (listed, 3)
+    #: load factor where the integrity along each of three directions falls below `integrity`, inf for never,
+    #: (listed, 3)
     factor: Floats
     #: traction along each as if the facet were whole, that where it begins to soften, and that where it has no
     #: integrity, 0 of brittle ones [Pa], (listed, 3, 3)
@@ -61,11 +62,11 @@ class SofteningTeeth(NamedTuple):
 
     onset: float  #: traction from which the facet softens [Pa]
     last: float  #: T at zero integrity [Pa], 0 for a brittle facet
-    kink: float  #: of the curve
-    steep: float  #: of the curve
+    kink: float  #: κ of the curve [-]
+    steep: float  #: m of the curve [-]
     ripple: float  #: half-width of the band, as a share
     now: float  #: T at the beginning, if it exceeds the onset [Pa]
     left: Floats  #: integrity after each event but the last, after which it is zero, (teeth,)
-    limit: Floats  #: T of the event behind it [Pa], (teeth,)
-    beyond: Floats  #: over T at which the curve itself softens the facet further [-], (teeth,)
+    limit: Floats  #: T of the event after it [Pa], (teeth,)
+    beyond: Floats  #: `limit` over the T at which the curve itself softens the facet further [-], (teeth,)
     number: Ints  #: number of steps; only as many are written as there is room, (1,)

@@ -6,15 +6,15 @@ from bondem._types import Floats, Ints
 
 
 class TriangleTree(NamedTuple):
-    """Triangles, t of them, and a tree of boxes around p pieces of them.
+    """Triangles, and a tree of boxes around p pieces of them.
 
     Box 1 holds all, box b boxes 2 b and 2 b + 1, and the last p boxes one piece each.
     """
 
     lower: Floats  #: lower corners of the boxes [m], (boxes, 3)
     upper: Floats  #: upper corners of the boxes [m], (boxes, 3)
-    owner: Ints  #: which triangle each piece is of, (pieces,)
-    corner: Floats  #: of the triangles [m], (triangles, 3, 3)
+    owner: Ints  #: triangle that each piece belongs to, (pieces,)
+    corner: Floats  #: corners of the triangles [m], (triangles, 3, 3)
     side: Floats  #: from each corner to the next [m], (triangles, 3, 3)
     normal: Floats  #: unit normals, 0 where there is none, (triangles, 3)
 
@@ -23,4 +23,4 @@ class Nearest(NamedTuple):
     """Points, and the triangle nearest to each."""
 
     points: Floats  #: [m], (points, 3)
-    triangle: Ints  #: (points,)
+    triangle: Ints  #: number of the nearest triangle, (points,)

@@ -33,7 +33,7 @@ template <class S> struct Dual {
 template <class S> struct Dual<S>::Product {
     Dual a, b;
 
-    // x y + z, without what is 0.
+    // x y + z without the terms that are constant zeros.
     static BONDEM_INLINE S joined(bool p, S x, S y, bool q, S z) { return p ? q ? x * y + z : x * y : z; }
     BONDEM_INLINE Dual plus(bool some, Dual c) const {
         const S d = joined(b.moves, a.v, b.d, c.moves, c.d);
@@ -49,7 +49,7 @@ template <class T> BONDEM_INLINE T written(T a) { return a; }
 template <class S> BONDEM_INLINE S written(Dual<S> a) { return a.d; }
 template <class S> BONDEM_INLINE Vector3<S> written(Vector3<Dual<S>> a) { return {a.x.d, a.y.d, a.z.d}; }
 
-// Constants among duals.
+// Conversion of constants to duals.
 template <class T> BONDEM_INLINE Vector3<T> constant(const Vector &a) { return {a.x, a.y, a.z}; }
 template <class T> BONDEM_INLINE Symmetric3<T> constant(const Symmetric3<double> &a) {
     return {a.xx, a.yy, a.zz, a.xy, a.xz, a.yz};

@@ -1,4 +1,4 @@
-// Functions that a library offers.
+// Export of functions from the library.
 #pragma once
 
 #if defined(_WIN32)

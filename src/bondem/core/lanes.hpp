@@ -1,13 +1,14 @@
-// Several numbers in one register: the type that passes over many bonds or elements give to the laws.
+// Several numbers in one register: the number type of the laws in passes over many bonds or elements.
 //
-// `Lanes` is a number to the templates of laws/: it knows + - * /, negation, square root and rounding, and each lane has
-// the bits that one number would have. Rows of eight numbers come from tables as eight lanes, and go back transposed.
+// The templates of laws/ use `Lanes` as a number with + - * /, negation, square root and rounding; each lane has the
+// bits of the scalar result. Rows of eight numbers become eight columns of lanes by a transposition, which writing
+// reverses.
 #pragma once
 #include "scalars.hpp"
 
 namespace bondem {
 
-// -1, 0 or 1, as a number is below, at or above zero.
+// Sign of a number: -1, 0 or 1.
 BONDEM_INLINE double sign(double a) { return a > 0.0 ? 1.0 : a < 0.0 ? -1.0 : 0.0; }
 BONDEM_INLINE bool all_below(double a, double bound) { return a < bound; }
 
@@ -36,7 +37,7 @@ using FourInMemory = Four;
 #if defined(__AVX512F__)
 constexpr int lanes = 8;
 #else
-constexpr int lanes = 4;  // which a CPU with narrower registers takes as two
+constexpr int lanes = 4;  // two registers on a CPU with narrower ones
 #endif
 typedef double Lanes __attribute__((vector_size(lanes * 8)));
 typedef double LanesInMemory __attribute__((vector_size(lanes * 8), aligned(8)));
@@ -84,7 +85,7 @@ BONDEM_INLINE bool all_below(Lanes a, double bound) {
     for (int n = 0; n < lanes; n++) below &= a[n] < bound;
     return below;
 }
-// Lanes in which a comparison holds: a bit of each, the first lane lowest.
+// Result of a comparison of lanes; `bits_of` returns one bit per lane, the lowest for the first.
 typedef decltype(Lanes{} < Lanes{}) Compared;
 #if defined(__clang__)
 BONDEM_INLINE unsigned bits_of(Compared compared) {
@@ -106,7 +107,7 @@ BONDEM_INLINE unsigned bits_of(Compared compared) {
 
 BONDEM_INLINE Lanes load(const double *from) { return *reinterpret_cast<const LanesInMemory *>(from); }
 BONDEM_INLINE void store(double *to, Lanes a) { *reinterpret_cast<LanesInMemory *>(to) = a; }
-// Numbers stored in memory in half as many bytes.
+// Types of numbers that are stored in four bytes instead of eight.
 typedef int32_t WholeInMemory __attribute__((vector_size(lanes * 4), aligned(4)));
 typedef float SingleInMemory __attribute__((vector_size(lanes * 4), aligned(4)));
 BONDEM_INLINE Lanes load(const int32_t *from) {
@@ -134,7 +135,7 @@ BONDEM_INLINE void transpose_four(Four *r) {
     r[3] = __builtin_shufflevector(high, high2, 2, 3, 6, 7);
 }
 
-// Rows of the first and of the second ends of bonds. Columns come in the order in which they need few registers.
+// Rows of the first and of the second ends of bonds, gathered in an order that needs few registers.
 template <class T> struct PairOfRows {
     Row<T> first, second;
 };
@@ -230,8 +231,8 @@ BONDEM_INLINE void accumulate(double *row, const Row<Lanes> &rows, int n) {
 
 #endif
 
-// Adds rows known … lanes - 1 to rows of a table, one by one: first that of the second end of a bond, then that of the
-// first. The tests stand one by one, because a loop over them is not unrolled.
+// Adds rows known … lanes - 1 to rows of a table, one by one: first that of the second end of a bond, then that of
+// the first. The tests are written out, because a loop over them is not unrolled.
 BONDEM_INLINE void add_rows(double *table, const Short *first, const Short *second, Row<Lanes> on_first,
                             Row<Lanes> on_second, int known) {
     transpose(on_second);

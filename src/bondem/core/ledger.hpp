@@ -6,7 +6,7 @@
 namespace bondem {
 
 inline ExactSum &sum_of(const Ledger &ledger, Index column) { return exact_sum(ledger.sums, column); }
-// Calls by(sum) with an empty sum, and adds that to a column of the balance.
+// Calls by(sum) with an empty sum, and adds the result to a column of the balance.
 template <class By> inline void add_up(const Ledger &ledger, Index column, By by) {
     ExactSum sum = {};
     by(sum);
@@ -30,7 +30,7 @@ struct ModeSums {
     }
 };
 
-// Adds the counts of a portion of bonds.
+// Adds the counts of turned bonds and of numbers that are not finite in a portion to the balance.
 inline void count_turns(const Ledger &ledger, Index wide, Index lost, Index not_finite) {
     add_to_shared(ledger.turned(turn_count::wide), wide);
     add_to_shared(ledger.turned(turn_count::lost), lost);

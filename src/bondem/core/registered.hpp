@@ -53,7 +53,7 @@ struct Registered {
     }
 };
 
-// The second forms are for passes made of a template, which are named after its argument.
+// The forms with _AS register instances of a template, whose names contain its argument.
 #if defined(__CUDACC__)
 #define BONDEM_PASS_AS(name, kind, columns, ...)
 #define BONDEM_CALL_AS(name, outcomes, ...)

@@ -1,6 +1,6 @@
 // Names of the numbers that all of the core uses, and the few functions of one number that it needs.
 #pragma once
-#if defined(__CUDACC_RTC__)  // a GPU: its compiler has no headers, and functions of no other kind are its own
+#if defined(__CUDACC_RTC__)  // a GPU: its compiler has no headers, and functions without specifier run on the device
 using int32_t = int;
 using uint8_t = unsigned char;
 using uint32_t = unsigned int;
@@ -16,7 +16,7 @@ using uint64_t = unsigned long long;
 
 namespace bondem {
 
-using Index = int64_t;  // what NumPy's int64 is
+using Index = int64_t;  // NumPy's int64
 using Short = uint32_t;  // element numbers in lists that are read often
 using Byte = uint8_t;
 
@@ -41,7 +41,7 @@ inline double absolute(double a) { return __builtin_fabs(a); }
 inline double arc_tangent(double y, double x) { return __builtin_atan2(y, x); }
 #endif
 
-// Numbers that several threads write: a number to which all write the same value, a sum, bits and a count.
+// Access to numbers that several threads write: a value that all write alike, a sum, bits and a count.
 #if defined(__CUDACC_RTC__)
 template <class T> inline void put_shared(T &place, T value) { *const_cast<volatile T *>(&place) = value; }
 template <class T> inline T get_shared(const T &place) { return *const_cast<const volatile T *>(&place); }

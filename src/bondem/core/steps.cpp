@@ -8,7 +8,7 @@ namespace bondem {
 namespace {
 
 constexpr Index tables_of_pass = 6;
-// An ending of a call, after those that the guard finds.
+// Return value of `take_steps` for lists out of date; smaller values are the endings that the guard finds.
 constexpr Index out_of_date = 3;
 // Steps between two passes of the guard.
 constexpr Index guard_interval = 100;
@@ -34,7 +34,7 @@ bool goes_by_blocks(const Entry &entry) {
     return !called_once(kind) && kind != of_elements && kind != of_bonds && kind != of_ranges;
 }
 
-// Passes over the elements of a block, or over shared ones, and how they are divided.
+// Calls of passes over the elements of a block, or over shared ones, and the division that postpones some of them.
 class ElementPasses {
   public:
     ElementPasses(const Clock &clock, const ElementList &all, Index block)
@@ -52,7 +52,7 @@ class ElementPasses {
             (entry.kind == elements_of_blocks || entry.kind == postponed_of_blocks))
             entry.call(range(late, division.postponed), entry.tables);
     }
-    // Elements that were postponed resume by the passes of two lists.
+    // Resumes postponed elements: passes of one list find their acceleration, those of another open the next step.
     void resume(const List &acceleration, const List &opening) {
         Clock still = late;
         still.dt = still.finish = still.begin = still.extra = 0.0;

@@ -1,4 +1,4 @@
-// A step as a list of passes, which Python composes and the core walks without returning.
+// A step as a list of passes, which Python composes and the core runs without returning to Python.
 //
 // A pass is a function over tables. Features that a model lacks have no pass in its list. `take_steps` calls each
 // pass with a `Range`, which is the part of the step that it is called for, and with the tables that its entry names.
@@ -17,7 +17,7 @@
 
 namespace bondem {
 
-// The time that passes are called at.
+// Time of a call of passes, and the coefficients of the scheme.
 struct Clock {
     double time, dt;  // [s]
     double finish, begin, extra;  // coefficients of the scheme [s, s, s²]
@@ -37,21 +37,19 @@ struct ElementDivision {
     ElementList going, postponed;
 };
 
-// A part of a step.
+// Part of a step for which a pass is called.
 struct Range {
     const Clock &clock;
     Index first, last;  // bonds of a block, elements of a list, or a portion of all
     Index first_owner;  // elements first_owner … last - 1 of the list own rows of the boundary
     const Short *element, *row;  // the list, and rows of their sums
     Index block;  // number of the block or portion; of shared elements the number of blocks
-    ElementDivision *division;  // of what a pass divides, else none
-    Index threads;  // that a pass called once may share tasks of its own with; 0 for all others
+    ElementDivision *division;  // division of the elements of a block, nullptr for other ranges
+    Index threads;  // number that may share the tasks of a pass that is called once; 0 for other passes
 };
 
-// Parts of a step that a pass runs over. Passes up to `single` are called once, with all parts: those of rows go through
-// a table such as loads, walls or strains; those of cracks go through cracks or their cells, and only they share portions
-// among threads; those of events go through what begins, changes or ends in the step, in its order; single ones find
-// numbers that a body has once, such as whether its energy is sound.
+// Parts of a step that a pass runs over. Passes of the kinds up to `single` are called once, for all parts; among
+// these, only passes over cracks share portions among threads.
 enum PassKind : Index {
     of_rows,  // rows of a table, in the order of the table
     of_cracks,  // cracks or their cells, of which threads may share portions
@@ -64,7 +62,7 @@ enum PassKind : Index {
     of_bonds,  // bonds, in portions
     divides_elements,  // elements of a block, which it divides
     postponed_of_blocks,  // postponed elements of a block
-    of_ranges  // elements, in a range a thread
+    of_ranges  // elements, one range per thread
 };
 inline bool called_once(PassKind kind) { return kind <= single; }
 

@@ -24,7 +24,7 @@ struct Team {
     pthread_mutex_t busy, lock;  // held while tasks are shared; guards what follows
     pthread_cond_t start, ended;
     int started;  // threads in addition to the caller
-    int process;  // that started them: a fork has none of them
+    int process;  // process that started them; a fork of it has no threads
     Index tasks;
     void (*work)(Index, void *);
     void *data;
@@ -80,7 +80,7 @@ void *serve(void *recruit) {
     return nullptr;
 }
 
-// Starts threads up to a number in addition to the caller; fewer if the system refuses more.
+// Starts threads until `wanted` exist besides the caller, fewer if the system refuses more; returns their number.
 int started(int wanted) {
     if (team.process != getpid()) {
         // A forked child has none of the parent's threads, which still count as idle: conditions on which they slept

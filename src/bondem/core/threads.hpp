@@ -1,11 +1,11 @@
-// Threads of the core's own: work is cut into tasks, and no result depends on how many threads share them.
+// Threads of the core: work is divided into tasks, and no result depends on how many threads share them.
 #pragma once
 #include "scalars.hpp"
 
 namespace bondem {
 
-// Calls work(task, data) for task = 0 … tasks - 1 on so many threads; returns when all are done. Where the threads are
-// at work for another caller, or are called from within a task, the caller does all tasks itself.
+// Calls work(task, data) for task = 0 … tasks - 1 on at most `threads` threads; returns when all are done. The caller
+// does all tasks itself if the threads work for another caller, or if it is within a task.
 void share_tasks(Index threads, Index tasks, void (*work)(Index task, void *data), void *data);
 
 template <class Task> inline void for_each_task(Index threads, Index tasks, Task task) {

@@ -8,5 +8,5 @@ from bondem._tables.tessellation_tables import BalanceField, CellBranches
 
 
 def apply_balance(cell_branches: CellBranches, balance_field: BalanceField) -> Call:
-    """Computes the equation of each cell for given multipliers: its column sums of facet corrections."""
+    """Applies the operator N of the balanced shares to the tensors of all cells."""
     return Call("apply_balance", (cell_branches, balance_field))

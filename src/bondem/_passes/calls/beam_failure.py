@@ -11,28 +11,28 @@ from bondem._tables.step_tables import Beams, Poses
 def index_beams_by_elliptic(
     poses: Poses, beams: Beams, strengths: Strengths, failure_indices: FailureIndices
 ) -> Call:
-    """Finds the index of every beam by a criterion, in any poses, as many at once as there are lanes."""
+    """Finds the index of every beam by a criterion in given poses, as many at once as there are lanes."""
     return Call("index_beams_by_elliptic", (poses, beams, strengths, failure_indices))
 
 
 def index_beams_by_linear_sum(
     poses: Poses, beams: Beams, strengths: Strengths, failure_indices: FailureIndices
 ) -> Call:
-    """Finds the index of every beam by a criterion, in any poses, as many at once as there are lanes."""
+    """Finds the index of every beam by a criterion in given poses, as many at once as there are lanes."""
     return Call("index_beams_by_linear_sum", (poses, beams, strengths, failure_indices))
 
 
 def index_beams_by_mohr_coulomb(
     poses: Poses, beams: Beams, strengths: Strengths, failure_indices: FailureIndices
 ) -> Call:
-    """Finds the index of every beam by a criterion, in any poses, as many at once as there are lanes."""
+    """Finds the index of every beam by a criterion in given poses, as many at once as there are lanes."""
     return Call("index_beams_by_mohr_coulomb", (poses, beams, strengths, failure_indices))
 
 
 def index_beams_by_peripheral_stress(
     poses: Poses, beams: Beams, strengths: Strengths, failure_indices: FailureIndices
 ) -> Call:
-    """Finds the index of every beam by a criterion, in any poses, as many at once as there are lanes."""
+    """Finds the index of every beam by a criterion in given poses, as many at once as there are lanes."""
     return Call("index_beams_by_peripheral_stress", (poses, beams, strengths, failure_indices))
 
 

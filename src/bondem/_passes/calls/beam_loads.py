@@ -14,10 +14,10 @@ def differentiate_beams(poses: Poses, beams: Beams, bond_tangents: BondTangents)
 
 
 def load_beams(poses: Poses, beams: Beams, beam_sums: BeamSums) -> Call:
-    """Adds forces and torques of all beams in any poses; rows of the sums are given."""
+    """Adds forces and torques of all beams in given poses to the rows of the sums."""
     return Call("load_beams", (poses, beams, beam_sums))
 
 
 def multiply_beams(poses: Poses, stiffness_product: StiffnessProduct, beams: Beams) -> Call:
-    """Multiplies small motions by the stiffness of beams in any poses."""
+    """Multiplies small motions by the stiffness of beams in given poses."""
     return Call("multiply_beams", (poses, stiffness_product, beams))

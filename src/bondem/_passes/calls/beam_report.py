@@ -8,10 +8,10 @@ from bondem._tables.step_tables import BeamEnergies, Beams, BeamTurns, Poses
 
 
 def count_turned_beams(poses: Poses, beams: Beams, beam_turns: BeamTurns) -> Call:
-    """Counts unbroken beams turned wide and lost among all beams in any poses."""
+    """Counts unbroken beams turned wide and lost in given poses."""
     return Call("count_turned_beams", (poses, beams, beam_turns))
 
 
 def measure_beam_energies(poses: Poses, beams: Beams, beam_energies: BeamEnergies) -> Call:
-    """Measures normal, shear, bending and twisting energy of all beams in any poses [J]."""
+    """Measures normal, shear, bending and twisting energy of all beams in given poses [J]."""
     return Call("measure_beam_energies", (poses, beams, beam_energies))

@@ -28,7 +28,7 @@ def load_body(
     cell_poses: CellPoses, elastic_facets: ElasticFacets, cell_dilatation: CellDilatation, dilatation_gradients:
     DilatationGradients, wall_constraints: WallConstraints, beam_sums: BeamSums
 ) -> Call:
-    """Sets the stresses of all cells in any poses, and adds force and torque of facets and walls to the sums."""
+    """Sets the stresses of all cells in given poses, and adds force and torque of facets and walls to the sums."""
     return Call("load_body", (
         cell_poses, elastic_facets, cell_dilatation, dilatation_gradients, wall_constraints, beam_sums
     ))
@@ -55,5 +55,5 @@ def multiply_body(
 
 
 def place_walls(wall_constraints: WallConstraints, wall_time: WallTime) -> Call:
-    """Brings walls to a time."""
+    """Moves all walls to their places at a time."""
     return Call("place_walls", (wall_constraints, wall_time))

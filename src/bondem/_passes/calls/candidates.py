@@ -15,8 +15,8 @@ def count_wall_contacts(poses: Poses, walls: Walls, wall_sources: WallSources) -
 
 
 def list_pairs(sphere_grid: SphereGrid, pair_sources: PairSources, found_pairs: FoundPairs) -> Call:
-    """Lists spheres of a sorted grid that are near and that no bond joins, and pairs of bonds that are wanted,
-    with the memory of those that touch.
+    """Lists near spheres of a sorted grid that no bond joins, and wanted pairs of bonds, with the memory of pairs
+    that touch.
     """
     return Call("list_pairs", (sphere_grid, pair_sources, found_pairs))
 

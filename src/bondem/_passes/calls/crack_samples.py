@@ -13,7 +13,7 @@ def evaluate_cracks(crack_samples: CrackSamples) -> Call:
 
 
 def evaluate_softening(softening_samples: SofteningSamples) -> Call:
-    """Evaluates the softening of beams in samples, by single numbers or by lanes."""
+    """Evaluates the softening of facets in samples, by single numbers or by lanes."""
     return Call("evaluate_softening", (softening_samples,))
 
 

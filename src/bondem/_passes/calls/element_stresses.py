@@ -8,5 +8,5 @@ from bondem._tables.step_tables import LaggedStresses, Poses
 
 
 def turn_all_stresses(poses: Poses, lagged_stresses: LaggedStresses) -> Call:
-    """Turns the stresses of all elements in any poses."""
+    """Turns the stresses of all elements in given poses."""
     return Call("turn_all_stresses", (poses, lagged_stresses))

@@ -8,10 +8,10 @@ from bondem._tables.tessellation_tables import Bulk, PolygonMeasures, Solids
 
 
 def measure_polygons(polygon_measures: PolygonMeasures) -> Call:
-    """Areas, centroids and second moments of polygons."""
+    """Computes areas, centroids and second moments of polygons."""
     return Call("measure_polygons", (polygon_measures,))
 
 
 def measure_solids(solids: Solids, bulk: Bulk) -> Call:
-    """Volumes and moments of solids."""
+    """Computes volumes and moments of solids, about the centre of the element."""
     return Call("measure_solids", (solids, bulk))

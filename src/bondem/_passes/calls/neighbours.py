@@ -8,7 +8,7 @@ from bondem._tables.packing_tables import NeighbourLists, SphereGrid
 
 
 def list_neighbours(sphere_grid: SphereGrid, neighbour_lists: NeighbourLists) -> Call:
-    """Lists the neighbours of spheres that are sorted and counted, (start[n],)."""
+    """Lists the neighbours of spheres that are sorted and counted, start[n] numbers in all."""
     return Call("list_neighbours", (sphere_grid, neighbour_lists))
 
 

@@ -14,12 +14,12 @@ def find_small_extra_forces(small_pairs: SmallPairs, extra_forces: ExtraForces) 
 
 
 def load_non_local_bonds(poses: Poses, beams: Beams, non_local_bonds: NonLocalBonds) -> Call:
-    """Finds forces and torques of all bonds in any poses from their stored values."""
+    """Finds forces and torques of all bonds in given poses from their stored values."""
     return Call("load_non_local_bonds", (poses, beams, non_local_bonds))
 
 
 def take_small_steps(small_pairs: SmallPairs, small_springs: SmallSprings, small_steps: SmallSteps) -> Call:
-    """Takes steps of small motions with extra forces that lag a step behind, until their energy is beyond 1e30 of
-    the first.
+    """Takes steps of small motions with extra forces that lag a step behind, until their energy is 1e30 times the
+    first.
     """
     return Call("take_small_steps", (small_pairs, small_springs, small_steps))

@@ -11,5 +11,5 @@ from bondem._tables.step_tables import Beams, LaggedStresses
 def index_pairs(
     beams: Beams, lagged_stresses: LaggedStresses, strengths: Strengths, failure_indices: FailureIndices
 ) -> Call:
-    """Index of the criterion of every bond, by stresses in space."""
+    """Finds the index of the criterion of every bond from the stresses in space."""
     return Call("index_pairs", (beams, lagged_stresses, strengths, failure_indices))

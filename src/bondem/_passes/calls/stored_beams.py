@@ -9,5 +9,5 @@ from bondem._tables.step_tables import Beams, Poses
 
 
 def load_stored_beams(poses: Poses, beams: Beams, stored_loads: StoredLoads, loads_of_each: LoadsOfEach) -> Call:
-    """Finds the loads of each beam on its elements in any poses."""
+    """Finds the loads of each beam on its elements in given poses."""
     return Call("load_stored_beams", (poses, beams, stored_loads, loads_of_each))

@@ -31,7 +31,7 @@ def adhere_element_at_walls(
     device_span: DeviceSpan, moving: Moving, contact_constants: ContactConstants, wall_contacts: WallContacts,
     walls: Walls, contact_sums: ContactSums
 ) -> Kernel:
-    """Finds the adhesion of a portion of elements at walls.
+    """Adds the adhesion of a portion of elements at walls to their sums, and to the loads of the walls.
 
     Over one index.
     """

@@ -9,7 +9,7 @@ from bondem._tables.step_tables import Beams, Dashpots, Ledger, Moving, UniformB
 
 
 def check_portion(device_span: DeviceSpan, moving: Moving, beams: Beams, ledger: Ledger) -> Kernel:
-    """Counts unbroken beams of a portion that are turned beyond the range of their energy, and beyond its end.
+    """Counts unbroken beams of a portion turned wide (c1 or c2 below 0.7, or w² below 0.75) and lost (0 and 0.25).
 
     Over one index.
     """

@@ -27,7 +27,7 @@ def follow_all_couples(
 
 
 def follow_body_group(device_span: DeviceSpan, timeline: Timeline, body_forces: BodyForces) -> Kernel:
-    """Brings body forces to the time of the clock.
+    """Sets the accelerations by body forces at the time of the clock.
 
     Over one index.
     """

@@ -97,7 +97,8 @@ def keep_gathered_sum(
     step_blocks: StepBlocks, bonds_of_elements: BondsOfElements, loads_of_bonds: LoadsOfBonds, postponed:
     Postponed
 ) -> Kernel:
-    """Launched for `keep_sums`: keeps the sums of postponed elements.
+    """Launched for `keep_sums`: copies the sums of postponed elements, which are kept until failed bonds are
+    removed.
 
     Over one index.
     """
@@ -105,7 +106,8 @@ def keep_gathered_sum(
 
 
 def keep_sum(step_blocks: StepBlocks, postponed: Postponed) -> Kernel:
-    """Launched for `keep_sums`: keeps the sums of postponed elements.
+    """Launched for `keep_sums`: copies the sums of postponed elements, which are kept until failed bonds are
+    removed.
 
     Over one index.
     """
@@ -161,7 +163,7 @@ def remove_failing_beam(
     device_span: DeviceSpan, moving: Moving, beams: Beams, beam_integrity: BeamIntegrity, candidates: Candidates,
     event_log: EventLog, loads_of_bonds: LoadsOfBonds
 ) -> Kernel:
-    """Removes failed beam number e; its loads are then the loads that its ends lose."""
+    """Removes failed beam number e, and writes the loads that its ends lose."""
     return Kernel("remove_failing_beam", (
         device_span, moving, beams, beam_integrity, candidates, event_log, loads_of_bonds
     ))
@@ -216,7 +218,9 @@ def take_dashpots_off_element(
     bonds_of_elements: BondsOfElements, bond_marks: BondMarks, loads_of_bonds: LoadsOfBonds, dashpots: Dashpots,
     candidates: Candidates, postponed: Postponed
 ) -> Kernel:
-    """The sums of all forces and the sums of dashpots alone both contain these loads."""
+    """Subtracts dashpots of failed beams from the sums of element p: that of all forces, and that of dashpots
+    alone.
+    """
     return Kernel("take_dashpots_off_element", (
         bonds_of_elements, bond_marks, loads_of_bonds, dashpots, candidates, postponed
     ))

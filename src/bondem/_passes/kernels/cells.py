@@ -43,7 +43,7 @@ def add_layer_torque(dilatation_gradients: DilatationGradients, step_blocks: Ste
 def add_stress_difference(
     moving: Moving, cell_dilatation: CellDilatation, dilatation_gradients: DilatationGradients
 ) -> Kernel:
-    """Adds the forces of the springs between cells to their stresses.
+    """Adds the stresses of the springs between neighbouring cells to the stresses of the cells.
 
     Over one index.
     """
@@ -74,7 +74,7 @@ def apply_walls_of_row(moving: Moving, wall_constraints: WallConstraints, row_or
 def begin_walls_of_row(
     device_span: DeviceSpan, moving: Moving, wall_constraints: WallConstraints, row_order: RowOrder, rows: Rows
 ) -> Kernel:
-    """Sets the forces of walls on row r anew where the time of the clock was not reached by a step."""
+    """Computes the forces of walls on row r at a time that no step has reached."""
     return Kernel("begin_walls_of_row", (device_span, moving, wall_constraints, row_order, rows))
 
 
@@ -91,7 +91,8 @@ def bend_layer(
 def check_portion_of_facets(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, ledger: Ledger
 ) -> Kernel:
-    """Counts unbroken facets of a portion that are turned beyond the range of their energy, and beyond its end.
+    """Counts unbroken facets of a portion turned wide (c1 or c2 below 0.7, or w² below 0.75) and lost (0 and
+    0.25).
 
     Over one index.
     """
@@ -146,7 +147,8 @@ def find_inertia_force_of(
 
 
 def follow_traction(device_span: DeviceSpan, timeline: Timeline, facet_tractions: FacetTractions) -> Kernel:
-    """Launched for `follow_tractions`: brings tractions to the time of the clock.
+    """Launched for `follow_tractions`: sets the factors of tractions at the time of the clock, and their
+    contributions to V θ of cells.
 
     Over one index.
     """
@@ -166,7 +168,8 @@ def gather_dilatation(
 def give_dilatation(
     device_span: DeviceSpan, facet_tractions: FacetTractions, cell_dilatation: CellDilatation
 ) -> Kernel:
-    """Launched for `follow_tractions`: brings tractions to the time of the clock.
+    """Launched for `follow_tractions`: sets the factors of tractions at the time of the clock, and their
+    contributions to V θ of cells.
 
     Over one index.
     """

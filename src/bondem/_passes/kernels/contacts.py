@@ -45,7 +45,7 @@ def add_pairs_of_element(
 
 
 def check_travel_of_element(device_span: DeviceSpan, moving: Moving, travel: Travel) -> Kernel:
-    """Finds the distances of the elements of a portion from their places at the last measurement.
+    """Finds the largest motion of the elements of a portion since distances were measured.
 
     Over one index.
     """
@@ -53,7 +53,7 @@ def check_travel_of_element(device_span: DeviceSpan, moving: Moving, travel: Tra
 
 
 def check_travel_of_wall(device_span: DeviceSpan, travel: Travel, walls: Walls) -> Kernel:
-    """Finds whether the list may miss a contact by now, also where a centre is not a number.
+    """Marks the list of contacts as out of date if it may miss a contact, or if a centre is not finite.
 
     Over one index.
     """
@@ -61,7 +61,7 @@ def check_travel_of_wall(device_span: DeviceSpan, travel: Travel, walls: Walls) 
 
 
 def count_work_of_walls(device_span: DeviceSpan, walls: Walls, ledger: Ledger) -> Kernel:
-    """Adds the sizes of the works of walls to the energy balance, for its guard.
+    """Adds the absolute works of walls to the energy balance, for its guard.
 
     Over one index.
     """
@@ -82,7 +82,7 @@ def measure_overlaps(
     device_span: DeviceSpan, moving: Moving, contact_constants: ContactConstants, contact_pairs: ContactPairs,
     wall_contacts: WallContacts, walls: Walls, travel: Travel
 ) -> Kernel:
-    """The deepest overlap of the pairs and the contacts with walls of a portion of elements, over the smaller
+    """Finds the deepest overlap of pairs and contacts with walls in a portion of elements, over the smaller
     radius.
     """
     return Kernel("measure_overlaps", (

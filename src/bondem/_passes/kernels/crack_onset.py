@@ -14,8 +14,7 @@ def add_still_surface_stress(
     device_span: DeviceSpan, moving: Moving, wall_constraints: WallConstraints, row_order: RowOrder,
     facet_tractions: FacetTractions, stresses_of_cells: StressesOfCells
 ) -> Kernel:
-    """Adds forces of walls and of loads on free facets to stresses of surface cells that were found without a
-    step.
+    """Adds forces of walls and of loads on free facets to the stresses of surface cells, where no step is taken.
 
     Over one index.
     """
@@ -63,7 +62,7 @@ def find_cell_stress(
 def find_still_stress(
     device_span: DeviceSpan, moving: Moving, facet_forces: FacetForces, stresses_of_cells: StressesOfCells
 ) -> Kernel:
-    """Finds the mean stresses of cells from present forces that were found without a step.
+    """Finds the mean stresses of cells from present forces, where no step is taken.
 
     Over one index.
     """

@@ -44,7 +44,7 @@ def carry_cell(
     stresses_of_cells: StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> Kernel:
     """Launched for `carry_cracks`: sums b⊗f of the cracks of each cell from their forces of the last step, and
-    finds which of them leads.
+    finds its leading crack.
 
     Over one index.
     """
@@ -57,7 +57,8 @@ def follow_lever(cell_strains: CellStrains, elastic_facets: ElasticFacets, cohes
 
 
 def leave_crack(elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists) -> Kernel:
-    """Launched for `leave_cracks`: puts cracks to rest, or parts their faces, as `soften_cracks` has found.
+    """Launched for `leave_cracks`: ends the treatment of cracks one by one where `soften_cracks` has found them to
+    rest or to part.
 
     Over one index.
     """
@@ -116,8 +117,8 @@ def part_crack(
     moving: Moving, elastic_facets: ElasticFacets, cell_slack: CellSlack, cohesive_cracks: CohesiveCracks,
     crack_lists: CrackLists
 ) -> Kernel:
-    """Energy of a crack that parts, in the state without the cracks that the CPU treats earlier: whole ones first,
-    then broken ones by their numbers.
+    """Adds the energy lost by a crack that parts, in the state without the cracks that the CPU treats earlier:
+    whole ones first, then broken ones by their numbers.
     """
     return Kernel("part_crack", (moving, elastic_facets, cell_slack, cohesive_cracks, crack_lists))
 
@@ -133,7 +134,7 @@ def relax_cell(moving: Moving, cell_dilatation: CellDilatation, crack_lists: Cra
 def relax_outdated_cell(
     moving: Moving, cell_dilatation: CellDilatation, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> Kernel:
-    """Finds the stresses of cells with cracks that are out of date, and which crack leads those of each.
+    """Finds stresses that are out of date of cells with cracks, and the leading crack of each of these cells.
 
     Over one index.
     """
@@ -190,7 +191,8 @@ def take_leaving(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, cell_dilatation: CellDilatation,
     cell_slack: CellSlack, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> Kernel:
-    """Launched for `leave_cracks`: puts cracks to rest, or parts their faces, as `soften_cracks` has found.
+    """Launched for `leave_cracks`: ends the treatment of cracks one by one where `soften_cracks` has found them to
+    rest or to part.
 
     Over one index.
     """
@@ -203,7 +205,8 @@ def take_woken(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, cell_dilatation: CellDilatation,
     cell_slack: CellSlack, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> Kernel:
-    """Launched for `wake_cracks`: treats resting cracks one by one again that are about to soften or close.
+    """Launched for `wake_cracks`: treats resting cracks one by one again if they are about to soften or close;
+    parts those whose faces turned away.
 
     Over one index.
     """
@@ -215,7 +218,8 @@ def take_woken(
 def wake_crack(
     moving: Moving, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> Kernel:
-    """Launched for `wake_cracks`: treats resting cracks one by one again that are about to soften or close.
+    """Launched for `wake_cracks`: treats resting cracks one by one again if they are about to soften or close;
+    parts those whose faces turned away.
 
     Over one index.
     """

@@ -22,7 +22,9 @@ def end_facets_of_cell(
     moving: Moving, elastic_facets: ElasticFacets, wall_constraints: WallConstraints, facet_release: FacetRelease,
     bond_marks: BondMarks, candidates: Candidates
 ) -> Kernel:
-    """Sets weight and stress of a cell without its failed facets, and ends the failures of the step."""
+    """Sets weight and stress of cell p without its failed facets, and the integrity of those of which it is i to
+    zero.
+    """
     return Kernel("end_facets_of_cell", (
         moving, elastic_facets, wall_constraints, facet_release, bond_marks, candidates
     ))
@@ -93,7 +95,7 @@ def write_facet_failure(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, wall_constraints: WallConstraints,
     facet_release: FacetRelease, bond_marks: BondMarks, candidates: Candidates, event_log: EventLog
 ) -> Kernel:
-    """Finds the energy of failed facet number e, which keeps its integrity until all energies are known."""
+    """Writes the event of failed facet number e; the facet keeps its integrity until all energies are known."""
     return Kernel("write_facet_failure", (
         device_span, moving, elastic_facets, wall_constraints, facet_release, bond_marks, candidates, event_log
     ))

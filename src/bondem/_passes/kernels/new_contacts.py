@@ -73,5 +73,5 @@ def touch_parted_face(
     moving: Moving, contact_pairs: ContactPairs, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists,
     parted_reach: PartedReach
 ) -> Kernel:
-    """Makes pairs of the cells whose faces have parted in this step."""
+    """Begins to evaluate the pair of cells of facet k if its crack has parted in this step."""
     return Kernel("touch_parted_face", (moving, contact_pairs, cohesive_cracks, crack_lists, parted_reach))

@@ -29,9 +29,7 @@ def add_pair_moments_of_element(
     moving: Moving, contact_constants: ContactConstants, contact_pairs: ContactPairs, earlier_pairs: EarlierPairs,
     near_pairs: NearPairs, lagged_stresses: LaggedStresses
 ) -> Kernel:
-    """Adds the contributions of pairs to the stress of element p: those whose later element it is, then those
-    whose earlier one.
-    """
+    """Adds the pairs of element p to its stress: as the later element of a pair, then as the earlier one."""
     return Kernel("add_pair_moments_of_element", (
         moving, contact_constants, contact_pairs, earlier_pairs, near_pairs, lagged_stresses
     ))

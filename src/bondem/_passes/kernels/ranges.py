@@ -9,10 +9,10 @@ from bondem._tables.step_tables import StepScheme
 
 
 def count_record(device_span: DeviceSpan) -> Kernel:
-    """The next record goes to the next row of the history."""
+    """Advances the row of the history to which the next record is written."""
     return Kernel("count_record", (device_span,))
 
 
 def set_clock(device_span: DeviceSpan, step_scheme: StepScheme, tick: Tick) -> Kernel:
-    """Sets the clock to a number of steps from the present one."""
+    """Advances the clock by a number of steps."""
     return Kernel("set_clock", (device_span, step_scheme, tick))

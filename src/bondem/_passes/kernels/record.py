@@ -9,7 +9,7 @@ from bondem._tables.step_tables import Gauges, HistoryRows, Ledger, Moving, Rows
 
 
 def judge_all_energy(device_span: DeviceSpan, rows: Rows, ledger: Ledger) -> Kernel:
-    """Finds whether a number is not finite, or the motion has more energy than can have come in.
+    """Finds whether a number is not finite, or the motion has more energy than can have been supplied.
 
     Over one index.
     """
@@ -32,7 +32,7 @@ def sum_portion_of_elements(device_span: DeviceSpan, moving: Moving, ledger: Led
 def write_gauge(
     device_span: DeviceSpan, gauges: Gauges, gauge_parts: GaugeParts, history_rows: HistoryRows
 ) -> Kernel:
-    """Component k % 3 of gauge k / 3, in the present row of records."""
+    """Writes component k % 3 of gauge k / 3 to the present row of the history."""
     return Kernel("write_gauge", (device_span, gauges, gauge_parts, history_rows))
 
 

@@ -103,7 +103,7 @@ def soften_listed(
     device_span: DeviceSpan, moving: Moving, beams: Beams, softening_bounds: SofteningBounds, softening_beams:
     SofteningBeams
 ) -> Kernel:
-    """The row at place e of the lists."""
+    """Softens the beam of the row at place e of the lists."""
     return Kernel("soften_listed", (device_span, moving, beams, softening_bounds, softening_beams))
 
 

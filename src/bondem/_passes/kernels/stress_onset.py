@@ -22,7 +22,7 @@ def clear_candidates(candidate_facets: CandidateFacets) -> Kernel:
 
 
 def find_strength_along(candidate_facets: CandidateFacets) -> Kernel:
-    """Keeps the strengths of facets that begin to crack.
+    """Stores the strengths of facets that begin to crack.
 
     Over one index.
     """
@@ -88,8 +88,7 @@ def mark_failing_facet(
     moving: Moving, elastic_facets: ElasticFacets, facet_forces: FacetForces, stresses_of_cells: StressesOfCells,
     crack_onset: CrackOnset, candidate_facets: CandidateFacets
 ) -> Kernel:
-    """Marks candidates that fail, and leaves these with the mean stress of their cells, of which the index gives
-    their strength.
+    """Marks candidates that fail, and replaces their stresses by those whose index gives their strength.
 
     Over one index.
     """

@@ -34,8 +34,7 @@ def begin_crack_power(
     device_span: DeviceSpan, moving: Moving, cell_strains: CellStrains, elastic_facets: ElasticFacets,
     cohesive_cracks: CohesiveCracks
 ) -> Kernel:
-    """Adds ∂U/∂factor of the stress-free strains by the forces that cracks have, where the time of the clock was
-    not reached by a step.
+    """Adds ∂U/∂factor of the stress-free strains by the forces of cracks, at a time that no step has reached.
 
     Over one index.
     """
@@ -45,7 +44,7 @@ def begin_crack_power(
 def keep_base_levers(
     cell_strains: CellStrains, elastic_facets: ElasticFacets, yielding_cells: YieldingCells
 ) -> Kernel:
-    """Keeps the levers without plastic strain where strains have set them anew."""
+    """Keeps the levers without plastic strain where strains have changed them."""
     return Kernel("keep_base_levers", (cell_strains, elastic_facets, yielding_cells))
 
 
@@ -54,7 +53,7 @@ def stretch_cell_anew(
     YieldingCells
 ) -> Kernel:
     """Launched for `stretch_anew`: stretches levers with the plastic deformation of their cells, where stress-free
-    strains have set them anew.
+    strains have changed them.
 
     Over one index.
     """
@@ -88,7 +87,7 @@ def stretch_wall_anew(
     cell_strains: CellStrains, wall_constraints: WallConstraints, yielding_cells: YieldingCells
 ) -> Kernel:
     """Launched for `stretch_anew`: stretches levers with the plastic deformation of their cells, where stress-free
-    strains have set them anew.
+    strains have changed them.
 
     Over one index.
     """

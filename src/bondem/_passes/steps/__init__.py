@@ -58,5 +58,5 @@ KINDS = (
     "bonds, in portions",
     "elements of a block, which it divides",
     "postponed elements of a block",
-    "elements, in a range a thread",
+    "elements, one range per thread",
 )

@@ -21,7 +21,7 @@ def add_adhesion_loads(
 ) -> StepEntry:
     """Adds adhesion to the elements of a range.
 
-    Over elements, in a range a thread. Adds `sums` to elements.
+    Over elements, one range per thread. Adds `sums` to elements.
     """
     return StepEntry("add_adhesion_loads", (contact_pairs, near_pairs, adhering_pairs, contact_sums))
 
@@ -30,7 +30,7 @@ def adhere_at_walls(
     moving: Moving, contact_constants: ContactConstants, wall_contacts: WallContacts, walls: Walls, contact_sums:
     ContactSums
 ) -> StepEntry:
-    """Finds the adhesion of a portion of elements at walls.
+    """Adds the adhesion of a portion of elements at walls to their sums, and to the loads of the walls.
 
     Over elements, in portions. Reads `pose` of an element; changes `sums` of an element.
     """

@@ -8,7 +8,7 @@ from bondem._tables.step_tables import Beams, Ledger, Moving
 
 
 def check_beams(moving: Moving, beams: Beams, ledger: Ledger) -> StepEntry:
-    """Counts unbroken beams of a portion that are turned beyond the range of their energy, and beyond its end.
+    """Counts unbroken beams of a portion turned wide (c1 or c2 below 0.7, or w² below 0.75) and lost (0 and 0.25).
 
     Over bonds, in portions. Reads `pose` at both ends.
     """

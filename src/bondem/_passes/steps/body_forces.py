@@ -26,7 +26,7 @@ def add_body_work(moving: Moving, body_forces: BodyForces) -> StepEntry:
 
 
 def follow_body_forces(timeline: Timeline, body_forces: BodyForces) -> StepEntry:
-    """Brings body forces to the time of the clock.
+    """Sets the accelerations by body forces at the time of the clock.
 
     Over rows of a table, in the order of the table.
     """

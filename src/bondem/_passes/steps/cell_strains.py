@@ -11,7 +11,7 @@ from bondem._tables.step_tables import Moving, Rows, Timeline
 def add_strain_work(
     moving: Moving, cell_strains: CellStrains, wall_constraints: WallConstraints, rows: Rows
 ) -> StepEntry:
-    """Adds the work of strains that have changed, when the forces after that are known.
+    """Adds the work of strains that have changed, once the forces after the change are known.
 
     Over rows of a table, in the order of the table.
     """
@@ -21,7 +21,7 @@ def add_strain_work(
 def begin_strain_work(
     moving: Moving, cell_strains: CellStrains, elastic_facets: ElasticFacets, wall_constraints: WallConstraints
 ) -> StepEntry:
-    """Finds ∂U/∂factor by the stresses in the poses, where the time of the clock was not reached by a step.
+    """Finds ∂U/∂factor from the stresses in the poses, at a time that no step has reached.
 
     Over rows of a table, in the order of the table.
     """

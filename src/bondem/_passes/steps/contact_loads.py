@@ -23,7 +23,7 @@ def add_pair_loads(
 ) -> StepEntry:
     """Adds forces of pairs to the elements of a range, in the order of the pairs.
 
-    Over elements, in a range a thread. Adds `sums` to elements.
+    Over elements, one range per thread. Adds `sums` to elements.
     """
     return StepEntry("add_pair_loads", (contact_constants, contact_pairs, near_pairs, contact_sums))
 

@@ -11,7 +11,7 @@ from bondem._tables.crack_tables import CellSlack, CohesiveCracks, CrackLists, F
 def carry_cracks(
     stresses_of_cells: StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> StepEntry:
-    """Sums b⊗f of the cracks of each cell from their forces of the last step, and finds which of them leads.
+    """Sums b⊗f of the cracks of each cell from their forces of the last step, and finds its leading crack.
 
     Over cracks or their cells, of which threads may share portions. Adds `carried`, `leader` to elements.
     """

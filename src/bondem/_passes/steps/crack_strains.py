@@ -12,8 +12,7 @@ from bondem._tables.step_tables import Moving
 def begin_crack_powers(
     moving: Moving, cell_strains: CellStrains, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks
 ) -> StepEntry:
-    """Adds ∂U/∂factor of the stress-free strains by the forces that cracks have, where the time of the clock was
-    not reached by a step.
+    """Adds ∂U/∂factor of the stress-free strains by the forces of cracks, at a time that no step has reached.
 
     Over cracks or their cells, of which threads may share portions. Reads `pose` at both ends.
     """

@@ -19,7 +19,7 @@ def add_layer_torques(dilatation_gradients: DilatationGradients, step_blocks: St
 def add_stress_differences(
     moving: Moving, cell_dilatation: CellDilatation, dilatation_gradients: DilatationGradients
 ) -> StepEntry:
-    """Adds the forces of the springs between cells to their stresses.
+    """Adds the stresses of the springs between neighbouring cells to the stresses of the cells.
 
     Over elements, in portions. Reads `CellDilatation.weight`, `difference` of an element; changes `pose.stress`
     of an element.

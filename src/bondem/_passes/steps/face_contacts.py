@@ -11,7 +11,7 @@ from bondem._tables.step_tables import Ledger, Moving
 def add_face_loads(contact_pairs: ContactPairs, face_pairs: FacePairs, contact_sums: ContactSums) -> StepEntry:
     """Adds forces of faces to the elements of a range.
 
-    Over elements, in a range a thread. Adds `sums` to elements.
+    Over elements, one range per thread. Adds `sums` to elements.
     """
     return StepEntry("add_face_loads", (contact_pairs, face_pairs, contact_sums))
 

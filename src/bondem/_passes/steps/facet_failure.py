@@ -13,7 +13,7 @@ def break_facets(
     moving: Moving, elastic_facets: ElasticFacets, wall_constraints: WallConstraints, facet_release: FacetRelease,
     candidates: Candidates, event_log: EventLog
 ) -> StepEntry:
-    """Removes the facets that fail, and brings the stresses of their cells up to date.
+    """Removes the facets that fail, and updates the stresses of their cells.
 
     Over what begins, changes or ends in the step, in order. Reads `arm`, `given`, `wall`, `weight` at both
     ends; reads `pose` at both ends and at their neighbours; adds `pose.stress`, `weight` to elements.

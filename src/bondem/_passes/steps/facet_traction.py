@@ -20,7 +20,7 @@ def add_traction_work(moving: Moving, facet_tractions: FacetTractions, rows: Row
 def follow_tractions(
     timeline: Timeline, facet_tractions: FacetTractions, cell_dilatation: CellDilatation
 ) -> StepEntry:
-    """Brings tractions to the time of the clock.
+    """Sets the factors of tractions at the time of the clock, and their contributions to V θ of cells.
 
     Over rows of a table, in the order of the table. Writes `given` of an element.
     """

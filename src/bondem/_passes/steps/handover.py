@@ -60,7 +60,7 @@ def touch_parted_faces(
     moving: Moving, contact_pairs: ContactPairs, near_pairs: NearPairs, cohesive_cracks: CohesiveCracks,
     crack_lists: CrackLists, parted_reach: PartedReach
 ) -> StepEntry:
-    """Makes pairs of the cells whose faces have parted in this step.
+    """Begins to evaluate the pairs of cells whose cracks have parted in this step.
 
     Over what begins, changes or ends in the step, in order. Reads `pose` at both ends.
     """

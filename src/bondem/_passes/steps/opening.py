@@ -44,7 +44,7 @@ def relax_cracked_cells(moving: Moving, cell_dilatation: CellDilatation, crack_l
 def relax_outdated_cells(
     moving: Moving, cell_dilatation: CellDilatation, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> StepEntry:
-    """Finds the stresses of cells with cracks that are out of date, and which crack leads those of each.
+    """Finds stresses that are out of date of cells with cracks, and the leading crack of each of these cells.
 
     Over cracks or their cells, of which threads may share portions. Reads `base`, `half`, `weight` of an
     element; adds `leader`, `pose.stress`, `outdated` to elements.

@@ -17,7 +17,7 @@ def keep_dashpots(dashpots: Dashpots, postponed: Postponed) -> StepEntry:
 
 
 def keep_sums(step_blocks: StepBlocks, postponed: Postponed) -> StepEntry:
-    """Keeps the sums of postponed elements.
+    """Copies the sums of postponed elements, which are kept until failed bonds are removed.
 
     Over postponed elements of a block. Reads `flag`, `sums` of an element; changes `sum` of an element.
     """

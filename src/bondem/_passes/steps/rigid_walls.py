@@ -17,7 +17,7 @@ from bondem._tables.step_tables import Gauges, HistoryRows, Ledger, Moving
 
 
 def count_wall_work(walls: Walls, ledger: Ledger) -> StepEntry:
-    """Adds the sizes of the works of walls to the energy balance, for its guard.
+    """Adds the absolute works of walls to the energy balance, for its guard.
 
     Over rows of a table, in the order of the table.
     """

@@ -22,7 +22,7 @@ def add_rolling_loads(
 ) -> StepEntry:
     """Adds moments of resistance to rolling to the elements of a range.
 
-    Over elements, in a range a thread. Adds `sums` to elements.
+    Over elements, one range per thread. Adds `sums` to elements.
     """
     return StepEntry("add_rolling_loads", (contact_pairs, near_pairs, rolled_pairs, contact_sums))
 

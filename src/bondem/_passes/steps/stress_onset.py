@@ -12,7 +12,7 @@ from bondem._tables.stress_onset_tables import CandidateFacets
 
 
 def find_strengths_along(candidate_facets: CandidateFacets) -> StepEntry:
-    """Keeps the strengths of facets that begin to crack.
+    """Stores the strengths of facets that begin to crack.
 
     Over rows of a table, in the order of the table.
     """
@@ -71,8 +71,7 @@ def mark_failing_facets(
     moving: Moving, elastic_facets: ElasticFacets, facet_forces: FacetForces, stresses_of_cells: StressesOfCells,
     crack_onset: CrackOnset, candidate_facets: CandidateFacets
 ) -> StepEntry:
-    """Marks candidates that fail, and leaves these with the mean stress of their cells, of which the index gives
-    their strength.
+    """Marks candidates that fail, and replaces their stresses by those whose index gives their strength.
 
     Over what begins, changes or ends in the step, in order. Reads `pose`, `tensor` at both ends.
     """

@@ -13,8 +13,7 @@ def add_still_surface_stresses(
     moving: Moving, wall_constraints: WallConstraints, facet_tractions: FacetTractions, stresses_of_cells:
     StressesOfCells
 ) -> StepEntry:
-    """Adds forces of walls and of loads on free facets to stresses of surface cells that were found without a
-    step.
+    """Adds forces of walls and of loads on free facets to the stresses of surface cells, where no step is taken.
 
     Over rows of a table, in the order of the table. Reads `arm`, `load`, `pose` of an element; changes `tensor`
     of an element.
@@ -43,7 +42,7 @@ def find_cell_stresses(moving: Moving, facet_forces: FacetForces, stresses_of_ce
 
 
 def find_still_stresses(moving: Moving, facet_forces: FacetForces, stresses_of_cells: StressesOfCells) -> StepEntry:
-    """Finds the mean stresses of cells from present forces that were found without a step.
+    """Finds the mean stresses of cells from present forces, where no step is taken.
 
     Over elements, in portions. Reads `carried`, `moment`, `pose` of an element; writes `tensor` of an element.
     """

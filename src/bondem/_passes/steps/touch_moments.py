@@ -28,7 +28,7 @@ def add_pair_moments(
 ) -> StepEntry:
     """Adds contacts of pairs to the stresses of the elements of a range, in the order of the pairs.
 
-    Over elements, in a range a thread. Reads `pose` at both ends; adds `moment` to elements.
+    Over elements, one range per thread. Reads `pose` at both ends; adds `moment` to elements.
     """
     return StepEntry("add_pair_moments", (moving, contact_constants, contact_pairs, near_pairs, lagged_stresses))
 

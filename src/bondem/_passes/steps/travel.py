@@ -9,7 +9,7 @@ from bondem._tables.step_tables import Ledger, Moving
 
 
 def check_travel(travel: Travel, walls: Walls, ledger: Ledger) -> StepEntry:
-    """Finds whether the list may miss a contact by now, also where a centre is not a number.
+    """Marks the list of contacts as out of date if it may miss a contact, or if a centre is not finite.
 
     Over numbers that a body has once, such as those of a record.
     """
@@ -17,7 +17,7 @@ def check_travel(travel: Travel, walls: Walls, ledger: Ledger) -> StepEntry:
 
 
 def keep_measures(near_pairs: NearPairs, travel: Travel) -> StepEntry:
-    """Stores distances that were measured in a step.
+    """Stores the largest motion since the list was made, in a step that measures distances.
 
     Over numbers that a body has once, such as those of a record.
     """
@@ -25,7 +25,7 @@ def keep_measures(near_pairs: NearPairs, travel: Travel) -> StepEntry:
 
 
 def measure_travel(moving: Moving, travel: Travel) -> StepEntry:
-    """Finds the distances of the elements of a portion from their places at the last measurement.
+    """Finds the largest motion of the elements of a portion since distances were measured.
 
     Over elements, in portions.
     """

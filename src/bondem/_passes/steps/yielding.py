@@ -33,7 +33,7 @@ def stretch_anew(
     cell_strains: CellStrains, elastic_facets: ElasticFacets, facets_of_cells: FacetsOfCells, wall_constraints:
     WallConstraints, yielding_cells: YieldingCells
 ) -> StepEntry:
-    """Stretches levers with the plastic deformation of their cells, where stress-free strains have set them anew.
+    """Stretches levers with the plastic deformation of their cells, where stress-free strains have changed them.
 
     Over rows of a table, in the order of the table. Reads `plastic` at both ends; changes `arm`, `slipped` of
     an element; writes `base_wall` of an element.

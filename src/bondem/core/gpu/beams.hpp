@@ -17,7 +17,7 @@ BONDEM_INLINE BeamLoads<double> loads_of(Index k, const Moving &all, const Beams
     const BeamStiffness<double> stiffness = stiffness_of(beams, k, beams.integrity(k));
     return beam_loads(ends_of(all.pose.data, beams, k), shape_of<double>(beams, k), stiffness);
 }
-// Constants of a beam of a model whose beams differ in length only.
+// Loads of beam k in a model whose beams differ in length only.
 BONDEM_INLINE BeamLoads<double> loads_of(Index k, const Moving &all, const Beams &beams, const UniformBeams &uniform) {
     const double h = uniform.per_length(k);
     const double AL = uniform.AL * h;

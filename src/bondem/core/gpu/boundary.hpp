@@ -1,5 +1,5 @@
-// Boundary conditions on a device: a thread brings one row, one driven degree of freedom or one group of elements to the
-// time of the clock.
+// Boundary conditions on a device: a thread updates one row, one driven degree of freedom or one group of elements to
+// the time of the clock.
 #pragma once
 #include "../passes/boundary/following.hpp"
 #include "../passes/boundary/rows.hpp"

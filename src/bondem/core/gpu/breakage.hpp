@@ -40,7 +40,7 @@ inline void load_marked_uniform_beam(Index k, const Moving &all, const Beams &be
     put_marked(k, loads_of(k, all, beams, uniform), to, bounds, marks);
 }
 
-// ---- judging
+// ---- evaluation
 
 // Lists bond k if it fails, in any order; returns true if it fails.
 BONDEM_INLINE bool list_failing(Index k, const Verdict<double> &verdict, const BondMarks &marks,
@@ -112,7 +112,7 @@ BONDEM_INLINE BeamLoads<double> loads_in(const LoadsOfBonds &from, Index k) {
     const auto at = [&](Index c) { return Vector{from.load(c, k), from.load(c + 1, k), from.load(c + 2, k)}; };
     return {at(0), at(3), at(6)};
 }
-// Removes failed beam number e; its loads are then the loads that its ends lose.
+// Removes failed beam number e, and writes the loads that its ends lose.
 inline void remove_failing_beam(Index e, const DeviceSpan &span, const Moving &all, const Beams &beams,
                                 const BeamIntegrity &state, const Candidates &candidates, const EventLog &log,
                                 const LoadsOfBonds &to) {
@@ -136,7 +136,7 @@ inline void load_failing_dashpot(Index e, const Moving &all, const Beams &beams,
     const Index k = candidates.marked(e);
     put(to, k, loads_of_dashpot(all, beams, dashpots, k));
 }
-// The sums of all forces and the sums of dashpots alone both contain these loads.
+// Subtracts dashpots of failed beams from the sums of element p: that of all forces, and that of dashpots alone.
 inline void take_dashpots_off_element(Index p, const BondsOfElements &bonds, const BondMarks &marks,
                                       const LoadsOfBonds &from, const Dashpots &dashpots, const Candidates &candidates,
                                       const Postponed &postponed) {

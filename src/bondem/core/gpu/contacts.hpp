@@ -1,9 +1,9 @@
 // Contacts on a device: a thread computes one pair of the list, then a thread adds the forces of pairs and walls on
 // one element.
 //
-// Every pair of the list is evaluated in each step, so that distances need not be measured between two lists. A list
-// that an element or a wall has left stops the run: later launches of a graph do nothing, and the CPU makes a new
-// list.
+// Every pair of the list is evaluated in each step, so that distances need not be measured between two lists. If an
+// element or a wall moves beyond the reach of the list, the run stops: later launches of a graph do nothing, and the
+// CPU makes a new list.
 #pragma once
 #include "../passes/contacts/contact_loads.hpp"
 #include "../passes/contacts/face_contacts.hpp"
@@ -14,7 +14,7 @@
 
 namespace bondem {
 
-// ---- how long the list holds
+// ---- validity of the list
 
 inline void check_travel_of_element(Index p, const DeviceSpan &span, const Moving &all, const Travel &travel) {
     const Vector moved = centre(all.pose.data, Short(p)) - travel.listed.row<const Vector>(p);
@@ -113,9 +113,9 @@ inline void kick_free_wall(Index e, const DeviceSpan &span, const WallMotions &m
     show_free_spin(walls, motions.free_wall(e));
 }
 
-// ---- what the guard and the history need
+// ---- sums for the guard and the history
 
-// The deepest overlap of the pairs and the contacts with walls of a portion of elements, over the smaller radius.
+// Finds the deepest overlap of pairs and contacts with walls in a portion of elements, over the smaller radius.
 inline void measure_overlaps(Index b, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
                              const ContactPairs &pairs, const WallContacts &contacts, const Walls &walls,
                              const Travel &travel) {

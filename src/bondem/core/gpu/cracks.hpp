@@ -116,7 +116,7 @@ inline void wake_crack(Index k, const Moving &all, const ElasticFacets &facets, 
     begin_treating(one, facets, cracks, lists, k, k);
     make_outdated(lists, facets, k);
 }
-// Adds contributions of the cracks that `changes` names to V θ of cell p without its cracks, times a sign.
+// Adds the share of cracks with changes(k) in V θ of cell p without cracks, times a sign; true if there is one.
 template <class Changes>
 BONDEM_INLINE bool change_base(Index p, const Moving &all, const ElasticFacets &facets, const CellSlack &slack,
                                const CohesiveCracks &cracks, const CrackLists &lists, double sign, Changes changes) {
@@ -151,8 +151,8 @@ inline void soften_crack(Index k, const DeviceSpan &span, const Moving &all, con
 
 // ---- parting and rest
 
-// Energy of a crack that parts, in the state without the cracks that the CPU treats earlier: whole ones first, then
-// broken ones by their numbers.
+// Adds the energy lost by a crack that parts, in the state without the cracks that the CPU treats earlier: whole ones
+// first, then broken ones by their numbers.
 inline void part_crack(Index k, const Moving &all, const ElasticFacets &facets, const CellSlack &slack,
                        const CohesiveCracks &cracks, const CrackLists &lists) {
     if (lists.flag(k) != crack::parts) return;

@@ -69,7 +69,7 @@ BONDEM_INLINE double energy_of_cells(const Moving &all, const ElasticFacets &fac
     }
     return sum;
 }
-// Finds the energy of failed facet number e, which keeps its integrity until all energies are known.
+// Writes the event of failed facet number e; the facet keeps its integrity until all energies are known.
 inline void write_facet_failure(Index e, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
                                 const WallConstraints &walls, const FacetRelease &release, const BondMarks &marks,
                                 const Candidates &candidates, const EventLog &log) {
@@ -83,7 +83,7 @@ inline void write_facet_failure(Index e, const DeviceSpan &span, const Moving &a
     }
     write_failure(e, span, candidates, log, removal);
 }
-// Sets weight and stress of a cell without its failed facets, and ends the failures of the step.
+// Sets weight and stress of cell p without its failed facets, and the integrity of those of which it is i to zero.
 inline void end_facets_of_cell(Index p, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                                const FacetRelease &release, const BondMarks &marks, const Candidates &candidates) {
     if (!any_fails(candidates)) return;

@@ -1,5 +1,5 @@
-// The program of a device: a thread for each index of a pass, of the one that BONDEM_ONLY names, or of each. NVRTC compiles
-// it, with the sources of the passes that a thread calls for one element or one portion.
+// The program of a device: kernels with a thread for each index of a pass, of the pass that BONDEM_ONLY names or of
+// all. NVRTC compiles it, with the sources of the passes that a thread calls for one element or one portion.
 #include "../passes/beams/beam_report.cpp"
 #include "../passes/boundary/couples.cpp"
 #include "../passes/cells/cell_report.cpp"

@@ -7,7 +7,7 @@
 
 namespace bondem {
 
-// The sum of the loads of bonds on element p.
+// A sum and the loads of the bonds of element p, added in the order of the bonds.
 BONDEM_INLINE Row<double> gathered(Row<double> sum, Index p, const BondsOfElements &bonds, const LoadsOfBonds &from) {
     const Index m = from.load.shape[1];
     const auto load = [&](Index c, Index k) { return from.load.data[c * m + k]; };

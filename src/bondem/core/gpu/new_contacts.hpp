@@ -52,7 +52,7 @@ inline void take_over_energies(Index, const ContactPairs &pairs, const NearPairs
 
 // ---- cells whose crack has parted
 
-// Makes pairs of the cells whose faces have parted in this step.
+// Begins to evaluate the pair of cells of facet k if its crack has parted in this step.
 inline void touch_parted_face(Index k, const Moving &all, const ContactPairs &pairs, const CohesiveCracks &cracks,
                               const CrackLists &lists, const PartedReach &reach) {
     if (lists.flag(k) != crack::parts && lists.waking(k) != crack::parts) return;

@@ -63,7 +63,7 @@ inline void gather_moments(Index p, const Moving &all, const NonLocalBonds &bond
     }
     row_at(stresses.moment.data, Short(p)) = {{sum.xx, sum.yy, sum.zz, sum.xy, sum.xz, sum.yz, 0.0, 0.0}};
 }
-// Adds the contributions of pairs to the stress of element p: those whose later element it is, then those whose earlier one.
+// Adds the pairs of element p to its stress: as the later element of a pair, then as the earlier one.
 inline void add_pair_moments_of_element(Index p, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                                         const EarlierPairs &earlier, const NearPairs &near, const LaggedStresses &stresses) {
     const auto levers = [&](Index k) { return TouchLevers(c, pairs, k, branch_of(all.pose.data, pairs, k)); };

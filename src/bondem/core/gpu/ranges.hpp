@@ -1,4 +1,4 @@
-// Calls of the common functions of CPU passes by a thread of a device, with a range of one index.
+// Calls of CPU passes by a thread of a device, with the range of one index.
 #pragma once
 #include "../steps.hpp"
 #include "../tables/device_tables.hpp"
@@ -30,7 +30,7 @@ BONDEM_INLINE Range portion_of(const DeviceSpan &span, Index b, Index size, Inde
     return {clock_of(span), b * size, last, last, nullptr, nullptr, b, nullptr};
 }
 
-// A pass of the CPU as a pass over an index: the same, called with the range of one index.
+// A pass of the CPU as a pass over an index, which calls it with the range of that index.
 template <auto pass> struct OneRange;
 template <class... Tables, void (*pass)(const Range &, const Tables &...)> struct OneRange<pass> {
     static void once(Index, const DeviceSpan &span, const Tables &...tables) { pass(range_of(span, 0), tables...); }
@@ -54,7 +54,7 @@ template <auto pass> constexpr auto listed_element = &OneRange<pass>::listed;
 template <auto pass> constexpr auto portion_of_elements = &OneRange<pass>::elements;
 template <auto pass> constexpr auto portion_of_bonds = &OneRange<pass>::bonds;
 
-// Sets the clock to a number of steps from the present one.
+// Advances the clock by a number of steps.
 inline void set_clock(Index, const DeviceSpan &span, const StepScheme &scheme, const Tick &tick) {
     Clock &clock = clock_of(span);
     const double moving = tick.still ? 0.0 : 1.0;
@@ -67,7 +67,7 @@ inline void set_clock(Index, const DeviceSpan &span, const StepScheme &scheme, c
     clock.goes_on = tick.goes_on;
     clock.first = tick.first;
 }
-// The next record goes to the next row of the history.
+// Advances the row of the history to which the next record is written.
 inline void count_record(Index, const DeviceSpan &span) { clock_of(span).record++; }
 
 }  // namespace bondem

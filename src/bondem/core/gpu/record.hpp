@@ -1,4 +1,4 @@
-// Sums on a device: of portions, a thread each, which adds to the exact sums of the energy balance. One thread reads these.
+// Sums on a device: a thread adds those of a portion to the exact sums of the energy balance; one thread reads them.
 #pragma once
 #include "../passes/record/reading.hpp"
 #include "../passes/record/record.hpp"
@@ -22,7 +22,7 @@ inline void read_part_of_gauge(Index k, const Moving &all, const Rows &rows, con
         to.largest(k, axis) = sum.largest;
     }
 }
-// Component k % 3 of gauge k / 3, in the present row of records.
+// Writes component k % 3 of gauge k / 3 to the present row of the history.
 inline void write_gauge(Index k, const DeviceSpan &span, const Gauges &gauges, const GaugeParts &from,
                         const HistoryRows &history) {
     const Index g = k / 3, axis = k % 3;

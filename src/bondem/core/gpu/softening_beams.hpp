@@ -14,7 +14,7 @@ namespace bondem {
 
 // ---- integrity
 
-// The row at place e of the lists.
+// Softens the beam of the row at place e of the lists.
 inline void soften_listed(Index e, const DeviceSpan &span, const Moving &all, const Beams &beams,
                           const SofteningBounds &bounds, const SofteningBeams &soft) {
     const Index q = e / bonds_of_portion;

@@ -20,7 +20,7 @@ inline void add_work_of_strains(Index, const DeviceSpan &span, const Strain &str
     if (strain.due(strain_due::power)) add_work_of(clock_of(span), strain, rows);
 }
 
-// ---- of cells
+// ---- strains of cells
 
 inline void follow_cell_factors(Index, const DeviceSpan &span, const Timeline &timeline, const CellStrains &strains) {
     strains.due(strain_due::levers) = follow_factors(clock_of(span), timeline, strains);

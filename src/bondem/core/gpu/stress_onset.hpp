@@ -1,8 +1,8 @@
 // Facets that begin to crack by a function of the stress, on a device: a thread evaluates one cell, one facet or one
 // candidate.
 //
-// Candidates are in a list in any order. Candidates that do not fail lose their number, so that the second evaluation
-// of the function concerns failed ones only. The function of a user is evaluated by the CPU between two passes.
+// Candidates are in a list in any order. The number of one that does not fail is replaced, so that the second
+// evaluation of the function concerns failed ones only. The CPU evaluates the function of a user between two passes.
 #pragma once
 #include "../laws/criteria/cone.hpp"
 #include "../laws/criteria/mean_stress.hpp"

@@ -1,5 +1,5 @@
-// Cells that yield on a device, and cracks under strains that change: a thread evaluates one cell, or brings one facet or
-// wall up to date. The work of loads on free facets is in the rows of their cells.
+// Cells that yield on a device, and cracks under strains that change: a thread evaluates one cell, or updates one
+// facet or wall. The work of loads on free facets is in the rows of their cells.
 #pragma once
 #include "../passes/cracks/strained_cracks.hpp"
 #include "../passes/cracks/yielding_cells.hpp"
@@ -43,7 +43,7 @@ inline void stretch_crack_of_cells(Index k, const DeviceSpan &span, const Elasti
                                    const CohesiveCracks &cracks) {
     if (takes_time(span) && cracks.listed(k) != 0) stretch_crack(facets, cells, cracks, k);
 }
-// Keeps the levers without plastic strain where strains have set them anew.
+// Keeps the levers without plastic strain where strains have changed them.
 inline void keep_base_levers(Index k, const CellStrains &strains, const ElasticFacets &facets, const YieldingCells &cells) {
     if (!strains.due(strain_due::levers)) return;
     for (Index d = 0; d < 3; d++) {

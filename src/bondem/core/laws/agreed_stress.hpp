@@ -1,4 +1,5 @@
-// The stress of the criterion of a facet between two cells: their mean stress σ made to agree with its traction t,
+// Stress in which a criterion evaluates a facet between two cells: their mean stress σ corrected to agree with the
+// traction t of the facet,
 //
 //     σ* = σ + r⊗n + n⊗r - (r·n) n⊗n        r = t - σ n
 //
@@ -26,7 +27,7 @@ template <class T> BONDEM_INLINE PulledTraction<T> pulled_traction(Vector3<T> t,
     const Mask<T> opens = bent > zero;
     return {select<T>(opens, plus(t, T(pulled - across), n), t), select(opens, pulled, across)};
 }
-// A stress with the additional traction of bending along n.
+// A stress with its normal component along n raised by the excess of `bent` over its tensile part [Pa].
 template <class T> BONDEM_INLINE Symmetric3<T> bent_stress(const Symmetric3<T> &s, Vector3<T> n, T bent) {
     const T zero = {}, along = dot(n, s * n), pulled = along > zero ? along : zero;
     const T more = bent > pulled ? bent - pulled : zero;

@@ -1,14 +1,14 @@
-// The angle between two directions from its sine and cosine, of one number or of many.
+// Angle between two directions from its sine and cosine, for single numbers or lanes.
 //
-// A polynomial of our own, because those of system libraries differ in their bits. It is exact to two units in the last
-// place. For t = tan φ ≤ tan π/8, φ is t - t³ P(t²) with the coefficients of fdlibm (Sun Microsystems, 1993); above,
-// φ = π/4 + atan((t - 1) / (t + 1)).
+// The core has its own polynomial, because those of system libraries differ in their bits. Its error is at most two
+// units in the last place. For t = tan φ ≤ tan π/8, φ is t - t³ P(t²) with the coefficients of fdlibm (Sun
+// Microsystems, 1993); above, φ = π/4 + atan((t - 1) / (t + 1)).
 #pragma once
 #include "../lanes.hpp"
 
 namespace bondem {
 
-// atan of t in [0, 1].
+// Angle atan t for t in [0, 1].
 template <class T> BONDEM_INLINE T first_octant_angle(T t) {
     constexpr double eighth = 0.41421356237309503, quarter_turn = 0.78539816339744828;
     const T one = T{} + 1.0, zero = {};
@@ -22,7 +22,7 @@ template <class T> BONDEM_INLINE T first_octant_angle(T t) {
     return steep * quarter_turn + (x - x * (odd + even));
 }
 
-// Angle in [0, π] of which `sine` ≥ 0 and `cosine` are multiples by one positive number.
+// Angle in [0, π] from its sine and cosine, both multiplied by one positive number; `sine` ≥ 0.
 template <class T> BONDEM_INLINE T angle_of(T sine, T cosine) {
     constexpr double right = 1.5707963267948966, straight = 3.1415926535897931;
     const T zero = {}, along = absolute(cosine);

@@ -27,32 +27,32 @@
 // that are its exact gradient conserve momentum and angular momentum to rounding.
 //
 // Limits: U is periodic. The moment of shear has its maximum at 45°, and X = -X0 is a false minimum, so relative
-// rotations have to stay moderate: c1 and c2 above 0.7, w² above 0.75. The V-model of Kuzkin and Asonov (2012) is a
-// relative.
+// rotations have to stay moderate: c1 and c2 above 0.7, w² above 0.75. A similar model is the V-model of Kuzkin and
+// Asonov (2012).
 #pragma once
 #include "ends.hpp"
 
 namespace bondem {
 
-// A beam in the reference.
+// Reference geometry of a beam.
 template <class T> struct BeamShape {
     Vector3<T> direction;  // X0 [-]
     T length;  // L [m]
 };
-// Constants of the energy.
+// Constants of the energy of a beam.
 template <class T> struct BeamStiffness {
     T kn;  // [N/m]
     T A, B, C;  // [N·m]
     T kt;  // [N·m]
 };
 
-// The gradient of U, with the opposite sign.
+// Force and torques of a beam: minus the gradient of U.
 template <class T>
 BONDEM_INLINE BeamLoads<T> beam_loads(const Ends<T> &ends, const BeamShape<T> &shape, const BeamStiffness<T> &k) {
     const T present = length(ends.branch), inverse = 1.0 / present;
     const Vector3<T> X = inverse * ends.branch;
     const Vector3<T> X1 = rotate(ends.i, shape.direction), X2 = rotate(ends.j, shape.direction);
-    // the product that is fused with a sum determines the bits: in c2 that of y
+    // the choice of the product that is fused with a sum determines the bits: in c2 that of y
     const T c1 = dot(X, X1), c2 = X.y * X2.y + X.x * X2.x + X.z * X2.z;
     const T g1 = k.A * c1 + k.B * c2, g2 = k.B * c1 + k.C * c2;
     // force = axial X + (g1 X1 + g2 X2) / ℓ
@@ -71,7 +71,7 @@ template <class T> struct BeamEnergy {
     T normal, shear, bending, twisting;
 };
 
-// Sines come from cross products, so that small deformations keep their digits.
+// Energy of a beam in its four modes. Sines come from cross products, so that small deformations keep their digits.
 template <class T>
 BONDEM_INLINE BeamEnergy<T> beam_energy(const Ends<T> &ends, const BeamShape<T> &shape, const BeamStiffness<T> &k, T ks,
                                         T a) {
@@ -88,7 +88,7 @@ BONDEM_INLINE BeamEnergy<T> beam_energy(const Ends<T> &ends, const BeamShape<T> 
     return {0.5 * k.kn * ((present - L) * (present - L)), shear, bending, 2.0 * k.kt * along};
 }
 
-// Distance of a beam from its false minima: the smaller of c1 and c2, and w².
+// Cosines c1 and c2 and the square w² of a beam, which decrease as it approaches a false minimum of U.
 template <class T> struct BeamTurn {
     T c1, c2, w2;
 };

@@ -14,9 +14,10 @@
 //
 //     s = λ0 (λf - λ) / (λ (λf - λ0))        ∫ Y (-ds) = λ0 λf = G A
 //
-// on every path along which λ grows. A step counts the work by the trapezoidal rule, so that a beam which opens in few
-// steps is given the force by which that sum is G A too (`softened`). G is that of the shares of opening (elongation and bending) and sliding (shear and
-// twisting) in Y where softening begins, so that G_I / G_f + G_II / G_II,c = 1 at the end:
+// on every path along which λ grows. A step counts the work by the trapezoidal rule. `softened` chooses the force so
+// that this sum is G A also for a beam that opens in few steps. G depends on the shares of opening (elongation and
+// bending) and sliding (shear and twisting) in Y where softening begins, so that finally
+// G_I / G_f + G_II / G_II,c = 1:
 //
 //     G = 1 / (share_I / G_f + share_II / G_II,c)
 //
@@ -30,11 +31,11 @@
 
 namespace bondem {
 
-// Parts of Y of a beam as if it were whole [J].
+// Parts of Y by opening and by sliding, for the beam without loss of integrity [J].
 template <class T> struct OpeningEnergy {
     T opening, sliding;
 };
-// `extension` is ℓ - L [m].
+// Parts of Y from the energy of the whole beam; `extension` is ℓ - L [m].
 template <class T> BONDEM_INLINE OpeningEnergy<T> opening_energy(const BeamEnergy<T> &whole, T extension) {
     const T zero = {}, pulled = extension > zero ? whole.normal : zero;
     return {positive(T(whole.bending + pulled)), positive(T(whole.shear + whole.twisting))};
@@ -49,12 +50,12 @@ inline double last_opening(const OpeningEnergy<double> &at_first, double tear, d
     const double energy = (at_first.opening + at_first.sliding) / (at_first.opening / tear + at_first.sliding / slide);
     return most(energy / first, snap_of_beams * first);
 }
-// Fracture energy G A [J]. It is that of the mode for a beam that stores more at onset, which has no λf of its own.
+// Fracture energy G A [J]: λ0 λf, or `of_mode` for a beam that stores more at onset, whose λf is `snap_of_beams` λ0.
 inline double absorbed_energy(double first, double last, double of_mode) {
     return last > snap_of_beams * first ? first * last : of_mode;
 }
 
-// The line on which s λ falls from λ0 = `first` to λf = `last`, after s λ = λ of the whole beam.
+// Line on which s λ falls from λ0 = `first` to zero at λf = `last`; below λ0, s λ = λ.
 struct SofteningLine {
     double first, last;
 
@@ -62,17 +63,18 @@ struct SofteningLine {
         if (opening <= first) return opening;
         return opening >= last ? 0.0 : first * (1.0 - opening / last) / (1.0 - first / last);
     }
-    // Energy that a beam absorbs from an opening on [J].
+    // Energy that a beam still absorbs beyond an opening [J].
     double beyond(double opening) const { return opening >= last ? 0.0 : (last - opening) * at(opening); }
 };
 
 // Integrity, at most s, of a beam whose opening grows from `before` to `opening` in a step; it has dissipated `spent` [J].
 //
-// Between two corners of the line, steps of the same size d have its work. A step over a corner does not: from zero
-// beyond the last opening it would have none. There s λ is the force by which the work of this step, of the next one
-// of the same size, and of the line behind that is the rest of G A. It is between the forces of the line a step
-// before and a step after, so that it is that of the line as d tends to zero. A whole beam that was pressed has
-// `before` below zero: its pressure, which acts for half a step longer than it is pressed, is made up for.
+// Where the line has no corner, the trapezoidal work of steps of equal size d is the area below the line. A step
+// across a corner counts a different work, and none in a jump from zero beyond the last opening. There the force s λ
+// follows from the rest of G A: the work of this step, of a next one of equal size and of the line behind it. The
+// force stays between those of the line a step before and a step after, so that it tends to the line with d. For a
+// whole beam that was in compression, `before` is negative; the last term compensates for its pressure, which acts
+// half a step too long.
 inline double softened(double s, const SofteningLine &line, double spent, double before, double opening) {
     const double step = opening - before, opened = positive(before);
     if (s * opening <= line.at(opening)) return s;
@@ -84,7 +86,7 @@ inline double softened(double s, const SofteningLine &line, double spent, double
     return least(s, force / opening + 0.5 * positive(-before) / step);
 }
 
-// The pressure that the softened part of a beam carries, as force on j over `press` = (1 - s) kn [m], along the branch.
+// Pressure that the softened part of a beam carries along the branch: force on j over `press` = (1 - s) kn [m].
 template <class T> BONDEM_INLINE Vector3<T> pressure_on(Vector3<T> branch, T rest_length) {
     const T present = length(branch);
     return (positive(T(rest_length - present)) / present) * branch;

@@ -74,7 +74,7 @@ template <class T> BONDEM_INLINE OfCells<T> dilatation(const Ends<T> &ends, cons
     return {dot(turned_by(ends.i, shape.share_i), gap), dot(turned_by(ends.j, shape.share_j), gap)};
 }
 
-// The force f on i [N].
+// The force f of a facet on its cell i [N].
 template <class T>
 BONDEM_INLINE Vector3<T> facet_pull(const Ends<T> &ends, const FacetShape<T> &shape, T k, OfCells<T> stress) {
     const Vector3<T> g_i = stress.i * turned_by(ends.i, shape.share_i), g_j = stress.j * turned_by(ends.j, shape.share_j);
@@ -100,8 +100,8 @@ template <class T> BONDEM_INLINE Vector3<T> bending_moment(const Ends<T> &ends, 
     return c + c;
 }
 
-// The gradient of U with the opposite sign, with the stresses of both cells known. Callers pass the facet in space,
-// whose arms they need too, and its moment, which takes fewer registers if it is computed first.
+// Force and torques of a facet at known stresses of both cells: minus the gradient of U. Callers pass the facet in
+// space, whose arms they need too, and its bending moment, because computing it first takes fewer registers.
 template <class T>
 BONDEM_INLINE FacetLoads<T> facet_loads(const Ends<T> &ends, const FacetShape<T> &shape, const OpenFacet<T> &open,
                                         Vector3<T> moment, T k, OfCells<T> stress) {
@@ -122,7 +122,7 @@ template <class T> struct FacetEnergy {
     T normal, shear, bending, twisting;
 };
 
-// `normal` is n in the reference; in space it is turned with both cells and averaged.
+// Energy of a facet in four modes. `normal` is n in the reference; in space it is the mean of n of both cells.
 template <class T>
 BONDEM_INLINE FacetEnergy<T> facet_energy(const Ends<T> &ends, const FacetShape<T> &shape, Vector3<T> normal,
                                           const FacetStiffness<T> &stiffness) {
@@ -134,7 +134,7 @@ BONDEM_INLINE FacetEnergy<T> facet_energy(const Ends<T> &ends, const FacetShape<
     return {0.5 * stiffness.k * across, 0.5 * stiffness.k * (dot(gap, gap) - across), whole - twisting, twisting};
 }
 
-// The unit normal of a facet in space: n turned with both cells, in the middle.
+// The unit normal of a facet in space: the normalised mean of n turned with each cell.
 inline Vector present_normal(const Ends<double> &ends, Vector normal) {
     const Vector n = turned_by(ends.i, normal) + turned_by(ends.j, normal);
     return n / length(n);
@@ -147,11 +147,11 @@ template <class T> BONDEM_INLINE T bending_square(const Ends<T> &ends, T factor,
     return factor * dot(v, H * v);
 }
 
-// n · H n over the trace of H below which a facet does not resist that its cells twist: rounding.
+// Ratio n · H n / tr H below which the resistance of a facet to twisting is a rounding error.
 constexpr double free_twist = 1e-5;
 
-// cos² of half the relative angle of two cells, without a twist that their facet does not resist: a cell on one facet may
-// spin about its normal. `w2` is cos² of half the whole angle.
+// cos² of half the relative angle of two cells, without a twist that their facet does not resist, because a cell on a
+// single facet may spin about its normal. `w2` is cos² of half the whole angle.
 inline double swing_square(const Ends<double> &ends, double w2, Vector normal, const Symmetric3<double> &H) {
     if (dot(normal, H * normal) > free_twist * trace(H)) return w2;
     const double twist = dot(relative_turn(ends.i, ends.j).v, normal);

@@ -11,8 +11,8 @@
 // Energy: U = ∫ F du + ½ ks ξ². Where ks depends on the overlap, forces are the gradient of U: a contact that does
 // not slide stores all work, and returns to its place after any cycle of load
 // (docs/decisions/0053-tangential-potential-and-rolling.md). Work on the spring that it does not store is friction.
-// Losses are the trapezoid of force over displacement, of second order as the step is. At the limit of friction F_t =
-// μ F_n and F_n = N + F_t² h, h = ks' / 2 ks², so that
+// Losses follow from the trapezoidal rule, of second order like the step. At the limit of friction F_t = μ F_n and
+// F_n = N + F_t² h, h = ks' / 2 ks², so that
 //
 //     F_t = 2 μ N / (1 + √(1 - 4 μ² N h))
 //
@@ -30,7 +30,7 @@
 
 namespace bondem {
 
-// A law at one overlap.
+// Values of a contact law at one overlap.
 template <class T> struct ContactSpring {
     T kn;  // dF/du [N/m]
     T force;  // F over kn u [-]
@@ -66,7 +66,7 @@ template <class T> struct Overlaps {
     T now, before;
 };
 
-// Springs and dashpots of a spring of stiffness `before` a step ago; `soft` is ks / kn.
+// Springs and dashpots of a contact whose normal stiffness was `before` a step ago [N/m]; `soft` is ks / kn.
 template <class T, class Number>
 BONDEM_INLINE ContactStiffness<T> contact_stiffness(const ContactSpring<T> &spring, T before, Number soft, T mass) {
     const T ks = soft * spring.kn;

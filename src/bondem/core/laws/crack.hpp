@@ -2,24 +2,24 @@
 // is closed.
 //
 // Half p of a facet of stiffness k has the part w_p of its compliance, so its own stiffness is k / w_p. A crack has an
-// orthonormal frame e_1, e_2, e_3 that turns with cell i; e_1 is its normal. Along e_d half p keeps the share s⁺_d of a
-// force that pulls and s⁻_d of one that presses; springs s / (1 - s) k / w_p in series with it stand for the rest, and
-// their opening u_p is eliminated. With δ the gap of the two faces less what they have slipped, σ_p = λ θ of the cell,
+// Half p of a facet of stiffness k has the part w_p of its compliance, so its own stiffness is k / w_p. A crack has
+// an orthonormal frame e_1, e_2, e_3 that turns with cell i; e_1 is its normal. Along e_d half p keeps the share s⁺_d
+// of a force that pulls and s⁻_d of one that presses. Springs s / (1 - s) k / w_p in series with it represent the
+// loss, and their opening u_p is eliminated. With δ the gap of the two faces less their slip, σ_p = λ θ of the cell,
 // and g_p = R_p (A w m)_p its share in the swelling,
-//
 //     F_p = k δ + σ_p g_p / w_p force of the whole half
-//     L_p = Σ_d [(1 - s⁺_d) ⟨F_p·e_d⟩ + (1 - s⁻_d) min(F_p·e_d, 0)] e_d        what it has lost of it
+//     L_p = Σ_d [(1 - s⁺_d) ⟨F_p·e_d⟩ + (1 - s⁻_d) min(F_p·e_d, 0)] e_d        lost part of this force
 //     u_p = w_p L_p / k        V_p θ_p = Σ g_p·δ - g_p·L_p / k
 //     f = Σ_p w_p (F_p - L_p) + q
 //
 //     s⁺_1 = s_1    s⁺_2 = γ s_2    s⁺_3 = γ s_3        s⁻_1 = 1    s⁻_2 = s⁻_3 = γ
 //
-// A crack of the material loses s_d along each direction separately. Traction along the crack stays, as in the
-// material beside it, and closure along e_1 transmits pressure with Lamé's λ, as whole material does. The grip γ on
-// traction along the crack is 1 until its faces are far apart. A facet of a material plane, or of a cell without
-// cohesion, has e_1 = n and one integrity, s_1 = γ = s: it loses all but the pressure across it. q = (1 - γ) k (δ_t -
-// slip) is friction on what is broken of the latter, and of cracks of the material once γ = 0, cut at μ times the
-// pressure along e_1. An open crack has no friction (Alfano and Sacco 2006).
+// A crack of the material loses s_d along each direction separately. It keeps the traction along itself, as in the
+// material beside it, and transmits pressure along e_1 with Lamé's λ, as whole material does. The grip γ on traction
+// along the crack is 1 until its faces are far apart. A facet of a material plane, or of a cell without cohesion, has
+// e_1 = n and one integrity, s_1 = γ = s: it loses all but the pressure across it. q = (1 - γ) k (δ_t - slip) is
+// friction on the broken part of such a facet, and on a crack of the material once γ = 0. It is limited to μ times
+// the pressure along e_1. An open crack has no friction (Alfano and Sacco 2006).
 //
 // Energy U: halves store ½ k / w |w δ - u|², their springs ½ s (1 - s) w (F·e_d)² / k for s⁺ or s⁻, friction
 // ½ |q|² / (1 - γ) k, and bending s 2 v·H v with v the vector part of q_i* q_j and s the least of s_1, s_2, s_3.
@@ -27,9 +27,9 @@
 // Signs: f acts on cell i, -f on j; δ is from i to j, so tension is positive. The couple of the frame that turns with
 // cell i follows from the balance of angular momentum: all torques and δ × f together are zero.
 //
-// What a crack dissipates in a step is -∂U/∂s times its loss of each integrity. The product of the openings before and
-// after, the geometric mean of both rates, is exact where the opening does not turn: then works by the trapezoidal
-// rule, energy and dissipation add up to zero.
+// The dissipation of a crack in a step is -∂U/∂s times the loss of each integrity. The rate is the geometric mean of
+// those before and after, which is exact where the opening keeps its direction: then works by the trapezoidal rule,
+// energy and dissipation add up to zero.
 #pragma once
 #include "../select.hpp"
 #include "cell.hpp"
@@ -53,7 +53,7 @@ template <class T> struct CrackIntegrity {
 template <class T> struct CrackAxes {
     Vector3<T> e[3];
 };
-// The axes that a unit quaternion stores: the sign of its scalar part says on which side e_3 is.
+// Crack axes in space from the stored quaternion, whose scalar part is negative for a left-handed set.
 template <class T> BONDEM_INLINE CrackAxes<T> axes_of(Quaternion<T> cell, Quaternion<T> stored) {
     const Rotation<T> r = matrix_of(product(cell, stored));
     const T one = all<T>(1.0), side = select(stored.w < T{}, -one, one);
@@ -94,7 +94,7 @@ template <class T> struct CrackFaces {
     Vector3<T> arm_i, arm_j;  // levers [m]
     CrackAxes<T> at;
     CrackIntegrity<T> left;
-    Mask<T> rubs;  // whether friction acts on what is broken, so that the slip is that of its spring
+    Mask<T> rubs;  // true where friction acts on the broken part, whose spring then has the slip
 
     BONDEM_INLINE const Vector3<T> &across() const { return at.e[0]; }
 };
@@ -111,7 +111,7 @@ BONDEM_INLINE CrackFaces<T> crack_faces(const Ends<T> &ends, const FacetShape<T>
             turned_by(ends.i, shape.share_i), turned_by(ends.j, shape.share_j), open.arm_i, open.arm_j, at, left, rubs};
 }
 
-// Faces whose normals are further apart than this cosine do not press on each other as planes.
+// Cosine between the normals of two faces below which they do not press on each other as planes.
 constexpr double least_facing = 0.7;
 // True if the faces of a crack of area A no longer face each other: they are further apart than √A, or have slid by
 // more than `slide` √A.
@@ -182,7 +182,7 @@ BONDEM_INLINE SwellingHalf<T> swelling_half(T k, T part, const CrackFaces<T> &at
         half.loose[d] = (one - at.left.open(d)) * soft;
     }
     half.grip = (one - at.left.grip) * soft;
-    for (int d = 0; d < 3; d++) {  // none where both are alike
+    for (int d = 0; d < 3; d++) {  // no turning point where pull and pressure have equal compliance
         const Mask<T> equal = half.loose[d] == (d == 0 ? T{} : half.grip);
         half.turns[d] = select(equal, all<T>(infinity), T(-half.pulled[d] / (half.along[d] * half.inverse)));
     }

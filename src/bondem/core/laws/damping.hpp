@@ -1,11 +1,12 @@
-// Damping of the elements' own motion, and of the bonds between them.
+// Damping of the motion of elements, and of the bonds between them.
 //
 // Local damping reduces each component of force and torque against the motion, F - γ |F| sign(v) (Chen et al. 2022, eqs
 // (11) and (12), whose printed F U/U is F): it vanishes in equilibrium.
 //
-// A bond has a dashpot parallel to each of its springs, against the relative motion of its ends at the contact point, whose
-// levers share the present distance: no net moment, and no force in rigid motion. Chen et al. (2022), eqs (9) and (10),
-// each component with its own stiffness. Tension positive; the force acts on j, and its opposite on i.
+// A bond has a dashpot parallel to each of its springs, against the relative motion of its ends at the contact point.
+// The levers of this point add up to the present distance: no net moment, and no force in rigid motion. Chen et al.
+// (2022), eqs (9) and (10), each component with its own stiffness. Tension positive; the force acts on j, and its
+// opposite on i.
 #pragma once
 #include "beam.hpp"
 
@@ -30,7 +31,7 @@ template <class T> struct BeamDashpots {
     T cb, ct;  // [N·m·s]
 };
 
-// `share` is the distance of the contact point from i over that of the centres [-].
+// Force and torques of dashpots; `share` is the distance of the contact point from i over that of the centres [-].
 template <class T>
 BONDEM_INLINE BeamLoads<T> dashpot_loads(Vector3<T> branch, const RelativeMotion<T> &motion, T share,
                                          const BeamDashpots<T> &c) {

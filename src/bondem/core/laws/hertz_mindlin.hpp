@@ -23,7 +23,7 @@ template <class Number> struct HertzMindlinLaw {
     static constexpr double of_linear = 0.9128709291752769;  // √(5/6)
     static constexpr bool hardens = true;
 
-    // Two spheres; `own` is the stiffness of a pair that has its own, which is linear, else 0.
+    // Contact of two spheres; `own` is the stiffness of a pair with a linear spring of its own [N/m], else 0.
     template <class T> BONDEM_INLINE ContactSpring<T> between(T own, T ra, T rb, T overlap) const {
         const T k = stiffness(ra, rb, overlap);
         const auto linear = own > T{};

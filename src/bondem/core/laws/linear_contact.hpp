@@ -20,7 +20,7 @@ template <class Number> struct LinearLaw {
 
     static constexpr bool hardens = false;
 
-    // Two spheres; `own` is the stiffness of a pair that has its own, else 0.
+    // Contact of two spheres; `own` is the stiffness of a pair with a spring of its own [N/m], else 0.
     template <class T> BONDEM_INLINE ContactSpring<T> between(T own, T ra, T rb, T) const {
         const T small = select(ra < rb, ra, rb), k = modulus * pi * small * small / (ra + rb);
         return {select(own > T{}, own, k), all<T>(1.0), all<T>(0.5), T{} + damping, T{}};

@@ -7,9 +7,10 @@
 //     F = kn δ_n n + kt δ_t + e                                             eqs (2), (3), (6)
 //     e = A ν (tr σ - n·σ n) n + t - kt δ_t⁻      t = A (σ n - (n·σ n) n)
 //
-// where δ_t⁻ is the tangential gap when σ was found, so that in one step F_t changes by kt (δ_t - δ_t⁻) from A τ: the
-// part that kt δ_t lacks is the other half of the engineering shear strain. F acts on i, and -F on j, both at the
+// where δ_t⁻ is the tangential gap when σ was found. F_t differs from A τ only by kt (δ_t - δ_t⁻), its change in one
+// step: t adds the half of the engineering shear strain that kt δ_t lacks. F acts on i, and -F on j, both at the
 // middle of the gap, so that they make no moment together. The stress of an element of volume V is the symmetric part
+// of the sum
 // of
 //
 //     σ = (1/V) Σ b ⊗ F                                                     eq (1)
@@ -21,14 +22,14 @@
 // energy balance, by the trapezoidal rule in the frame of i.
 //
 // Limits: the stress lags a step behind, which adds energy where nothing damps; ω_max of the springs is no bound for
-// the time step. With `limited`, the length of t - kt δ_t⁻ is at most |t|; the text of the paper does not print a
-// limiter, but without it nothing except its own lag holds the rotation of an element.
+// the time step. With `limited`, the length of t - kt δ_t⁻ is at most |t|. The text of the paper does not print a
+// limiter, but without it only the lag of the stress resists the rotation of an element.
 #pragma once
 #include "stress.hpp"
 
 namespace bondem {
 
-// A bond in the reference.
+// Reference geometry of a bond.
 template <class T> struct PairShape {
     Vector3<T> normal;  // from i to j [-]
     Vector3<T> lever_i, lever_j;  // from the elements to their faces [m]
@@ -85,7 +86,7 @@ BONDEM_INLINE Vector3<T> extra_force(const Stress<T> &s, Vector3<T> n, T area, V
     }
     return plus(e, push, n);
 }
-// force kn δ_n n + kt δ_t of the springs
+// Force kn δ_n n + kt δ_t of the springs [N].
 template <class T> BONDEM_INLINE Vector3<T> spring_force(const PairPose<T> &now, const PairStiffness<T> &k) {
     const T along = (k.kn - k.kt) * dot(now.gap, now.normal);
     return plus(k.kt * now.gap, along, now.normal);
@@ -106,7 +107,7 @@ BONDEM_INLINE PairStore<T> store_after(const PairStore<T> &before, Vector3<T> e,
     return {gap, extra, before.taken + 0.5 * s * dot(before.extra + extra, gap - before.gap)};
 }
 
-// The force F of a bond [N], from its stored values, which give the forces of a stored state to the bit.
+// The force F of a bond [N] from its stored values, so that a restored state has bit-identical forces.
 template <class T>
 BONDEM_INLINE Vector3<T> present_force(const PairStore<T> &store, const PairPose<T> &now, const Rotation<T> &i,
                                        const PairStiffness<T> &k) {

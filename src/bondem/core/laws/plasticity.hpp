@@ -17,11 +17,11 @@
 //
 //     H Δγ_n = H Δγ_(n-1) + (1 - z²) (F_n - F_(n-1)) + (1 - z)² F_n,      z = 0.8
 //
-// With F_(n+1) = F_n + H (S - Δγ_n) for strains that raise F by H S a step, F tends to zero as n z^n, without the lag
-// of F = H S / x that a slip of x F_n / H has. Of an elastic mode with ω Δt = Ω whose stress is as that of its cells,
-// the characteristic polynomial is (x - 1)² + Ω² x + (1 - z²) (x - 1) + (1 - z)² x, and |x| ≤ 1 while Ω ≤ 1 + z. So
-// z = 2·0.9 - 1 is stable in every mode at 0.9 of the critical step. The fastest modes move cells against each other,
-// and have less stress in cells than on facets.
+// With F_(n+1) = F_n + H (S - Δγ_n) for strains that raise F by H S per step, F tends to zero as n z^n. A slip of x
+// F_n / H would instead leave a lag of F = H S / x. For an elastic mode with ω Δt = Ω whose stress is that of its
+// cells, the characteristic polynomial is (x - 1)² + Ω² x + (1 - z²) (x - 1) + (1 - z)² x, and |x| ≤ 1 while
+// Ω ≤ 1 + z. So z = 2·0.9 - 1 is stable in every mode at 0.9 of the critical step. The fastest modes move cells
+// against each other, and have less stress in cells than on facets.
 //
 // The plastic strain is an eigenstrain of the cell: its levers are P b with P ← (1 + Δε) P in the frame of the cell.
 // So the dissipation is exactly V σ:Δε, also at large strain.
@@ -32,7 +32,7 @@
 
 namespace bondem {
 
-// Decrease of the distance from the yield surface in a step, and the shares of the growth of F and of F in the slip.
+// Decay z of the distance from the yield surface per step, and the shares of the growth of F and of F in the slip.
 constexpr double decay_of_excess = 0.8;
 constexpr double part_of_growth = 1.0 - decay_of_excess * decay_of_excess;
 constexpr double part_of_excess = (1.0 - decay_of_excess) * (1.0 - decay_of_excess);
@@ -51,7 +51,7 @@ BONDEM_INLINE T yield_bound(const StressInvariants<T> &s, const YieldStrength<T>
     return s.deviator + by.slope * (s.mean + 0.57735026918962576 * s.deviator) - by.cohesion;
 }
 
-// Sum of F and the cohesion [Pa]: of the largest and the least principal stress by Mohr and Coulomb, or by the cone,
+// F plus the cohesion [Pa]: from the largest and the least principal stress by Mohr and Coulomb, or by the cone,
 // where it is 0 in tension.
 template <class T> BONDEM_INLINE T sheared(T high, T low, T slope) { return 0.5 * (high - low) + 0.5 * (high + low) * slope; }
 template <class T>
@@ -96,7 +96,7 @@ BONDEM_INLINE PlasticStep<T> cone_step(const PrincipalStress<T> &s, const Stress
     };
     return {gamma, slip.carry, {along(0), along(1), along(2)}};
 }
-// Δε in space.
+// Plastic strain Δε in space.
 template <class T> BONDEM_INLINE Symmetric3<T> plastic_strain(const PrincipalStress<T> &s,
                                                               const PlasticStep<T> &step) {
     Symmetric3<T> sum = {};
@@ -107,7 +107,7 @@ template <class T> BONDEM_INLINE Symmetric3<T> plastic_strain(const PrincipalStr
     }
     return sum;
 }
-// σ:Δε [Pa]
+// Plastic work per volume, σ:Δε [Pa].
 template <class T> BONDEM_INLINE T work_of(const Symmetric3<T> &s, const Symmetric3<T> &strain) {
     return s.xx * strain.xx + s.yy * strain.yy + s.zz * strain.zz +
            2.0 * (s.xy * strain.xy + s.xz * strain.xz + s.yz * strain.yz);
@@ -117,7 +117,7 @@ template <class T> BONDEM_INLINE T work_of(const Symmetric3<T> &s, const Symmetr
 template <class T> struct PlasticDeformation {
     Vector3<T> x, y, z;
 };
-// (1 + Δε) P, with Δε in the frame of the cell.
+// Plastic deformation after a step, (1 + Δε) P, with Δε in the frame of the cell.
 template <class T>
 BONDEM_INLINE PlasticDeformation<T> deformed(const PlasticDeformation<T> &P, const Symmetric3<T> &strain) {
     const auto row = [&](Vector3<T> before, Vector3<T> e, Vector3<T> one) {

@@ -28,7 +28,7 @@ template <class T> BONDEM_INLINE StressInvariants<T> invariants(const Symmetric3
     const T p = (1.0 / 3.0) * trace(s), a = s.xx - p, b = s.yy - p, c = s.zz - p;
     return {p, root(0.5 * (a * a + b * b + c * c) + s.xy * s.xy + s.xz * s.xz + s.yz * s.yz)};
 }
-// σ:σ [Pa²]
+// Square of the size of a stress, σ:σ [Pa²].
 template <class T> BONDEM_INLINE T square_of(const Symmetric3<T> &s) {
     return s.xx * s.xx + s.yy * s.yy + s.zz * s.zz + 2.0 * (s.xy * s.xy + s.xz * s.xz + s.yz * s.yz);
 }

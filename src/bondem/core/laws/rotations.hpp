@@ -22,7 +22,7 @@ template <class T> BONDEM_INLINE Quaternion<T> product(Quaternion<T> a, Quaterni
             a.w * b.y + a.y * b.w + a.z * b.x - a.x * b.z, a.w * b.z + a.z * b.w + a.x * b.y - a.y * b.x};
 }
 
-// The rotation back.
+// Inverse of a unit quaternion, the opposite rotation.
 template <class T> BONDEM_INLINE Quaternion<T> inverse(Quaternion<T> q) { return {q.w, -q.x, -q.y, -q.z}; }
 
 // The vector v turned by q: v + 2 u × (u × v + w v) with the vector part u.
@@ -80,7 +80,7 @@ template <class T> BONDEM_INLINE HalfAngle<T> short_series(T h2) {
 }
 inline HalfAngle<double> half_angle(double h2) {
     if (h2 < small_half_angle_square) return short_series(h2);
-    if (!(h2 < infinity)) return {h2 - h2, h2 - h2};  // no number
+    if (!(h2 < infinity)) return {h2 - h2, h2 - h2};  // infinite or not a number: both results are NaN
     int halvings = 0;
     for (; !(h2 < 0.04); halvings++) h2 *= 0.25;
     double cosine = 1.0 + h2 * (-0.5 + h2 * (1.0 / 24.0 + h2 * (-1.0 / 720.0 + h2 * (1.0 / 40320.0 - h2 / 3628800.0))));

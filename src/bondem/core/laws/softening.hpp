@@ -10,11 +10,10 @@
 // its points differ, U_b the energy of bending of the whole facet, and b = ⟨T_b - max ⟨-σ_dd⟩⟩ the part that opens
 // the facet, with the mean stress σ of its two cells.
 //
-// An integrity follows the softening curve, and never rises: s T falls from the strength t_0 to 0 as the opening u =
-// (1 - s) A T / k grows to its last one, 2 G_f / f_t (of a straight line; over r), which is the same for all facets.
-// So every facet begins to soften at σ_1 = f_t, and dissipates G_f A c_d, which is G_f per area projected on the
-// crack. With T_l = k u / A at the last opening, the curve is the larger of two lines, each of the form a - b (1 - s)
-// T,
+// An integrity follows the softening curve, and never rises: s T falls from the strength t_0 to 0 as the opening
+// u = (1 - s) A T / k grows to its last one. That is 2 G_f / f_t for a straight line, divided by r, and the same for
+// all facets. So every facet begins to soften at σ_1 = f_t, and dissipates G_f A c_d, which is G_f per area projected
+// on the crack. With T_l = k u / A at the last opening, the curve is the larger of two lines, both a - b (1 - s) T:
 //
 //     s = t_0 (1 - T / m T_l) / T (1 - t_0 / m T_l)
 //     s = g (1 - T / T_l) / T (1 - g / T_l)        g = κ t_0 / (1 - (1 - κ) m)
@@ -22,13 +21,13 @@
 // with the kink at κ t_0 and m the opening where the first line would reach zero, over the last one. κ = 0 and m = 1
 // are a straight line.
 //
-// Directions: a facet that is whole takes those of a facet of its cells that has cracked, where the first of these is
-// within 45° of the largest principal stress around it, else the principal directions of that stress. Directions that
-// have lost nothing turn with the stress in the plane at right angles to those that have.
+// Directions: a whole facet adopts the axes of a cracked facet of its cells, if the first of them is within 45° of
+// the largest principal stress around it. Otherwise it takes the principal directions of that stress. Axes along
+// which no integrity is lost turn with the stress, in the plane at right angles to those with a loss.
 //
-// A facet of a material plane (interface, joint, bedding) fails by its own traction: √(⟨t·n⟩² + b²) from the
-// strength of the plane on, and |t_s| + t_n tan φ from the cohesion c on. Its fracture energies count per own area:
-// an opening that is inclined, |t|² = q T², ends at a last opening smaller by q.
+// A facet of a material plane (interface, joint, bedding) fails by its own traction: √(⟨t·n⟩² + b²) beyond its
+// strength, or |t_s| + t_n tan φ beyond its cohesion c. Its fracture energies count per area of the facet: the last
+// opening in an inclined direction, |t|² = q T², is smaller by the factor q.
 //
 // Sources: decisions 0019, 0028 and 0045. Cracks that keep their directions, several at a point at right angles to each
 // other, are those of the fixed smeared crack models (de Borst and Nauta 1985); Jirásek and Zimmermann (1998) compare
@@ -104,7 +103,7 @@ template <class T> BONDEM_INLINE LoadAlong<T> load_along(T pull, T bending, T sl
     const T both = pull + bending, traction = root(pull * pull + bending * bending), zero = {};
     return {traction, select(both > zero, traction / both, all<T>(1.0)), most(slope, all<T>(least_slope))};
 }
-// Strength and brittleness of a facet along that direction.
+// Strength and brittleness of a facet along a direction of its crack.
 template <class T> BONDEM_INLINE Softening<T> strength_along(const Softening<T> &facet, const LoadAlong<T> &load) {
     return {facet.strength * load.slope * load.share, facet.brittleness * load.share};
 }

@@ -20,7 +20,7 @@ template <class T> BONDEM_INLINE Stress<T> mean_of(const Stress<T> &a, const Str
     return {0.5 * (a.xx + b.xx), 0.5 * (a.yy + b.yy), 0.5 * (a.zz + b.zz),
             0.5 * (a.xy + b.xy), 0.5 * (a.xz + b.xz), 0.5 * (a.yz + b.yz)};
 }
-// R σ Rᵀ, by the rows of R σ.
+// A stress turned by a rotation, R σ Rᵀ, from the rows of R σ.
 template <class T> BONDEM_INLINE Stress<T> turned_by(const Rotation<T> &r, const Stress<T> &s) {
     const Vector3<T> x = s * r.x, y = s * r.y, z = s * r.z;
     return {dot(x, r.x), dot(y, r.y), dot(z, r.z), dot(x, r.y), dot(x, r.z), dot(y, r.z)};
@@ -30,7 +30,7 @@ template <class T> struct PrincipalBounds {
     T largest, least;  // [Pa]
 };
 
-// 2 cos(arccos(r) / 3), within 4e-7.
+// Approximation of 2 cos(arccos(r) / 3) within 4e-7.
 template <class T> BONDEM_INLINE T trisected(T r) {
     const T one = T{} + 1.0, c = select(r < -one, -one, select(r > one, one, r));
     const T x = root(0.5 * (1.0 + c));

@@ -32,9 +32,9 @@ enum : Index {
     count
 };
 }
-// Counts of what a call of the core has done.
+// Counts of a call of the core: steps, records, bonds turned wide and lost.
 namespace step_count { enum : Index { steps, records, wide, lost }; }
-// Numbers that the guard finds: bonds turned wide and lost, how the call ends, and whether lists are out of date.
+// Results of the guard: bonds turned wide (beyond safe angles) and lost (beyond valid ones), ending, lists too old.
 namespace guard_number { enum : Index { wide, lost, ending, out_of_date }; }
 // Counts of bonds turned wide and lost, and of portions with a number that is not finite.
 namespace turn_count { enum : Index { wide, lost, not_finite }; }
@@ -44,7 +44,7 @@ namespace wall_sum { enum : Index { force, normal = 3, torque, count = 7 }; }
 namespace guard_energy { enum : Index { start, supplied }; }
 // Counts of a log of events: of all, and of those before the present step.
 namespace log_count { enum : Index { events, before }; }
-// Columns of the failure of a bond.
+// Columns of an event, the failure of a bond.
 namespace event_column {
 enum : Index {
     time,  // [s]
@@ -53,7 +53,7 @@ enum : Index {
     mode,  // `failure_mode`
     gap,  // how far it is open [m]
     energy,  // energy released [J]
-    place,  // [m], and two columns more
+    place,  // x of the place [m]; y and z follow
     opening_steps = 9,  // steps since the onset of softening, nan of a bond that failed at once
     count
 };
@@ -85,11 +85,11 @@ enum : Index {
 }
 // Columns of the stress of a cell: xx … yz, Σ T_b² of the bending of facets, and the size of the stress.
 namespace tensor_column { enum : Index { bending = 6, size }; }
-// Columns of the sums of an element: force, energy damped, torque, energy rubbed.
+// Columns of the sums of an element: force, energy lost to damping, torque, energy lost to friction.
 namespace load_column { enum : Index { force, damped = 3, torque, rubbed = 7 }; }
 // Flags of strains that change: whether ∂U/∂factor is needed, and whether lengths or levers have changed.
 namespace strain_due { enum : Index { power, levers }; }
-// Counts of lists of cracks: treated one by one, resting, cells of the first, and parted in this step.
+// Counts of lists of cracks: treated one by one, resting, cells of treated cracks, and parted in this step.
 namespace list_count { enum : Index { treated, resting, cells, parted }; }
 // Numbers of cohesive cracks: how many there are, and 1 where lists are out of date.
 namespace crack_number { enum : Index { cracks, out_of_date }; }
@@ -101,9 +101,9 @@ enum CrackKind : int { of_material, isotropic, let_go };
 enum CrackStatus : int { active, resting, parted };
 }  // namespace crack
 
-// States of contacts. A contact that has parted in this step still counts its losses. Cells whose cracked faces face
-// each other touch by these faces, not as spheres; where they turn away from each other inside their spheres, the
-// spheres touch from the distance then, until they have come apart.
+// States of contacts. A contact that has parted in this step still counts its losses. `facing` cells touch by cracked
+// faces that face each other, not as spheres. Where such faces turn away within the reach of the spheres, the contact
+// is `late`: the spheres touch at the distance of that time, until the cells are apart.
 enum TouchState : Byte { separate, touching, parted, facing, late };
 // Kinds of walls: a plane, a cylinder around the elements and one among them, a sphere around them and one among them,
 // a disc.

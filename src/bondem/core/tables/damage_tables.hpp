@@ -7,7 +7,7 @@ namespace bondem {
 
 // Bounds of the loads of bonds, below which no bond fails.
 struct FailureBounds {
-    Array<float, 1> limit;  // of of_force |F|² + of_moment |M|²; inf of bonds that cannot fail, (m,)
+    Array<float, 1> limit;  // bound of of_force |F|² + of_moment |M|²; inf for bonds that cannot fail, (m,)
     double of_force;  // [1/N²]
     double of_moment;  // [1/(N·m)²]
 };
@@ -20,9 +20,9 @@ struct Strengths {
 // Bonds that are near to failure, and then those of them that fail, in the order of the bonds.
 struct Candidates {
     Array<const Index, 1> begin;  // first bond of each block, (blocks + 1,)
-    Array<Index, 1> marked;  // those of a block from begin[block] on, (bonds,)
-    Array<Index, 1> mode;  // of those that fail, (bonds,)
-    Array<Index, 1> count;  // number of each block, (blocks,)
+    Array<Index, 1> marked;  // numbers of these bonds; those of a block from begin[block] on, (bonds,)
+    Array<Index, 1> mode;  // modes of bonds that fail, (bonds,)
+    Array<Index, 1> count;  // number of these bonds in each block, (blocks,)
     Array<Index, 1> any;  // 1 where a bond fails in this step, (1,)
 };
 // Postponed elements, which close a step with all bonds and open the next one without failed bonds.
@@ -30,7 +30,7 @@ struct Postponed {
     Array<Byte, 1> flag;  // not 0 for elements that are postponed, (n,)
     Array<Short, 1> element;  // lists of these elements, (n,)
     Array<Short, 1> row;  // rows of their sums, (n,)
-    Index first_row;  // of the sums of a step that keep those of the postponed, one row per element
+    Index first_row;  // first row of the sums of a step that keeps sums of postponed elements, one row per element
     Array<double, 2> sum;  // these rows, (n, 8)
 };
 // Failures of one call of the core, in the order of time.
@@ -39,7 +39,7 @@ struct EventLog {
     Array<double, 2> event;  // (bonds, event_column::count)
     Array<Index, 1> written;  // number of events, and of those before the present step, (2,)
     Array<double, 1> released;  // energy released since the start of the run [J], (1,)
-    Array<double, 1> crushed;  // what bonds had released before it beyond their fracture energy [J], (1,)
+    Array<double, 1> crushed;  // energy released beyond the fracture energy before the run [J], (1,)
 };
 // Integrity of beams, which failure changes.
 struct BeamIntegrity {
@@ -58,11 +58,11 @@ struct LoadedTractions {
 };
 // Bonds of which a criterion evaluates a stress.
 struct StressCandidates {
-    Array<Index, 1> bond;  // those of a portion of bonds from its first bond on, (candidates,)
+    Array<Index, 1> bond;  // bonds; those of a portion begin at the number of its first bond, (candidates,)
     Array<double, 3> stress;  // symmetric [Pa], (candidates, 3, 3)
     Array<double, 1> found;  // index of each, at 1 a bond fails [-], (candidates,)
     Array<Index, 1> number;  // number of candidates of each portion, (bond_portions,)
-    Array<Index, 1> total;  // of all portions, where they have been moved together, (1,)
+    Array<Index, 1> total;  // number of candidates of all portions, once moved together, (1,)
 };
 // A criterion that is a function of a stress.
 struct StressFunction {

@@ -7,19 +7,19 @@ namespace bondem {
 
 // The clock of a run on a device, and how many elements and bonds there are.
 struct DeviceSpan {
-    // word by word: times and coefficients of the scheme (5), step, first, continues, record;
+    // words of `Clock`: time, dt and coefficients of the scheme (5), step, first, goes_on, record
     Array<Index, 1> clock;  // (9,)
     Array<const Byte, 1> postponed;  // not 0 for elements that do not open the next step with the others, (*,)
     Array<Index, 1> halted;  // 1 where a list of contacts has to be made anew before the step goes on, (1,)
-    Index n;
-    Index m;
+    Index n;  // number of elements
+    Index m;  // number of bonds
 };
 // Change of the clock.
 struct Tick {
-    Index ahead;  // by how many steps
-    Index goes_on;  // whether elements open the next step
-    Index still;  // whether the step has no time
-    Index first;  // whether the time was not reached by a step
+    Index ahead;  // number of steps ahead
+    Index goes_on;  // 1 if elements open the next step
+    Index still;  // 1 for a step of duration 0
+    Index first;  // 1 at a time that no step has reached
 };
 // Loads of each bond on its two ends.
 struct LoadsOfBonds {
@@ -29,28 +29,28 @@ struct LoadsOfBonds {
 struct BondMarks {
     Array<Byte, 1> mark;  // 1 for bonds near to failure, 2 for those that fail, (bonds,)
     Array<Short, 1> failing;  // bonds that fail in a step, in any order, (bonds,)
-    Array<Byte, 1> mode;  // how, (bonds,)
+    Array<Byte, 1> mode;  // `failure_mode` of these bonds, (bonds,)
 };
 // Bonds of each element, both lists ascending.
 struct BondsOfElements {
     Array<const int32_t, 1> in_start;  // bonds in_start[p] … in_start[p + 1] have j = p, (n + 1,)
-    Array<const int32_t, 1> out_start;  // where the list of those with i = p begins, (n + 1,)
-    Array<const Short, 1> out_bond;  // (*,)
+    Array<const int32_t, 1> out_start;  // start of the bonds with i = p in `out_bond`, (n + 1,)
+    Array<const Short, 1> out_bond;  // bonds by their elements i, (*,)
 };
 // Pairs of contact whose earlier element each element is, ascending.
 struct EarlierPairs {
-    Array<const int32_t, 1> start;  // (n + 1,)
-    Array<const Short, 1> pair;  // (pairs,)
+    Array<const int32_t, 1> start;  // start of the pairs of each element, (n + 1,)
+    Array<const Short, 1> pair;  // numbers of these pairs, (pairs,)
 };
-// Loads of each row, or walls, in their order.
+// Loads, walls or contacts that act on each row, cell or wall, in their order.
 struct RowOrder {
-    Array<const Index, 1> start;  // where those of each row begin, (*,)
-    Array<const Index, 1> load;  // (*,)
+    Array<const Index, 1> start;  // start of the loads of each row, cell or wall, (*,)
+    Array<const Index, 1> load;  // numbers of these loads, (*,)
 };
 // Cracks that break in a step.
 struct FallenCracks {
     Array<Index, 1> fallen;  // facets, in any order until they are logged, (*,)
-    Array<Index, 1> number;  // how many, (1,)
+    Array<Index, 1> number;  // number of these facets, (1,)
 };
 // Levers of the cells of each facet in space, and the square of T_b.
 struct FacetArms {
@@ -60,7 +60,7 @@ struct FacetArms {
 struct GaugeParts {
     Index each;  // parts of each gauge
     Array<Index, 2> sums;  // exact sums of their components, zero between records, (*, exact_word::count)
-    Array<double, 2> largest;  // (*, 3)
+    Array<double, 2> largest;  // largest absolute values of each part, (*, 3)
 };
 
 }  // namespace bondem

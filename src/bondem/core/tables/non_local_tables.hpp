@@ -8,10 +8,10 @@ namespace bondem {
 struct NonLocalBonds {
     Array<const double, 1> area;  // [m²], (m,)
     Array<const double, 1> kn;  // [N/m], (m,)
-    Array<const double, 1> kt;  // [m², N/m], (m,)
+    Array<const double, 1> kt;  // [N/m], (m,)
     Array<const double, 2> normal;  // from i to j in the reference [-], (3, m)
     Array<const double, 2> lever_i;  // from the element i to the contact point in the reference [m], (3, m)
-    Array<const double, 2> lever_j;  // from the elements to the contact point in the reference [m], (3, m)
+    Array<const double, 2> lever_j;  // from the element j to the contact point in the reference [m], (3, m)
     double nu;  // ν [-]
     Index limited;  // whether the extra shear force is limited
     Array<double, 2> history;  // gap [m], extra force [N] and its work [J], in the frame of element i, (7, m)
@@ -34,7 +34,7 @@ struct SmallSprings {
     Array<const double, 2> lever_i;  // from the element i to the contact point [m], (m, 3)
     Array<const double, 2> lever_j;  // from the element j to the contact point [m], (m, 3)
     Array<const double, 1> along;  // dashpots along the normals [N·s/m], (m,)
-    Array<const double, 1> across;  // dashpots across them [N·s/m], (m,)
+    Array<const double, 1> across;  // dashpots across the normals [N·s/m], (m,)
 };
 // Steps of small motions (u, θ) of n elements; stresses and gaps are those of `SmallPairs`.
 struct SmallSteps {

@@ -9,7 +9,7 @@ struct Spheres {
     Array<double, 2> sphere;  // centres and radii [m], (n, 4)
     Array<const double, 1> unit;  // radii at scale 1 [m], (n,)
     Array<double, 2> velocity;  // kept between calls, (n, 3)
-    Array<double, 2> force;  // overlap forces [m], less what walls carry, (n, 3)
+    Array<double, 2> force;  // overlap forces [m], without the parts that walls carry, (n, 3)
     Array<const double, 1> period;  // periodic edge lengths [m], 0 where there is none, (3,)
     Array<const double, 1> ease;  // 1 / √mass of each sphere in a relaxation [-], (n,)
 };
@@ -20,10 +20,10 @@ struct PackingWalls {
     Array<const double, 1> upper;  // corner of the box [m], (3,)
     // 1 for the axes along which the distance from the centre, or the centre line, of the round wall counts, else 0
     Array<const double, 1> weight;  // (3,)
-    double radius;  // of the round wall [m], infinite without one
+    double radius;  // radius of the round wall [m], infinite without one
     Array<const double, 1> corner;  // first node of the grid [m], (3,)
-    double spacing;  // of its nodes [m]
-    Array<const double, 3> depth;  // at its nodes [m], (a, b, c); empty without a grid, (grid_x, grid_y, grid_z)
+    double spacing;  // distance of its nodes [m]
+    Array<const double, 3> depth;  // depth at its nodes [m], empty without a grid, (grid_x, grid_y, grid_z)
 };
 
 // Neighbour lists, and the motion for which they are valid.
@@ -38,7 +38,7 @@ struct Near {
 struct Relaxing {
     double tolerance;  // converged when the rms force is below this share of the mean contact force [-]
     double loose;  // spheres with a mean overlap below this do not press on each other [m]
-    Index steps;  // most steps
+    Index steps;  // largest number of steps
     Array<double, 1> fire;  // time step, mixing, steps downhill; zeros at the beginning, (3,)
     Array<double, 2> part;  // sums of each block of spheres, (blocks, 8)
     Array<double, 1> report;  // rms force [m], mean overlap [m], contacts, largest overlap [m], steps, (5,)
@@ -46,20 +46,20 @@ struct Relaxing {
 
 // Growth of flying spheres, and a report of its end.
 struct Growing {
-    double scale;  // of the radii at the beginning [-]
+    double scale;  // scale of the radii at the beginning [-]
     double rate;  // scale gained per unit of time
-    double duration;  // how long to go on
-    Index events;  // most collisions
-    Array<double, 1> report;  // time gone by, sum of distance times exchanged momentum [m²], collisions, (3,)
+    double duration;  // duration of the growth
+    Index events;  // largest number of collisions
+    Array<double, 1> report;  // elapsed time, sum of distance times exchanged momentum [m²], collisions, (3,)
 };
 
 // Times and next events of n flying spheres; passes write all.
 struct Flight {
-    Array<double, 1> since;  // when its centre was true, (n,)
-    Array<double, 1> when;  // time of its next event, (n,)
-    Array<Index, 1> what;  // its next event: another sphere, or a code, (n,)
+    Array<double, 1> since;  // time for which the centre of each sphere is stored, (n,)
+    Array<double, 1> when;  // time of the next event of each sphere, (n,)
+    Array<Index, 1> what;  // next event of each sphere: the number of another sphere, or a code, (n,)
     Array<Index, 1> heap;  // spheres by the time of their events, the next one first, (n,)
-    Array<Index, 1> place;  // of each sphere in the heap, (n,)
+    Array<Index, 1> place;  // place of each sphere in the heap, (n,)
 };
 
 // Spheres sorted into the cells of a grid.
@@ -70,7 +70,7 @@ struct SphereGrid {
     Array<const double, 1> period;  // periodic edge lengths [m], 0 where there is none, (3,)
     Array<const Index, 1> cells;  // along each axis, (3,)
     double skin;  // largest gap of neighbours [m]
-    Array<Index, 1> cell;  // of each sphere, (n,)
+    Array<Index, 1> cell;  // cell of each sphere, (n,)
     Array<Index, 1> first;  // where the members of each cell begin, (cells + 1,)
     Array<Short, 1> member;  // spheres, cell by cell, (n,)
     // their centres and radii [m], in that order, (4, n + 8): several are read at once

@@ -33,8 +33,8 @@ struct FacetLoading {
     Array<double, 2> traction;  // [Pa], (m, 3)
     Array<double, 1> bending;  // T_b of each facet, as if it were whole [Pa], (m,)
     Array<double, 2> opening;  // traction of facets that have lost integrity, as if they were whole [Pa], (m, 3)
-    Array<double, 1> opened;  // |F⁺| / A of these [Pa], (m,)
-    Array<Byte, 2> turned;  // 1 for halves of these that close or open, (m, 2)
+    Array<double, 1> opened;  // |F⁺| / A of these facets [Pa], (m,)
+    Array<Byte, 2> turned;  // 1 for halves of these facets that close or open, (m, 2)
     Array<double, 2> moment;  // V σ of the cells, to which facets add, xx, yy, zz, xy, xz, yz [J], (n, 6)
 };
 // Sᵀ K S = B + Fᵀ W F of n cells, in b blocks.
@@ -48,14 +48,14 @@ struct ScaledMatrix {
     Array<const float, 2> rounded_form;  // F, (b, 6)
     Array<const double, 1> weight;  // W, (n,)
 };
-// Correction by clumps that move rigidly, with c unknowns and a factor L of half-width w - 1.
+// Coarse correction by clumps, groups of cells that move rigidly: c unknowns, and a factor L of half-width w - 1.
 struct ClumpCorrection {
     Array<const Index, 1> place;  // first coarse unknown of the clump of each cell, (n,)
     Array<const Index, 1> order;  // place of each coarse unknown in L, (c,)
     Array<const double, 3> basis;  // motion of each cell per motion of its clump, (n, 6, 6)
     Array<const double, 2> factor;  // columns of L from the diagonal down, (c, w)
     Array<const double, 2> rigid;  // rigid motions that are free, orthonormal, (r, x)
-    Array<double, 1> coarse;  // (c,)
+    Array<double, 1> coarse;  // values of the coarse unknowns, (c,)
 };
 // State of conjugate gradients in 6 n unknowns.
 struct ConjugateGradients {

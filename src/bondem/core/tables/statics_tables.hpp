@@ -4,7 +4,7 @@
 
 namespace bondem {
 
-// Elements that relax, n of them.
+// Motion, loads and constraints of n elements that relax.
 struct DynamicRelaxation {
     Array<double, 2> pose;  // (n, 8)
     Array<double, 2> velocity;  // of centres and rotations, (n, 6)
@@ -15,15 +15,15 @@ struct DynamicRelaxation {
     Array<const double, 2> motion;  // prescribed displacements and rotations at the end of the ramp [m, rad], (n, 6)
     Array<double, 1> memory;  // running means Σ v·ΔF and Σ m v² of the steps so far, (2,)
     Index ramp;  // steps in which loads and prescribed motions grow
-    double length;  // by which torques become forces [m]
+    double length;  // length that turns torques into forces [m]
     double tolerance;  // unbalanced force over applied and supporting force at which to stop [-]
     double noise;  // force that rounding leaves [N]
 };
 // Steps of one call of the core.
 struct RelaxationSpan {
     Index first;  // number of the first step
-    Index steps;  // how many at most
-    Array<Index, 1> done;  // how many were done, (1,)
+    Index steps;  // largest number of steps
+    Array<Index, 1> done;  // number of steps that were taken, (1,)
     Array<double, 1> ratio;  // unbalanced force over applied and supporting force [-], (1,)
 };
 

@@ -10,7 +10,7 @@ struct BeamRows {
     Array<const Short, 1> j;  // elements, i < j, (m,)
     Array<const double, 2> direction;  // reference direction i→j [-], (3, m)
     Array<const double, 1> length;  // at rest [m], (m,)
-    Array<const double, 1> lever;  // of the contact point from i [m], (m,)
+    Array<const double, 1> lever;  // distance of the contact point from i [m], (m,)
     Array<const double, 1> kn;  // [N/m], (m,)
     Array<const double, 1> ks;  // [N/m], (m,)
     Array<const double, 1> kb;  // [N·m], (m,)
@@ -22,18 +22,18 @@ struct FacetRows {
     Array<const Short, 1> i;  // cells, i < j, (m,)
     Array<const Short, 1> j;  // cells, i < j, (m,)
     Array<const double, 1> k;  // [N/m], (m,)
-    Array<const double, 2> lever_i;  // from the centres to the facet [m], (m, 3)
-    Array<const double, 2> lever_j;  // from the centres to the facet [m], (m, 3)
+    Array<const double, 2> lever_i;  // from the centre of cell i to the facet [m], (m, 3)
+    Array<const double, 2> lever_j;  // from the centre of cell j to the facet [m], (m, 3)
     Array<const double, 3> H;  // [N·m], (m, 3, 3)
-    Array<const double, 2> share_i;  // of each side in the dilatation of its cell [m²], (m, 3)
-    Array<const double, 2> share_j;  // of each side in the dilatation of its cell [m²], (m, 3)
+    Array<const double, 2> share_i;  // share in V θ of cell i [m²], (m, 3)
+    Array<const double, 2> share_j;  // share in V θ of cell j [m²], (m, 3)
 };
 
 // Block rows of a matrix, one per element: earlier neighbours, the diagonal, later neighbours.
 struct BlockRows {
     Array<const Index, 1> in_start;  // bonds in_start[p] … in_start[p + 1] - 1 end in p, (n + 1,)
-    Array<const Index, 1> out_start;  // those that begin in p are in …, (n + 1,)
-    Array<const Short, 1> out_bond;  // … this, from out_start[p] to out_start[p + 1] - 1, (m,)
+    Array<const Index, 1> out_start;  // bonds that begin in p are out_bond[out_start[p]] …, (n + 1,)
+    Array<const Short, 1> out_bond;  // bonds by their first elements, (m,)
     Array<const int32_t, 1> indptr;  // where the blocks of each row begin, (n + 1,)
     Array<int32_t, 1> indices;  // column of each block, (blocks,)
     Array<double, 3> data;  // blocks of (u, θ) [N/m, N, N·m], (blocks, 6, 6)

@@ -31,7 +31,7 @@ struct LoadedFacets {
 };
 // Whole facets, and the load factors at which they begin to crack.
 struct OnsetSearch {
-    Array<const Index, 1> whole;  // (whole,)
+    Array<const Index, 1> whole;  // numbers of the facets, (whole,)
     double below;  // largest factor of interest
     double spread;  // largest factor over the least of all
     Array<double, 1> factor;  // inf of facets that are not evaluated, or never begin, (whole,)
@@ -41,7 +41,8 @@ struct SofteningSearch {
     Array<const Index, 1> facet;  // (listed,)
     Array<const double, 2> traction;  // as if they were whole [Pa], (listed, 3)
     Array<const double, 1> integrity;  // [-], (listed,)
-    // at which the integrity along each of three directions falls below that; inf for never, (listed, 3)
+    // load factor where the integrity along each of three directions falls below `integrity`, inf for never, (listed,
+    // 3)
     Array<double, 2> factor;
     // traction along each as if the facet were whole, that where it begins to soften, and that where it has no
     // integrity, 0 of brittle ones [Pa], (listed, 3, 3)
@@ -53,13 +54,13 @@ struct SofteningSearch {
 struct SofteningTeeth {
     double onset;  // traction from which the facet softens [Pa]
     double last;  // T at zero integrity [Pa], 0 for a brittle facet
-    double kink;  // of the curve
-    double steep;  // of the curve
+    double kink;  // κ of the curve [-]
+    double steep;  // m of the curve [-]
     double ripple;  // half-width of the band, as a share
     double now;  // T at the beginning, if it exceeds the onset [Pa]
     Array<double, 1> left;  // integrity after each event but the last, after which it is zero, (teeth,)
-    Array<double, 1> limit;  // T of the event behind it [Pa], (teeth,)
-    Array<double, 1> beyond;  // over T at which the curve itself softens the facet further [-], (teeth,)
+    Array<double, 1> limit;  // T of the event after it [Pa], (teeth,)
+    Array<double, 1> beyond;  // `limit` over the T at which the curve itself softens the facet further [-], (teeth,)
     Array<Index, 1> number;  // number of steps; only as many are written as there is room, (1,)
 };
 

@@ -4,74 +4,52 @@
 
 namespace bondem {
 
-// Centres sorted into boxes, for the search of neighbours.
-//
-// Attributes:
-//     position: centres [m], shape (n, 3).
-//     radius: radii [m], shape (n,).
-//     lower, upper: the box around all cells [m], (3,).
-//     period: edge lengths of the periodic cell, or 0 [m], (3,).
-//     boxes: number of boxes along each axis, (3,).
-//     start: start of the members of each box, (boxes + 1,).
-//     member: elements, box by box, (n,).
-//     bound: B of each element: no sphere at distance L has a radius above B + κ L [m], (n,).
-//     first: initial search distance of neighbours, less in crowded boxes [m], (n,).
-//     reach: usual distance of the farthest neighbour [m].
-//     tolerance: depth to which planes do not cut [m].
+// Centres of elements, sorted into boxes for the search of neighbours.
 struct Bins {
     Array<const double, 2> position;  // centres [m], (n, 3)
-    Array<const double, 1> radius;  // [m], (n,)
+    Array<const double, 1> radius;  // radii [m], (n,)
     Array<const double, 1> lower;  // the box around all cells [m], (3,)
     Array<const double, 1> upper;  // the box around all cells [m], (3,)
     Array<const double, 1> period;  // edge lengths of the periodic cell, or 0 [m], (3,)
-    Array<const Index, 1> boxes;  // along each axis, (3,)
-    Array<const Index, 1> start;  // where the members of each box begin, (boxes + 1,)
+    Array<const Index, 1> boxes;  // number of boxes along each axis, (3,)
+    Array<const Index, 1> start;  // start of the members of each box, (boxes + 1,)
     Array<const Index, 1> member;  // elements, box by box, (n,)
-    Array<const double, 1> bound;  // B: no sphere at distance L has a radius above B + κ L [m], (n,)
-    Array<const double, 1> first;  // distance to which neighbours are looked for at first [m], (n,)
+    Array<const double, 1> bound;  // B of each element: no sphere at distance L has a radius above B + κ L [m], (n,)
+    Array<const double, 1> first;  // initial search distance of neighbours, less in crowded boxes [m], (n,)
     double reach;  // usual distance of the farthest neighbour [m]
     double tolerance;  // depth to which planes do not cut [m]
 };
 
 // Convex solids, k of them, with f faces and v corners.
-//
-// Attributes:
-//     cell: element of the cell that each solid is part of, shape (k,).
-//     face: faces of solid s are face[s] … face[s + 1] - 1, shape (k + 1,).
-//     tag: neighbour behind each face, shape (f,): an element; BOX - 0 … BOX - 5, the sides of the box around the
-//         shape (x_min, x_max, y_min …); LOCAL, an arbitrary end; or SPLIT - 2 s and SPLIT - 2 s - 1, the two sides
-//         of split s of the cell.
-//     plane: outward unit normal and distance from the centre, shape (f, 4) [-, m].
-//     corner: corners of face g are corner[g] … corner[g + 1] - 1, shape (f + 1,).
-//     vertex: corners relative to the centre of the element [m], shape (v, 3).
 struct Solids {
-    Array<const Index, 1> cell;  // of which element's cell each is part, (solids,)
+    Array<const Index, 1> cell;  // element whose cell each solid is part of, (solids,)
     Array<const Index, 1> face;  // faces of solid s are face[s] … face[s + 1] - 1, (solids + 1,)
-    Array<const Index, 1> tag;  // what is behind each face, (faces,)
+    // neighbour behind each face: an element; BOX - 0 … BOX - 5, sides of the box around the shape
+    // (x_min, x_max, y_min …); LOCAL, an arbitrary end; or SPLIT - 2 s and SPLIT - 2 s - 1, both sides of split s of
+    // the cell
+    Array<const Index, 1> tag;  // (faces,)
     Array<const double, 2> plane;  // outward unit normal and distance from the centre [-, m], (faces, 4)
     Array<const Index, 1> corner;  // corners of face g are corner[g] … corner[g + 1] - 1, (faces + 1,)
-    Array<const double, 2> vertex;  // corners, from the centre of the element [m], (corners, 3)
+    Array<const double, 2> vertex;  // corners relative to the centre of the element [m], (corners, 3)
 };
 
-// A list of polygons with room for more.
-//
-// A pass that fills the list ends, and continues from there when there is more room.
+// Polygons in arrays with spare room. A pass that fills the arrays ends; with larger ones it continues from there.
 struct PolygonBuffer {
-    Array<Index, 2> what;  // kind, tag, first corner, number of corners, shape, (*, 4)
-    Array<double, 2> plane;  // shape, (*, 4)
-    Array<double, 2> vertex;  // shape, (*, 3)
-    Array<Index, 1> used;  // polygons, corners, 1 where it was full, shape, (3,)
+    Array<Index, 2> what;  // kind, tag, first corner and number of corners of each polygon, (*, 4)
+    Array<double, 2> plane;  // outward unit normal and distance from the centre [-, m], (*, 4)
+    Array<double, 2> vertex;  // corners [m], (*, 3)
+    Array<Index, 1> used;  // number of polygons, number of corners, 1 where the arrays were full, (3,)
 };
 
 // The required cells, and lists in which their neighbours are sorted.
 struct CellRequest {
     Array<const Index, 1> chosen;  // elements, (cells,)
-    Array<const double, 1> half;  // half the widths of the boxes that their cells begin as [m], (cells,)
+    Array<const double, 1> half;  // half the edges of the boxes from which their cells are cut [m], (cells,)
     Array<Index, 1> found;  // elements listed, (room,)
-    Array<double, 2> offset;  // from the centre to them, and distance [m], (room, 4)
-    Array<Index, 1> order;  // the nearest first, (room,)
-    Array<Index, 1> end;  // polygons up to the end of each cell, (cells + 1,)
-    Array<Index, 1> done;  // cells made; the element at which it ended, (2,)
+    Array<double, 2> offset;  // vector from the centre to each of them, and distance [m], (room, 4)
+    Array<Index, 1> order;  // places of these elements in the list, the nearest first, (room,)
+    Array<Index, 1> end;  // number of polygons up to the end of each cell, (cells + 1,)
+    Array<Index, 1> done;  // number of cells made, and the element at which the pass ended, (2,)
 };
 
 // A cell under construction: face f has size[f] corners, from row f · MOST_CORNERS on.
@@ -84,14 +62,8 @@ struct CellRoom {
     Array<double, 2> other;  // a polygon, (512, 3)
 };
 
-// Triangles in a tree of boxes, for the search of those near a cell.
-//
-// Attributes:
-//     corner: corners of the triangles [m], shape (t, 3, 3).
-//     plane: unit normal of each and its product with a point of the plane, shape (t, 4) [-, m].
-//     lower, upper: corners of the boxes [m], shape (2 p, 3): box 1 holds all, box b boxes 2 b and 2 b + 1, the last
-//         p one triangle each or none.
-//     owner: triangle in each of the last p boxes, shape (p,).
+// Wall triangles in a tree of boxes, for the search of those near a cell. Box 1 holds all, box b boxes 2 b and 2
+// b + 1, and the last p one triangle each or none.
 struct WallTree {
     Array<const double, 3> corner;  // of the triangles [m], (triangles, 3, 3)
     // unit normal of each and its product with a point of the plane [-, m]
@@ -104,47 +76,47 @@ struct WallTree {
 // Data of the splitting of solids, and room for the pieces.
 struct Splitting {
     Array<const double, 2> position;  // centres of all elements [m], (n, 3)
-    double tolerance;  // what reaches in less than this splits nothing [m]
+    double tolerance;  // depth below which a wall or plane splits nothing [m]
     Array<Index, 1> found;  // walls near a cell, (*,)
-    Array<Index, 1> below;  // where each piece on the stack begins, (*,)
+    Array<Index, 1> below;  // first polygon of each piece on the stack, (*,)
     Array<double, 2> lid;  // polygons, (512, 3)
     Array<double, 2> work;  // polygons, (512, 3)
     Array<double, 2> other;  // polygons, (512, 3)
-    Array<Index, 1> cell;  // of which element's cell each piece is part, (pieces,)
-    Array<Index, 1> end;  // polygons up to the end of each piece, (pieces,)
-    Array<Index, 1> done;  // solids split, pieces made, (2,)
+    Array<Index, 1> cell;  // element whose cell each piece is part of, (pieces,)
+    Array<Index, 1> end;  // number of polygons up to the end of each piece, (pieces,)
+    Array<Index, 1> done;  // numbers of solids split and of pieces made, (2,)
 };
 
 // Solids, the elements among which they are divided, and room for the parts.
 struct Dividing {
     Array<const double, 2> sphere;  // centres and radii of all elements [m], (n, 4)
     Array<const Index, 1> near;  // solid s is divided among near[start[s]] … near[start[s + 1] - 1], (claims,)
-    Array<const Index, 1> start;  // solid s is divided among near[start[s]] … near[start[s + 1] - 1], (solids + 1,)
-    double tolerance;  // planes that reach in less do not divide [m]
+    Array<const Index, 1> start;  // start of the elements of each solid in `near`, (solids + 1,)
+    double tolerance;  // depth below which a plane does not divide a solid [m]
     Array<double, 2> lid;  // polygons, (512, 3)
     Array<double, 2> work;  // polygons, (512, 3)
-    Array<Index, 1> cell;  // of which element's cell each part is part, (parts,)
-    Array<Index, 1> owner;  // the element it belongs to, (parts,)
-    Array<Index, 1> end;  // polygons up to the end of each part, (parts,)
-    Array<Index, 1> done;  // solids divided, parts made, (2,)
+    Array<Index, 1> cell;  // element whose cell each part was cut from, (parts,)
+    Array<Index, 1> owner;  // element to which each part belongs, (parts,)
+    Array<Index, 1> end;  // number of polygons up to the end of each part, (parts,)
+    Array<Index, 1> done;  // numbers of solids divided and of parts made, (2,)
 };
 
-// Faces in one plane: those of group g begin at plus[first[g]] on one side, minus[second[g]] on the other.
+// Faces in one plane: those of group g begin at plus[first[g]] on one side, and at minus[second[g]] on the other.
 struct FaceGroups {
-    Array<const Index, 1> of_face;  // the solid that each face is of, (faces,)
-    Array<const Index, 1> plus;  // (forth,)
-    Array<const Index, 1> first;  // (groups + 1,)
-    Array<const Index, 1> minus;  // (back,)
-    Array<const Index, 1> second;  // (groups + 1,)
+    Array<const Index, 1> of_face;  // solid of each face, (faces,)
+    Array<const Index, 1> plus;  // faces on one side, group by group, (forth,)
+    Array<const Index, 1> first;  // start of each group in `plus`, (groups + 1,)
+    Array<const Index, 1> minus;  // faces on the other side, group by group, (back,)
+    Array<const Index, 1> second;  // start of each group in `minus`, (groups + 1,)
     // vector from the centre of the corners of the first side to that of the other side
     Array<const double, 2> shift;  // (groups, 3)
     double tolerance;  // patches of less area are left out [m²]
     Array<double, 2> work;  // polygons, (512, 3)
     Array<double, 2> other;  // polygons, (512, 3)
-    Array<Index, 1> done;  // groups matched, (1,)
+    Array<Index, 1> done;  // number of groups matched, (1,)
 };
 
-// Polygons, f of them, and the measures of each.
+// Polygons, and the measures of each.
 struct PolygonMeasures {
     Array<const Index, 1> corner;  // corners of polygon q are corner[q] … corner[q + 1] - 1, (polygons + 1,)
     Array<const double, 2> vertex;  // corners [m], (corners, 3)
@@ -154,34 +126,26 @@ struct PolygonMeasures {
 };
 
 // Volumes, surfaces and moments of solids, all about the centre of the element.
-//
-// Attributes:
-//     volume: ∫ dV [m³], shape (k,).
-//     first: ∫ x dV [m⁴], shape (k, 3).
-//     second: ∫ x⊗x dV [m⁵], shape (k, 3, 3).
-//     middle: a point inside, also of a thin solid [m], shape (k, 3).
-//     farthest: distance of the farthest corner [m], shape (k,).
-//     beyond: distance of the centre outside the solid, at most 0 if it lies inside [m], shape (k,).
 struct Bulk {
     Array<double, 1> volume;  // [m³], (solids,)
     Array<double, 2> first;  // ∫ x dV [m⁴], (solids, 3)
     Array<double, 3> second;  // ∫ x⊗x dV [m⁵], (solids, 3, 3)
-    Array<double, 2> middle;  // a point inside, however thin the solid is [m], (solids, 3)
+    Array<double, 2> middle;  // a point inside, also of a thin solid [m], (solids, 3)
     Array<double, 1> farthest;  // distance of the farthest corner [m], (solids,)
-    Array<double, 1> beyond;  // how far the centre lies outside, at most 0 if it lies inside [m], (solids,)
+    Array<double, 1> beyond;  // distance of the centre outside the solid, at most 0 if it lies inside [m], (solids,)
 };
 
 // Facets of each cell.
 struct CellBranches {
     Array<const Index, 1> start;  // facets of cell p are start[p] … start[p + 1] - 1, (n + 1,)
     Array<const Short, 1> other;  // cell on the other side, (sides,)
-    Array<const double, 2> branch;  // weighted branch A / √W times the branch to its neighbour [m^1.5], (sides, 3)
+    Array<const double, 2> branch;  // A / √W times the branch to the neighbour, W a weight [m^1.5], (sides, 3)
 };
 
 // A symmetric tensor of each cell, and the operator applied to it.
 struct BalanceField {
-    Array<const double, 2> given;  // (n, 6)
-    Array<double, 2> found;  // (n, 6)
+    Array<const double, 2> given;  // components of the tensors, those off the diagonal times √2, (n, 6)
+    Array<double, 2> found;  // components of the result, those off the diagonal times √2, (n, 6)
 };
 
 }  // namespace bondem

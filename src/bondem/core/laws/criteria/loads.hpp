@@ -1,8 +1,8 @@
-// Loads of a bond or facet as a failure criterion takes them, and its result.
+// Loads of a bond or facet, which a failure criterion evaluates, and its result.
 //
-// A criterion is a function of these loads and of four coefficients, which Python computes from strengths, once a bond
-// (`bondem/damage/`). The bond fails where the index reaches 1. The index is of degree one in the loads, or grows
-// with them; the mode is that of the largest part of the index.
+// A criterion is a function of these loads and of four coefficients, which Python computes from strengths, once per
+// bond (`bondem/damage/`). The bond fails where the index reaches 1. The index is of degree one in the loads, or
+// grows with them; the mode is that of the largest part of the index.
 #pragma once
 #include "../../lanes.hpp"
 #include "../../tables/columns.hpp"
@@ -23,9 +23,9 @@ template <class T> struct Coefficients {
 };
 // A criterion on the loads of single bonds, and the properties in which criteria differ.
 struct BondCriterion {
-    static constexpr bool sees_angles = false;  // needs the angles of the ends of a beam, which take time to find
+    static constexpr bool sees_angles = false;  // needs the angles at the ends of a beam, which cost time
     static constexpr bool of_facets = false;  // applies to facets of cells too (`needs_beams` is false in Python)
-    static constexpr bool softens = false;  // beams may soften from it on (`pulled_and_sheared` in Python)
+    static constexpr bool softens = false;  // beams may soften after reaching it (`pulled_and_sheared` in Python)
 };
 // Index and mode that a criterion returns.
 template <class T> struct Verdict {

@@ -1,4 +1,4 @@
-// The stiffness matrix of beams at rest, straight into block rows.
+// Stiffness matrix of beams at rest, assembled directly in block rows.
 #include "../../registered.hpp"
 #include "../../tables/stiffness_tables.hpp"
 #include "../../vector3.hpp"
@@ -14,7 +14,7 @@ struct Beam {
     double near, far;  // levers of the contact point from this end and from the other [m]
 };
 
-// Adds the diagonal block of this end, and puts the block towards the other end.
+// Adds the stiffness of a beam to the diagonal block of this end, and sets the block that couples both ends.
 //
 // With P = ks (1 - XX) + kn XX and S = [X]×, the slip at the contact point is δ = u_far - u_near + S (near θ_near +
 // far θ_far) and the relative rotation ρ = θ_far - θ_near; the energy is ½ δ·P δ plus ½ ρ·(kt XX + kb (1 - XX)) ρ.

@@ -17,7 +17,7 @@ template <class Load> inline void multiply(const double *pose, const StiffnessPr
         for (Index c = 0; c < 6; c++) by.found(p, c) = -by.sums(p, c + c / 3);
 }
 
-// Sets the derivative of minus the loads of each bond; `loads(k, rows)` are those of the bonds k ….
+// Sets the tangent of each bond, the derivative of minus its loads; `loads(k, rows)` are those from bond k on.
 template <class Bonds, class Loads>
 BONDEM_INLINE void differentiate(const double *pose, const Bonds &bonds, const BondTangents &to, Loads loads) {
     for_each_group(0, bonds.i.size(), [&](Group group) {

@@ -15,7 +15,7 @@ struct Crossing {
     double operator()(Index r, Index c) const { return entry[r][c]; }
 };
 
-// Adds the diagonal block of one end of a facet, and puts the block towards the other end.
+// Adds the stiffness of a facet to the diagonal block of one end, and sets the block that couples both ends.
 //
 // The gap of a facet is δ = ±(u + φ × b) of its two ends, and the energy ½ k δ² + ½ ρ·H ρ with ρ the relative rotation;
 // `near` and `far` are [b]× of this end and of the other.

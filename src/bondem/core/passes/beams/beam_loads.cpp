@@ -10,7 +10,7 @@
 namespace bondem {
 namespace {
 
-// Bonds ahead of the loop whose first elements are prefetched; second ends follow one another in memory.
+// Distance in bonds at which first elements are prefetched; second elements follow one another in memory.
 constexpr Index ahead = 32;
 
 // Stiffness of beams with constants of their own, or with constants that all share divided by their length.
@@ -31,12 +31,12 @@ struct Uniform {
 
 inline Uniform all_uniform(const UniformBeams &by) { return {by.per_length.data, by.knL, by.AL, by.BL, by.ktL}; }
 
-// Beams that cannot fail.
+// Marking of beams that cannot fail, without effect.
 struct NoMarks {
     template <class Loads> BONDEM_INLINE void mark(Index, int, Loads &) const {}
     template <class T> BONDEM_INLINE void press(Index, Vector3<T>, T, BeamLoads<T> &) const {}
 };
-// Beams that are compared with their bounds.
+// Marking of beams whose loads reach their bounds.
 struct BeamMarks {
     Marks marks;
     BONDEM_INLINE void press(Index, Vector3<Lanes>, Lanes, BeamLoads<Lanes> &) const {}
@@ -46,7 +46,7 @@ struct BeamMarks {
     }
 };
 
-// Beams that begin to soften where they reach their criterion, and that transmit pressure.
+// Marking of beams that begin to soften at their criterion, and the pressure of softened beams.
 template <class Criterion> struct SofteningMarks {
     Marks marks;
     const Range &range;
@@ -192,7 +192,7 @@ Index load_uniform_beams(Index, const Poses &all, const Beams &beams, const Unif
     return 0;
 }
 
-// Multiplies small motions by the stiffness of beams in any poses.
+// Multiplies small motions by the stiffness of beams in given poses.
 Index multiply_beams(Index, const Poses &all, const StiffnessProduct &by, const Beams &beams) {
     const BeamSums to = {beams.i, beams.j, by.sums};
     multiply(all.pose.data, by, [&](const MovedPoses &moved) { add_loads(0, beams.i.size(), moved, beams, to, Own{beams}); });

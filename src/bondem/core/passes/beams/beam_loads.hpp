@@ -4,9 +4,9 @@
 
 namespace bondem {
 
-// Adds forces and torques of all beams in any poses; rows of the sums are given.
+// Adds forces and torques of all beams in given poses to the rows of the sums.
 Index load_beams(Index threads, const Poses &all, const Beams &beams, const BeamSums &to);
-// Adds forces and torques of all beams in any poses that differ in length only.
+// Adds forces and torques of all beams in given poses, where the beams differ in length only.
 Index load_uniform_beams(Index threads, const Poses &all, const Beams &beams, const UniformBeams &uniform,
                          const BeamSums &to);
 

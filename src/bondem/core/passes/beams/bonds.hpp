@@ -41,7 +41,7 @@ template <class T> BONDEM_INLINE Vector3<T> direction_of(const Beams &beams, Ind
 template <class T> BONDEM_INLINE BeamShape<T> shape_of(const Beams &beams, Index k) {
     return {direction_of<T>(beams, k), number<T>(beams.length.data, k)};
 }
-// Constants of the energy times a share of them, such as the integrity.
+// Constants of the energy times a factor, such as the integrity.
 template <class T> BONDEM_INLINE BeamStiffness<T> stiffness_of(const Beams &beams, Index k, T share) {
     return {share * number<T>(beams.kn.data, k), share * number<T>(beams.A.data, k), share * number<T>(beams.B.data, k),
             share * number<T>(beams.C.data, k), share * number<T>(beams.kt.data, k)};
@@ -57,7 +57,7 @@ struct Group {
     Index first;
     int known;  // how many of it belong to the group before
 };
-// Adds force and torques of bonds known … to the sums of their ends; of duals, their derivatives.
+// Adds force and torques of lanes from `known` on to the sums of both ends of their bonds; for duals, derivatives.
 template <class Loads>
 BONDEM_INLINE void add_loads_of(double *sums, const Short *row_i, const Short *row_j, const Loads &loads, int known) {
     const Vector3<Lanes> f = written(loads.force), a = written(loads.on_i), b = written(loads.on_j);

@@ -1,8 +1,8 @@
-// Moments of loads, as forces on regions that turn: the smallest forces about the present centroid of their points.
+// Moments of loads on regions that turn: the smallest forces on their points with the moment about the centroid.
 //
-// With shares w of the points and s their places from the centroid, f = w ω × s and J ω = M, J = Σ w (s² 1 - s⊗s).
-// The forces have no resultant, and torques supply the part of M that the points cannot, as points in a row: the
-// total is M.
+// With shares w of the points and s their places from the present centroid, f = w ω × s and J ω = M, J = Σ w
+// (s² 1 - s⊗s). The forces have no resultant. Torques supply the part of M that the points cannot, such as points in
+// a row, so that the total is M.
 #include "../../registered.hpp"
 #include "../motion/elements.hpp"
 #include "rows.hpp"
@@ -11,7 +11,7 @@
 namespace bondem {
 namespace {
 
-// Square of the share of the largest moment of inertia below which the inertia about an axis counts as zero.
+// Square of the ratio to the trace of J below which the inertia about an axis counts as zero.
 constexpr double none = 1e-8;
 
 struct Point {
@@ -24,7 +24,7 @@ Point point_of(const CoupleTable &couples, const Moving &all, Index k) {
     return {arm, Vector{x.column[0], x.column[1], x.column[2]} + arm};
 }
 
-// ω of J ω = m, zero about axes along which the points lie: (J² + ε² 1) ω = J m.
+// Rotation ω with J ω = m, zero about axes along which the points lie: (J² + ε² 1) ω = J m.
 Vector turn_of(const CoupleTable &couples, const Moving &all, Index first, Index last, Vector centre, Vector m) {
     double xx = 0.0, yy = 0.0, zz = 0.0, xy = 0.0, xz = 0.0, yz = 0.0;
     for (Index k = first; k < last; k++) {
@@ -44,7 +44,7 @@ Vector turn_of(const CoupleTable &couples, const Moving &all, Index first, Index
     const double a = xx * xx + xy * xy + xz * xz + none, d = xy * xy + yy * yy + yz * yz + none;
     const double f = xz * xz + yz * yz + zz * zz + none;
     const double p = xx * xy + xy * yy + xz * yz, q = xx * xz + xy * yz + xz * zz, r = xy * xz + yy * yz + yz * zz;
-    // cofactors
+    // cofactors of J² + ε² 1
     const double A = d * f - r * r, B = q * r - p * f, C = p * r - q * d;
     const double D = a * f - q * q, E = p * q - a * r, F = a * d - p * p;
     const double scale = 1.0 / (size * (a * A + p * B + q * C));

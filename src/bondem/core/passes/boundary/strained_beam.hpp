@@ -7,12 +7,13 @@
 
 namespace bondem {
 
-// Sets length, shear stiffness and lever of strained beam e at the present factors.
+// Stretch 1 + ε* of strained beam e at the present factors.
 inline double stretch_of(const Strain &strain, Index e) {
     double stretch = strain.still(e);
     for (Index g = 0; g < strain.schedule.size(); g++) stretch += strain.factor(1, g) * strain.part(g, e);
     return stretch;
 }
+// Sets length, shear stiffness and lever of strained beam e at the present factors.
 inline void stretch_beam(const Strain &strain, const Beams &beams, Index e) {
     const Index k = strain.bond(e);
     const double stretch = stretch_of(strain, e);
@@ -46,7 +47,7 @@ inline void stretch_and_add(const Moving &all, const Strain &strain, const Beams
     const double tension = tension_of(all, strain, beams, e);
     for (Index g = 0; g < strain.schedule.size(); g++) add(g, -tension * strain.length(e) * strain.part(g, e));
 }
-// Takes the sums of ∂U/∂factor, and adds the work of the strains.
+// Reads and clears the sums of ∂U/∂factor, and adds the work of the strains.
 inline void add_work_of(const Clock &clock, const Strain &strain, const Rows &rows) {
     const auto &factor = strain.factor;
     for (Index g = 0; g < strain.schedule.size(); g++) {

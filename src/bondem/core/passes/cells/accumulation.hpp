@@ -1,4 +1,4 @@
-// V θ and stresses of cells, for passes of a step and for any poses.
+// V θ and stresses of cells, for passes of a step and for given poses.
 #pragma once
 #include "facets.hpp"
 
@@ -11,13 +11,13 @@ BONDEM_INLINE void stress_cell(const Array<double, 2> &pose, const CellDilatatio
 
 #if defined(BONDEM_LANES)
 
-// Facets that cannot fail.
+// Marking of facets that cannot fail, without effect.
 struct NoFacetMarks {
     BONDEM_INLINE bool counts(const FacetColumns &, Index) { return true; }
     template <class... Facet> BONDEM_INLINE void mark(const Facet &...) {}
 };
 
-// Facets of which many have no integrity left.
+// Marking in bodies with many broken facets: groups of facets without integrity are left out.
 struct LeftFacets : NoFacetMarks {
     BONDEM_INLINE bool counts(const FacetColumns &columns, Index k) { return any_left(columns, k); }
 };

@@ -1,4 +1,4 @@
-// Passes over a body of cells in any poses: its forces, its energies, and the places of its walls.
+// Passes over a body of cells in given poses: its forces, its energies, and the places of its walls.
 #include "../../registered.hpp"
 #include "../../tables/cell_tables.hpp"
 #include "../../tables/step_tables.hpp"
@@ -20,8 +20,8 @@ void dilate(const Pose &pose, const Array<const double, 2> &rest, const ElasticF
     accumulate(0, facets.i.size(), pose, facets, cells, none);
 }
 
-// Sets the stresses of all cells in rows of `to_cells`, and adds force and torque of facets and walls to the sums; where
-// cells move, the changes of both.
+// Sets the stresses of all cells in rows of `to_cells`, and adds force and torque of facets and walls to the sums;
+// for a pose of duals, the changes of both.
 template <class Pose>
 void load(const Pose &pose, const Array<double, 2> &to_cells, const Array<const double, 2> &rest,
           const ElasticFacets &facets, const CellDilatation &cells, const DilatationGradients &gradients,
@@ -51,7 +51,7 @@ void load(const Pose &pose, const Array<double, 2> &to_cells, const Array<const 
 
 }  // namespace
 
-// Sets the stresses of all cells in any poses, and adds force and torque of facets and walls to the sums.
+// Sets the stresses of all cells in given poses, and adds force and torque of facets and walls to the sums.
 Index load_body(Index, const CellPoses &all, const ElasticFacets &facets, const CellDilatation &cells,
                 const DilatationGradients &gradients, const WallConstraints &walls, const BeamSums &to) {
     load(all.pose.data, all.pose, all.rest, facets, cells, gradients, walls, to);
@@ -100,7 +100,7 @@ Index measure_cell_energies(Index, const CellPoses &all, const ElasticFacets &fa
 }
 BONDEM_CALL(measure_cell_energies, "")
 
-// Brings walls to a time.
+// Moves all walls to their places at a time.
 Index place_walls(Index, const WallConstraints &walls, const WallTime &at) {
     for (Index g = 0; g < walls.cell.size(); g++) place_support(walls, at.time, g);
     return 0;

@@ -4,7 +4,7 @@
 
 namespace bondem {
 
-// Counts unbroken facets of a portion that are turned beyond the range of their energy, and beyond its end.
+// Counts unbroken facets of a portion turned wide (c1 or c2 below 0.7, or w² below 0.75) and lost (0 and 0.25).
 void check_facets(const Range &range, const Moving &all, const ElasticFacets &facets, const Ledger &ledger);
 // Sums normal, shear, bending and twisting energy of the facets of a portion, without dilatation [J].
 void sum_facet_energies(const Range &range, const Moving &all, const ElasticFacets &facets, const Ledger &ledger);

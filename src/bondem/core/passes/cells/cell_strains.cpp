@@ -40,7 +40,7 @@ void sum_strain_powers(const Range &range, const Moving &all, const CellStrains 
 }
 BONDEM_PASS(sum_strain_powers, of_bonds, "ends pose pose.stress")
 
-// Finds ∂U/∂factor by the stresses in the poses, where the time of the clock was not reached by a step.
+// Finds ∂U/∂factor from the stresses in the poses, at a time that no step has reached.
 void begin_strain_work(const Range &range, const Moving &all, const CellStrains &strains, const ElasticFacets &facets,
                        const WallConstraints &walls) {
     if (!range.clock.first) return;

@@ -1,4 +1,4 @@
-// The mass matrix of waves of pressure in a step: after all loads of the elements, before they move.
+// The dispersion-corrected mass in a step: after all loads of the elements are summed, before they move.
 #include "../../ledger.hpp"
 #include "../../registered.hpp"
 #include "cell_report.hpp"

@@ -8,7 +8,7 @@
 namespace bondem {
 namespace {
 
-// Facets that are compared with their bounds, by the stresses of the step before.
+// Marking of facets whose force reaches their bound, by the stresses of the step before.
 struct FacetMarks {
     Marks marks;
     BONDEM_INLINE bool counts(const FacetColumns &, Index) { return true; }

@@ -13,7 +13,7 @@ void sum_stress_differences(const Range &range, const Moving &all, const Dilatat
 }
 BONDEM_PASS(sum_stress_differences, of_elements, "ends pose.stress; adds difference")
 
-// Adds the forces of the springs between cells to their stresses.
+// Adds the stresses of the springs between neighbouring cells to the stresses of the cells.
 void add_stress_differences(const Range &range, const Moving &all, const CellDilatation &cells,
                             const DilatationGradients &gradients) {
     for (Index p = range.first; p < range.last; p++)

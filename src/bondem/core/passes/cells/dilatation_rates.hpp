@@ -20,7 +20,7 @@ struct Rate {
     Vector linear, angular;
 };
 
-// V θ' of cell p [m³/s or m³/s²] for rates `of(q)` of elements. Walls rest.
+// Rate of V θ of cell p [m³/s or m³/s²] for rates `of(q)` of elements, with walls at rest.
 template <class Of>
 inline double dilatation_rate(const Array<double, 2> &pose, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass, Index p, Of of) {
     const FacetColumns columns(facets);
@@ -55,8 +55,8 @@ inline Rate velocity_of(const Moving &all, Index p) {
     return {{v[0], v[1], v[2]}, {v[4], v[5], v[6]}};
 }
 
-// The acceleration of element p by the loads in a row of the sums; owners of a row of the boundary also have its loads,
-// and keep prescribed motions.
+// Finds the acceleration of element p by the loads in a row of the sums. An owner of a row of the boundary also has
+// the loads of that row, and no acceleration where its motion is prescribed.
 inline void find_acceleration(const Moving &all, const CorrectedMass &mass, const double *sum, Index p) {
     for (Index axis = 0; axis < 3; axis++) {
         mass.acceleration(p, axis) = all.motion(p, 3) * sum[axis];
@@ -75,7 +75,7 @@ inline void find_inertia(const Moving &all, const ElasticFacets &facets, const W
     const auto of = [&](Index q) { return acceleration_of(mass, q); };
     mass.inertia(p) = mass.factor(p) * dilatation_rate(all.pose, facets, walls, mass, p, of);
 }
-// Θᵀ ρ V β Θ a on element p.
+// Finds the force Θᵀ ρ V β Θ a of the correction on element p.
 inline void find_inertia_force(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass, Index p) {
     const FacetColumns columns(facets);
     Vector force = {}, torque = {};

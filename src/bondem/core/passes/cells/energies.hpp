@@ -1,4 +1,4 @@
-// Energies of facets and cells, for passes of a step and for any poses.
+// Energies of facets and cells, for passes of a step and for given poses.
 #pragma once
 #include "../../ledger.hpp"
 #include "facets.hpp"
@@ -14,7 +14,7 @@ inline void sum_energies(Index first, Index last, const double *pose, const Elas
     }
 }
 
-// ½ V λ θ² of a cell [J]; sets V θ to zero.
+// Energy of dilatation ½ V λ θ² of a cell [J]; sets V θ to zero.
 inline double take_dilatation_energy(const CellDilatation &cells, Index p) {
     const double grown = cells.swelling(p) + cells.given(p);
     cells.swelling(p) = 0.0;

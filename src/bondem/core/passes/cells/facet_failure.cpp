@@ -1,10 +1,10 @@
-// Facets that fail at once: they are free facets of both cells from then on, whose dilatation weighs less.
+// Facets that fail at once. They become free facets of both cells, which lowers λ / V of the cells.
 //
-// With a facet its two cells change their stress, and with these the force of all their other facets. So the
-// neighbours of both cells are postponed too, and the loads of all these facets are exchanged in the kept sums, cell
-// by cell in the order of its facets: loads with the failed facets are subtracted, loads without them are added.
-// Facets are evaluated between the two passes over them, when stresses are known and no cell has moved; which of them
-// are near to failure is found with the stresses of the step before.
+// The failure of a facet changes the stress of its two cells, and with it the force of all their other facets. So the
+// neighbours of both cells are postponed too. The loads of all these facets are exchanged in the kept sums, cell by
+// cell in the order of its facets: loads with the failed facets are subtracted, loads without them are added. Facets
+// are evaluated between the two passes over them, when stresses are known and no cell has moved. Candidates near to
+// failure are found with the stresses of the step before.
 #include "facet_failure.hpp"
 
 #include "../../registered.hpp"
@@ -64,7 +64,7 @@ void weigh(const ElasticFacets &facets, const FacetRelease &release, Index p) {
     release.weight(p) = weight_left(release, p, [&](Index k) { return facets.integrity(k); });
 }
 
-// Energy of dilatation of a cell [J]; its stress is brought up to date.
+// Energy of dilatation of a cell [J]; updates its stress.
 double dilate(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const FacetRelease &release,
               Index p) {
     const auto left = [&](Index k) { return facets.integrity(k); };
@@ -159,7 +159,7 @@ void withdraw_facets(const Range &, const Moving &all, const ElasticFacets &face
 }
 BONDEM_PASS(withdraw_facets, of_events, "own load; ends flag pose.stress; still pose; adds flag sum")
 
-// Removes the facets that fail, and brings the stresses of their cells up to date.
+// Removes the facets that fail, and updates the stresses of their cells.
 void break_facets(const Range &range, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                   const FacetRelease &release, const Candidates &candidates, const EventLog &log) {
     remove(range, candidates, log, [&](Index k) { return break_facet(all, facets, walls, release, k); });

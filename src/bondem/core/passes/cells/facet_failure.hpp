@@ -5,8 +5,8 @@
 
 namespace bondem {
 
-// Subtracts the loads that a failure changes, times a sign, from the kept sum of postponed cell p: loads of its
-// facets if one of both cells loses a facet, and loads of its walls if cell p loses one.
+// Subtracts the loads that a failure changes, times a sign, from the kept sum of postponed cell p: loads of a facet
+// if either of its cells loses a facet, and loads of walls if cell p loses one.
 void take_off_changing(double sign, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                        const FacetRelease &release, const Postponed &postponed, Index p);
 // Adds the loads after the failure to the kept sum of postponed cell p, and updates the loads of its walls.

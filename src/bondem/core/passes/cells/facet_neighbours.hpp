@@ -5,7 +5,7 @@
 
 namespace bondem {
 
-// Calls on(k) for the facets of a cell: first those of which it is j. And on(g) for the walls that hold it.
+// Calls on(k) for the facets of a cell, first those of which it is j; `for_each_wall_of` does so for its walls.
 template <class On> inline void for_each_facet_of(const FacetRelease &release, Index p, On on) {
     for (Index k = release.in_start(p); k < release.in_start(p + 1); k++) on(k);
     for (Index e = release.out_start(p); e < release.out_start(p + 1); e++) on(Index(release.out_bond(e)));

@@ -1,7 +1,7 @@
 // Tractions on free facets, and their effect on the dilatation of cells.
 //
-// A traction t opens its facet by the half of its own cell, and with it adds A d t · m / 2G to V θ. Under constant loads
-// ½ V λ θ² of the cells is the potential; a load that changes does the work σ d(V θ) on it.
+// A traction t opens the half facet of its cell, and thereby adds A d t · m / 2G to V θ. Under constant loads ½ V λ
+// θ² of the cells is the potential; a load that changes does the work σ d(V θ) on it.
 #include "../../registered.hpp"
 #include "../../tables/cell_tables.hpp"
 #include "../boundary/timeline.hpp"
@@ -9,7 +9,7 @@
 
 namespace bondem {
 
-// Brings tractions to the time of the clock.
+// Sets the factors of tractions at the time of the clock, and their contributions to V θ of cells.
 void follow_tractions(const Range &range, const Timeline &timeline, const FacetTractions &tractions,
                       const CellDilatation &cells) {
     const Index count = tractions.schedule.size();

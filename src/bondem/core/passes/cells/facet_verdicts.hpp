@@ -14,7 +14,7 @@ inline FacetLoads<double> loads_of(const double *pose, const ElasticFacets &face
                        stresses_of(i, j, s));
 }
 
-// A criterion sees the normal and the shear force of a facet; `f` is the force on cell j.
+// Index and mode of a facet by the normal and the shear part of `f`, the force on cell j [N].
 template <class Criterion> inline Verdict<double> verdict_of(Vector f, Vector n, const Strengths &strengths, Index k) {
     const double along = -dot(f, n), across = length(plus(f, along, n));
     return Criterion::verdict(BondLoads<double>{along, across, 0.0, 0.0, 0.0, 0.0}, coefficients_of(strengths, k));

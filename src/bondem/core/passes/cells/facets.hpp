@@ -16,7 +16,7 @@ BONDEM_INLINE Lanes widened(const float *from, Lanes) { return load(from); }
 template <class Number> BONDEM_INLINE Dual<Lanes> widened(const Number *from, Dual<Lanes>) { return load(from); }
 #endif
 
-// Columns k … of a table with a row for each of three axes.
+// Vector k, or vectors from k on, of a table with one row per axis.
 template <class T, class Number> BONDEM_INLINE Vector3<T> three_rows(const Number *table, Index m, Index k) {
     return {widened(table + k, T{}), widened(table + m + k, T{}), widened(table + 2 * m + k, T{})};
 }
@@ -44,7 +44,7 @@ struct FacetColumns {
         return {lever_of<T>(lever_i, m, pitch, at), lever_of<T>(lever_j, m, pitch, at), three_rows<T>(share_i, m, at),
                 three_rows<T>(share_j, m, at)};
     }
-    // Constants of the energy times a share of them, such as the integrity.
+    // Constants of the energy times a factor, such as the integrity.
     template <class T> BONDEM_INLINE FacetStiffness<T> stiffness(Index at, T share) const {
         const float *h = H + at;
         const Symmetric3<T> whole = {widened(h, T{}),         widened(h + m, T{}),     widened(h + 2 * m, T{}),
@@ -73,8 +73,8 @@ inline Vector normal_of(const ElasticFacets &facets, Index k) {
 
 #if defined(BONDEM_LANES)
 
-// Calls on(k, known, i, j, ends) for the groups of the facets first … last - 1 that counts(k) names, with the poses
-// of their cells; later rows are prefetched.
+// Calls on(k, known, i, j, ends) for each group of the facets first … last - 1 for which counts(k) is true, with the
+// poses of their cells; later rows are prefetched.
 template <class Pose, class Counts, class On>
 BONDEM_INLINE void for_each_facets(Index first, const Index last, const Pose pose, const ElasticFacets &facets,
                                    const double *const period, Counts counts, On on) {

@@ -1,4 +1,4 @@
-// Gradients of the dilatation at one cell, for passes of a step and for any poses.
+// Gradients of the dilatation at one cell, for passes of a step and for given poses.
 //
 // With σ = λ_p θ_p of the cells, springs between neighbours store ½ c (σ_i - σ_j)², so that the stress of a cell becomes
 //
@@ -9,8 +9,8 @@
 //
 //     R_p (w m + v × m)
 //
-// A wall does not rotate: with v of the rotation of the cell since the wall holds it, V χ has -2 v · (n × s) more, and the
-// torque τ (w n × s + v × (n × s)).
+// A wall does not rotate. With v of the rotation of the cell since the wall began to hold it, the wall adds -2
+// v · (n × s) to V χ, and the torque τ (w n × s + v × (n × s)).
 #pragma once
 #include "facets.hpp"
 #include "walls.hpp"
@@ -29,11 +29,12 @@ inline double difference_of(const DilatationGradients &gradients, Index p, Stres
 
 inline bool has_layers(const DilatationGradients &gradients) { return gradients.bend.size() > 0; }
 
-// The rotation of the other cell of facet e of a layer relative to cell p: its cosine, and its vector in the frame of p.
+// The same rotation by the quaternion with a scalar part of at least zero.
 template <class T> CellTurn<T> positive(T w, Vector3<T> v) {
     const T sign = w < 0.0 ? -1.0 : 1.0;
     return {sign * w, sign * v};
 }
+// Rotation of the other cell of facet e of a layer relative to cell p: its cosine, and its vector in the frame of p.
 template <class Pose>
 inline CellTurn<NumberOf<Pose>> layer_turn(const Pose &pose, const DilatationGradients &gradients, Index p, Index e) {
     const auto own = orientation(gather(pose, Short(p)));
@@ -47,13 +48,13 @@ inline CellTurn<NumberOf<Pose>> wall_turn(const Pose &pose, const WallConstraint
     const auto turn = support_turn(pose, walls, gradients.wall(e));
     return positive(turn.w, turn.v);
 }
-// n × s of one direction of facet e, of the cell itself (0, 1) or of the other (2, 3); and that of a wall.
+// n × s of one direction of facet e, of the cell itself (0, 1) or of the other (2, 3), or of a wall (0, 1).
 template <class T> inline Vector3<T> vector_of(const Array<const double, 2> &ways, Index e, Index which) {
     const double *way = &ways(e, 3 * which);
     return {way[0], way[1], way[2]};
 }
 
-// J λ χ / V of a cell, or a dual.
+// J λ χ / V of cell p in direction d, or a dual of it.
 template <class T> inline T bend_of(const DilatationGradients &gradients, Index p, Index d) { return gradients.bend(p, d); }
 template <> inline Dual<double> bend_of(const DilatationGradients &gradients, Index p, Index d) {
     return {gradients.bend(p, d), gradients.bend(p, 2 + d)};

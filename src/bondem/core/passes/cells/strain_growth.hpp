@@ -4,7 +4,7 @@
 
 namespace bondem {
 
-// Rows of the factors.
+// Rows of `CellStrains.factor`.
 namespace strain_factor {
 enum : Index { now, change, before, after };
 }

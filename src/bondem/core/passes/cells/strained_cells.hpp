@@ -24,7 +24,7 @@ inline bool follow_factors(const Clock &clock, const Timeline &timeline, const C
     return changed;
 }
 
-// Levers of facet k, and of wall w, at the present factors.
+// Sets the levers of facet k at the present factors; `stretch_wall` sets that of wall w.
 inline void stretch_facet(const CellStrains &strains, const ElasticFacets &facets, Index k) {
     const double grown = growth_of(strains, k);
     for (Index axis = 0; axis < 3; axis++) {
@@ -55,7 +55,7 @@ inline void sum_powers(Index first, Index last, const double *pose, const CellSt
     }
 }
 
-// Adds ∂U/∂factor of walls to that of facets and cracks, and takes the sums.
+// Adds ∂U/∂factor of walls to that of facets and cracks; reads and clears the sums.
 inline void take_powers(const Moving &all, const CellStrains &strains, const WallConstraints &walls) {
     for (Index w = 0; w < strains.wall_still.size(); w++) {
         const Quaternion<double> q = orientation(gather(all.pose.data, Short(walls.cell(w))));

@@ -10,7 +10,7 @@ inline bool comes(const FacetTractions &tractions) {
         if (tractions.increment(l) != 0.0) return true;
     return false;
 }
-// Half the work of tractions that change, by the present stress of cell p, which owns a row.
+// Adds half the work of tractions that change to the row of cell p, by its present stress.
 inline void add_traction_work_of(const Moving &all, const FacetTractions &tractions, const Rows &rows, Index p) {
     double &work = rows.work(rows.of(p));
     for (Index l = 0; l < tractions.schedule.size(); l++)

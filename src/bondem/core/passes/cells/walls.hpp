@@ -4,8 +4,8 @@
 //     δ = P (wall - u)      V θ += s · δ      U = ½ k |δ|² + 2 v · H v
 //     u = x + R b - its place in the reference
 //
-// A wall with friction μ holds a facet across its pressure N as long as |f_t| ≤ μ N; beyond, the facet slides: the wall is
-// moved after it, by as much as brings f_t to μ N, and the work ½ (f before + f after) · slip is lost to friction.
+// A wall with friction μ holds a facet along its face while |f_t| ≤ μ N, with the pressure N. Beyond, the facet
+// slides: the wall moves with it until f_t is μ N, and the work ½ (f before + f after) · slip is lost to friction.
 //
 // P keeps the fixed axes, k = 2 G A / d is that of the half facet of the cell, and v the vector part of q q₀*, the
 // rotation of the cell since the wall holds it. A wall that begins to hold a moved face starts at the place of the

@@ -14,7 +14,7 @@ inline Adhesion adhesion_of(const ContactRow &of, double ra, double rb) { return
 inline Adhesion adhesion_of(const ContactConstants &c, const ContactPairs &pairs, Index k) {
     return adhesion_of(law_of(c, pairs, k), c.radius(pairs.first(k)), c.radius(pairs.second(k)));
 }
-// Force of pair k on its later element [N].
+// Writes the adhesion of pair k as a force on its later element [N].
 inline void adhere_pair(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const AdheringPairs &of, Index k) {
     Vector force = {};
     if (pairs.bond(k) < 0) {
@@ -29,7 +29,7 @@ inline void add_adhesion(const AdheringPairs &of, Index k, bool later, double *r
     for (Index x = 0; x < 3; x++) row[x] += later ? of.force(k, x) : -of.force(k, x);
 }
 
-// Finds the adhesion of a portion of elements at walls.
+// Adds the adhesion of a portion of elements at walls to their sums, and to the loads of the walls.
 void adhere_at_walls(const Range &range, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                      const Walls &walls, const ContactSums &to);
 // Adds the energy of adhesion of the pairs of a portion, below 0 [J].

@@ -1,6 +1,6 @@
 // Candidates for contact: pairs, and elements at walls, that may touch before the list is renewed.
 //
-// Each pair stands once, sorted by its later element, then by its earlier one, as bonds are.
+// Each pair is listed once, sorted by its later element, then by its earlier one, as bonds are.
 #include "../../registered.hpp"
 #include "../../tables/contact_tables.hpp"
 #include "../../tables/step_tables.hpp"
@@ -11,7 +11,7 @@
 namespace bondem {
 namespace {
 
-// Place of a number among first … last - 1 of a list, or -1.
+// Position of a number among entries first … last - 1 of a list, or -1.
 Index place_of(const Array<const Short, 1> &list, Index first, Index last, Short wanted) {
     for (Index e = first; e < last; e++)
         if (list(e) == wanted) return e;
@@ -44,8 +44,8 @@ double gap_of(const Poses &all, const Walls &walls, const WallSources &from, Ind
 
 }  // namespace
 
-// Lists spheres of a sorted grid that are near and that no bond joins, and pairs of bonds that are wanted, with the
-// memory of those that touch. Ends when the list is full.
+// Lists near spheres of a sorted grid that no bond joins, and wanted pairs of bonds, with the memory of pairs that
+// touch. Ends when the list is full.
 Index list_pairs(Index, const SphereGrid &grid, const PairSources &from, const FoundPairs &found) {
     const Period period(grid.period);
     const Index n = grid.sphere.size(), room = found.first.size();

@@ -1,9 +1,8 @@
 // Contacts of pairs: each touching pair computes its force and memory, then elements add the forces of their pairs.
 //
-// Most pairs of a list are bonded, or further apart than elements move until distances are measured anew: only the
-// others are evaluated in every step, in the order of the list, and touching pairs in groups of lanes. Two phases,
-// and an order that no division changes: no bit depends on threads. Pairs of a list that do not touch change no bit
-// either, because they add nothing to any sum.
+// Most pairs of a list are bonded, or too far apart to touch before distances are measured again. Only the others are
+// evaluated in every step, in the order of the list, and touching pairs in groups of lanes. Sums have the order of
+// the list, so that no bit depends on threads. Listed pairs that do not touch add nothing to any sum.
 #include "contact_loads.hpp"
 
 #include "../../ledger.hpp"
@@ -50,7 +49,7 @@ void list_near(const Range &range, const Moving &all, const ContactConstants &c,
     travel.portion(range.block, 2) = most(travel.portion(range.block, 2), deepest);
 }
 
-// Finds the near pairs that touch, or did a step ago.
+// Finds the near pairs that touch, or did a step ago; returns their number.
 Index find_close(const Range &range, const Moving &all, const ContactPairs &pairs, const NearPairs &near) {
     const Index begin = pairs.start(range.first), count = near.counts(range.block, 0);
     Index found = 0;
@@ -67,7 +66,7 @@ Index find_close(const Range &range, const Moving &all, const ContactPairs &pair
     return found;
 }
 
-// Computes pairs of bodies with cracks, of which some touch by faces that face each other.
+// Finds near pairs that touch as spheres in bodies with cracks, returns their number, and computes pairs of faces.
 Index find_close(const Range &range, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                  const NearPairs &near, const FacePairs &faces) {
     const Index begin = pairs.start(range.first), count = near.counts(range.block, 0);
@@ -101,7 +100,7 @@ struct SeveralPairs {
     }
 };
 
-// The laws of several pairs.
+// Parameters of the laws of several pairs.
 struct SeveralLaws {
     Lanes modulus, soft, friction, damping;
 

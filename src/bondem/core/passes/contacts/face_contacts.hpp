@@ -1,15 +1,14 @@
 // Cells in contact by the faces of facets of material planes, such as joints.
 //
-// A facet whose faces have parted no longer joins its two cells. Each of its faces may touch any face of a crack that faces
-// it, of a cell that no facet joins: two faces have half the weight for each of them that has parted, as the other half of
-// a face that has not is the crack itself. A pair of cells touches by two faces at a time, those that overlap most, until
-// they are apart. Cells whose cracked faces face each other do not touch as spheres, which would stand out of the plane of
-// the faces.
+// A facet whose faces have parted no longer joins its two cells. Each of its faces may touch an opposite cracked face
+// of a cell that no facet joins to its own. Two faces have half the weight for each of them that has parted: the
+// other half of a face that has not parted is the crack itself. A pair of cells touches by two faces at a time, those
+// that overlap most, until they are apart. Cells with opposite cracked faces do not touch as spheres, which would
+// protrude from the plane of the faces.
 //
-// Faces may overlap before they may touch: such faces touch from their initial overlap on, without a force. Faces in
-// one plane of the reference, those of a joint, receive the pressure of facets that part instead, and find the next
-// faces before they overlap. The rule is a function of positions, of parted facets, and of the memory of the pair,
-// and does not depend on lists.
+// Faces that overlap before they may touch have contact from this initial overlap on, without a force. Faces in one
+// plane of the reference, such as a joint, instead receive the pressure of facets that part, and find the next faces
+// before they overlap. The rule depends on positions, parted facets and the memory of the pair, and not on lists.
 #pragma once
 #include "../../laws/crack.hpp"
 #include "../../laws/face_contact.hpp"
@@ -27,7 +26,7 @@ constexpr double least_ahead = 0.5;
 // without an initial overlap.
 constexpr double least_share = 0.01;
 
-// Facets whose faces a pair has chosen, as one number.
+// The two facets by whose faces a pair touches, coded as one number.
 struct ChosenFaces {
     Index first, second;
 
@@ -40,7 +39,7 @@ struct ChosenFaces {
     static constexpr Index facets = Index(1) << 26;
 };
 
-// True if cells touch by the faces of facet k: it belongs to a material plane and has cracked.
+// True if cells may touch by the faces of facet k: it belongs to a material plane and has cracked.
 inline bool has_faces(const FacePairs &of, Index k) { return of.listed(k) != 0 && of.plane(k) != 0.0; }
 // Calls on(facet) for the cracked facets of material planes of cell p.
 template <class On> inline void over_cracked_faces(const FacePairs &of, Short p, On on) {
@@ -138,7 +137,7 @@ inline FaceLoads chosen_loads(const Moving &all, const ContactPairs &pairs, cons
     return face_loads(TwoCells(all, pairs, k).faces(of, e), weight_of(of, e), pairs.memory(k, began_at));
 }
 
-// Writes forces and memory of the faces of pair k; `lost` is elastic energy without a spring that stores it.
+// Writes forces and memory of the faces of pair k; `lost` is the elastic energy of a contact that ends, a loss [J].
 inline void press_met(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const FacePairs &of, Index k,
                       const FaceLoads &met, double lost, double dt) {
     const Short a = pairs.first(k), b = pairs.second(k);
@@ -241,7 +240,7 @@ inline void add_faces_to(const FacePairs &of, Index k, bool later, double *row) 
     if (later) row[3] += out[3], row[7] += out[7];
 }
 
-// Marks the faces of facet k that part in this step, and their cells, of whose pair spheres touch from the distance now.
+// Marks the faces of facet k that part in this step, and their cells; keeps the reach of their pair as spheres.
 inline void mark_parting(const ContactPairs &pairs, const FacePairs &of, Index k, Index pair) {
     of.whole(pair) = pairs.reach(pair);
     if (!has_faces(of, k)) return;

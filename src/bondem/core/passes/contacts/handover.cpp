@@ -22,7 +22,7 @@ NewContact begin_pair(const Moving &all, const ContactConstants &c, const Contac
 
 namespace {
 
-// Examines pair k in every step from now on; it keeps its place in the order of the pairs.
+// Inserts pair k into the ascending list of near pairs, so that every step evaluates it.
 void examine(const ContactPairs &pairs, const NearPairs &near, Index k) {
     const Index portion = pairs.second(k) / elements_of_portion, begin = pairs.start(portion * elements_of_portion);
     Index e = begin + near.counts(portion, 0);
@@ -82,7 +82,7 @@ void begin_softened_contacts(const Range &, const Moving &all, const ContactCons
 }
 BONDEM_PASS(begin_softened_contacts, of_events, "ends motion pose; adds sums")
 
-// Makes pairs of the cells whose faces have parted in this step.
+// Begins to evaluate the pairs of cells whose cracks have parted in this step.
 void touch_parted_faces(const Range &, const Moving &all, const ContactPairs &pairs, const NearPairs &near,
                         const CohesiveCracks &cracks, const CrackLists &lists, const PartedReach &reach) {
     for (Index e = 0; e < lists.size(list_count::parted); e++) {

@@ -28,8 +28,8 @@ inline void add_new_contact(double *row, bool is_later, double radius, const New
     }
 }
 
-// Contact of a broken facet begins at its rest length `apart`, or at the present distance if that is less, without
-// force and energy. Returns that distance [m].
+// Begins the contact of the cells of a broken facet at distance `apart`, or at the present distance if that is less,
+// without force and energy. Returns that distance [m].
 inline double open_pair(const Moving &all, const ContactPairs &pairs, Index facet, double apart) {
     const Index k = pairs.of_bond(facet);
     const double reach = least(apart, length(branch_of(all.pose.data, pairs, k)));

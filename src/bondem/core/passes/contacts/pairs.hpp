@@ -1,4 +1,4 @@
-// A pair of spheres in contact, or as many as there are lanes: as passes read it from the tables of pairs.
+// Access of passes to pairs of spheres in contact: one pair, or as many as there are lanes.
 //
 // The contact point divides the distance of the centres as the radii do, so that a contact has no net moment.
 #pragma once
@@ -9,7 +9,7 @@
 
 namespace bondem {
 
-// Calls on(law) with the law of numbers of a contact, or of as many as there are lanes.
+// Calls on(law) with the contact law of the model, whose parameters `of` are those of one contact or of lanes.
 template <class Numbers, class On> BONDEM_INLINE void with_law(const ContactConstants &c, const Numbers &of, On on) {
     using Number = decltype(of.modulus);
     if (c.hertzian)
@@ -77,8 +77,8 @@ inline PairLoads<double> present_loads(const Moving &all, const ContactConstants
     with_law(c, of, [&](auto law) { loads = pair_loads(law, of, pair, pairs.own(k), memory, 0.0); });
     return loads;
 }
-// Calls on(pair, element, true for the later one of the pair) for the elements of a range in the listed pairs of each
-// portion, in the order of the pairs; `count(q)` is the number of pairs of portion q.
+// Calls on(pair, element, is_later) for the elements of a range in the listed pairs of each portion, in the order of
+// the pairs; `count(q)` is the number of pairs of portion q.
 template <class Count, class On>
 BONDEM_INLINE void over_listed_pairs(const Range &range, const ContactPairs &pairs, const Array<Short, 1> &list, Count count,
                                      On on) {

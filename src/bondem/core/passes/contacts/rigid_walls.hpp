@@ -6,14 +6,15 @@ namespace bondem {
 
 // Moves walls to the end of the step that begins at the time of the clock.
 void move_walls(const Range &range, const WallMotions &motions, const Walls &walls);
-// Applies half a kick to free wall e, and returns its angular velocity afterwards.
+// Adds the changes over dt to velocity and angular momentum of free wall e.
 void kick_free(const WallMotions &motions, const Walls &walls, Index e, double dt);
+// Sets the angular velocity of wall w from its angular momentum, if it turns freely.
 void show_free_spin(const Walls &walls, Index w);
 // Adds the force of contact e to the sums of its wall.
 void add_to_wall(const WallContacts &contacts, Index e);
-// Takes the forces of wall w from their sums, which are then zero, and adds its work over half a step.
+// Takes the forces of wall w from their sums, which are then zero, and adds its work; `half` is half the step [s].
 void load_wall_by_sums(const WallContacts &contacts, const Walls &walls, Index w, double half);
-// Adds the sizes of the works of walls to the energy balance, for its guard.
+// Adds the absolute works of walls to the energy balance, for its guard.
 void count_wall_work(const Range &range, const Walls &walls, const Ledger &ledger);
 // Adds the works of walls to the energy balance, and writes gauges of walls.
 void write_walls(const Range &range, const Walls &walls, const Gauges &gauges, const Ledger &ledger,

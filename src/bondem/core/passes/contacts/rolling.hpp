@@ -2,9 +2,10 @@
 //
 //     M = -R̄ ks ρ      |ρ_t| <= μ_r F_n / ks      |ρ_n| <= μ_w F_n / ks      1/R̄ = 1/R_i + 1/R_j, at a wall R̄ = R
 //
-// ρ is R̄ times the rotation of the second body against the first that the spring stores, ρ_t across the normal and ρ_n along
-// it. ks is that of the contact; of a law that hardens, that at the overlap for which its time step is computed, as a constant
-// stiffness stores a potential. There is no dashpot. Energy: ½ ks ρ²; work that it does not store is friction.
+// ρ is R̄ times the rotation of the second body against the first that the spring stores, ρ_t across the normal and
+// ρ_n along it. ks is that of the contact. For a law that hardens it is taken at the overlap of the time step
+// estimate, because a constant stiffness has a potential. There is no dashpot. Energy: ½ ks ρ²; work that it does not
+// store is friction.
 //
 // The moments on both bodies are opposite: angular momentum is conserved. Source: type C of Ai, Chen, Rotter and Ooi, Powder
 // Technology 206 (2011) 269–282, without its dashpot.
@@ -46,7 +47,7 @@ inline RollingLoads rolling_loads(const RollingContact &at, const ContactRow &la
     return {(-at.arm * at.ks) * rolled, rolled, given - 0.5 * at.ks * (dot(rolled, rolled) - dot(before, before))};
 }
 
-// R̄ of pair k, and the stiffness of its spring.
+// R̄ of pair k [m]; `rolling_stiffness` is the stiffness ks of its rolling spring [N/m].
 inline double rolling_arm(const ContactConstants &c, const ContactPairs &pairs, Index k) {
     const double a = c.radius(pairs.first(k)), b = c.radius(pairs.second(k));
     return a * b / (a + b);

@@ -1,8 +1,8 @@
 // Motion for which a list of contacts is valid: pairs are listed up to a gap of twice the reach, so that no pair
 // beyond it touches before an element or a wall has moved by the reach.
 //
-// The distance of an element from where distances were measured, and from there to where it was when the list was made,
-// bound its distance from the latter: one pass over the elements serves both.
+// The motion of an element since the list was made is at most the sum of two: until distances were last measured, and
+// since then. So one pass over the elements serves both.
 #include "travel.hpp"
 
 #include "../../registered.hpp"
@@ -20,7 +20,7 @@ double wall_travel(const Walls &walls, double reach) {
 
 }  // namespace
 
-// Finds the distances of the elements of a portion from their places at the last measurement.
+// Finds the largest motion of the elements of a portion since distances were measured.
 void measure_travel(const Range &range, const Moving &all, const Travel &travel) {
     double farthest = 0.0;
     bool finite = true;
@@ -34,7 +34,7 @@ void measure_travel(const Range &range, const Moving &all, const Travel &travel)
 }
 BONDEM_PASS(measure_travel, of_elements, "")
 
-// Finds whether the list may miss a contact by now, also where a centre is not a number.
+// Marks the list of contacts as out of date if it may miss a contact, or if a centre is not finite.
 void check_travel(const Range &, const Travel &travel, const Walls &walls, const Ledger &ledger) {
     double farthest = 0.0;
     for (Index q = 0; q < travel.portion.size(); q++) farthest = most(farthest, travel.portion(q, 0));
@@ -45,7 +45,7 @@ void check_travel(const Range &, const Travel &travel, const Walls &walls, const
 }
 BONDEM_PASS(check_travel, single, "")
 
-// Stores distances that were measured in a step.
+// Stores the largest motion since the list was made, in a step that measures distances.
 void keep_measures(const Range &range, const NearPairs &near, const Travel &travel) {
     if (!measures_anew(range, near, travel)) return;
     double farthest = 0.0;

@@ -8,7 +8,7 @@ namespace bondem {
 constexpr Index has_cracks = 3;
 
 struct Carried {
-    Four sum[3];  // b_x f, b_y f, b_z f, each and another number, b in its pitch
+    Four sum[3];  // b_x f, b_y f, b_z f with b in units of pitch, each and another number
 
     // `b` is the lever; `f` has the three components of the force and a fourth number that does not count.
     BONDEM_INLINE void add(const int32_t *b, Four f) {
@@ -20,7 +20,7 @@ struct Carried {
     }
 };
 
-// Σ b⊗f of the cracks of cell p, from the forces of the last step.
+// Sums b⊗f of the cracks of cell p, from the forces of the last step.
 inline void carry_cracks_of(const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists,
                             Index p) {
     Carried sum = {};

@@ -1,11 +1,11 @@
 // Axes of a crack of the material before any loss of integrity.
 //
-// Cracks with axes of their own block each other: those of neighbouring facets cost 6 to 8 % of the fracture energy at a
-// notch, and where a body tears by turning 10 to 22 %. A crack takes the axes of that crack of its two cells which has lost
-// most, where one of the three is within 45° of the largest principal stress around it: behind the front of a crack the
-// largest stress is often along it. Else those of the crack of all their neighbours which has lost most, where the first
-// is within 45°: with any of the three, cracks under mixed mode would not curve. Else the principal directions of that
-// stress, the mean over these cells.
+// Neighbouring cracks with different axes hinder each other, which costs 6 to 8 % of the fracture energy at a notch,
+// and 10 to 22 % where a body tears by turning. A crack takes the axes of the crack of its two cells that has lost
+// most, if one of the three is within 45° of the largest principal stress around it: behind the front of a crack the
+// largest stress is often along it. Otherwise it takes those of the crack of all their neighbours that has lost most,
+// if the first is within 45°: with any of the three, cracks under mixed mode would not curve. Otherwise it takes the
+// principal directions of that stress, the mean over these cells.
 #pragma once
 #include "../../laws/principal.hpp"
 #include "single_cracks.hpp"
@@ -17,7 +17,7 @@ namespace crack {
 constexpr double near_enough = 0.70710678118654752;  // cosine of 45°
 }
 
-// A crack that has lost some of its first direction, or none.
+// The crack that has lost most along its first axis; facet -1 if none has lost any.
 struct LeadingCrack {
     Index facet = -1;
     double left = 1.0;
@@ -27,7 +27,7 @@ struct LeadingCrack {
         if (s < left || (s == left && s < 1.0 && k < facet)) facet = k, left = s;
     }
 };
-// Finds the crack of the material that leads those of cell p which are treated one by one and have a grip.
+// Finds the leading crack of the material in cell p, among those that are treated one by one and have a grip.
 inline void find_leader(const CohesiveCracks &cracks, const CrackLists &lists, Index p) {
     LeadingCrack leader;
     for (Index h = lists.head(p); h > 0; h = lists.next(h)) {
@@ -38,7 +38,7 @@ inline void find_leader(const CohesiveCracks &cracks, const CrackLists &lists, I
     lists.leader(p) = int32_t(leader.facet);
 }
 
-// Some cells: Σ V σ [J], Σ V [m³], and the crack that leads them.
+// Sums over several cells, Σ V σ [J] and Σ V [m³], and their leading crack.
 struct CellsAround {
     Symmetric3<double> sum = {};
     double volume = 0.0;
@@ -52,8 +52,8 @@ struct CellsAround {
     }
 };
 
-// Chooses the axes of crack k of the material. Cracks of which it reads axes have lost some of their first direction, so
-// that these do not change in this pass.
+// Chooses the axes of crack k of the material. It reads axes of cracks that have lost some of their first direction,
+// so that these axes do not change in this pass.
 inline void choose_axes(const Moving &all, const ElasticFacets &facets, const CellSlack &of,
                         const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists, Index k) {
     const Short cells[2] = {facets.i(k), facets.j(k)};

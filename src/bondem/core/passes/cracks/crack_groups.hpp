@@ -1,4 +1,4 @@
-// Cracks as passes read and write them: one, or as many as there are lanes. Their changes are written once for both
+// Access of passes to cracks: one, or as many as there are lanes. Functions on cracks are templates for both
 // (`crack_places.hpp` and others).
 #pragma once
 #include "../../exact_sum.hpp"
@@ -65,7 +65,7 @@ struct OneCrack {
         *reinterpret_cast<Row<double> *>(&lists.half(half_of(crack, 0), from)) = on_i;
         *reinterpret_cast<Row<double> *>(&lists.half(half_of(crack, 1), from)) = on_j;
     }
-    // Calls on(crack, place, lane) where a mask says so.
+    // Calls on(crack, place, lane) if the mask is set.
     template <class On> BONDEM_INLINE void where(bool mask, On on) const {
         if (mask) on(crack, e, 0);
     }
@@ -214,7 +214,7 @@ struct CrackGroup {
             for (int n = known; n < lanes; n++) all[n] = all[known - 1];
         return all > Lanes{};
     }
-    // Writes flags of known places.
+    // Writes a flag at the places whose mask is set, and marks their portion.
     void flag(const Array<Byte, 1> &to, const Array<Index, 1> &of_portions, Index portion, Mask<Lanes> where, Byte value,
               Index as = 1) const {
         if (!any(where)) return;
@@ -233,7 +233,7 @@ struct CrackGroup {
         scatter_rows(i, on_i);
         scatter_rows(j, on_j);
     }
-    // Calls on(crack, place, lane) for those that a mask names.
+    // Calls on(crack, place, lane) for the lanes of a group whose mask is set.
     template <class On> BONDEM_INLINE void where(Mask<Lanes> mask, On on) const {
         for (int n = 0; n < known; n++)
             if (mask[n] != 0) on(crack[n], e + n, n);
@@ -254,14 +254,14 @@ struct CrackGroup {
 
 // ---- lists
 
-// Calls on(first, last, portion) for portions of a list of so many places, on the threads of a range.
+// Calls on(first, last, portion) for the portions of a list of `count` places, on the threads of a range.
 template <class On> inline void over_places(const Range &range, Index count, On on) {
     for_each_task(range.threads, portions(count, crack::of_portion), [&](Index task) {
         const Index first = task * crack::of_portion;
         on(first, least(first + crack::of_portion, count), task);
     });
 }
-// Calls on(group) for the groups of places first … last - 1 of a list of so many cracks.
+// Calls on(group) for the groups of places first … last - 1 of a list of `count` cracks.
 template <class On> BONDEM_INLINE void for_each_group_of(const CrackLists &lists, Index first, Index last, Index count, On on) {
     for (Index e = first; e < last; e += lanes) on(CrackGroup{lists.treated, lists.treated_i, lists.treated_j, e, count});
 }

@@ -11,7 +11,7 @@
 namespace bondem {
 namespace {
 
-// Lanes after the end of a list repeat its last crack.
+// Repeats the last crack of a list in the lanes after its end.
 void fill(const Array<Index, 1> &list, const Array<Short, 1> &at_i, const Array<Short, 1> &at_j, Index count) {
     if (count == 0) return;
     for (Index e = count; e < count + lanes; e++) {
@@ -21,7 +21,7 @@ void fill(const Array<Index, 1> &list, const Array<Short, 1> &at_i, const Array<
     }
 }
 
-// Calls on(k) for cracked facets; of those that are whole, eight are passed over at once.
+// Calls on(k) for cracked facets; eight whole facets are skipped at once.
 typedef uint64_t EightBytes __attribute__((aligned(1), may_alias));
 template <class On> inline void for_each_listed(const CohesiveCracks &cracks, On on) {
     const Byte *const listed = cracks.listed.data;
@@ -101,7 +101,7 @@ void link_cracks(const Range &range, const ElasticFacets &facets, const FacetFor
     clear_half(lists, 0);
     cracks.size(crack_number::out_of_date) = 1;
     list_cracks(range, facets, cracks, lists);
-    // of the step before nothing is known
+    // slips in the step before are unknown
     for (Index p = 0; p < lists.slip.size(); p++) lists.slip(p, crack::slipping) = crack::slips;
 }
 BONDEM_PASS(link_cracks, of_cracks, "adds half slip")
@@ -123,7 +123,7 @@ void weigh_cracked_cells(const Range &, const ElasticFacets &facets, const CellD
 }
 BONDEM_PASS(weigh_cracked_cells, of_cracks, "adds CellDilatation.weight")
 
-// Sums b⊗f of the cracks of each cell from their forces of the last step, and finds which of them leads.
+// Sums b⊗f of the cracks of each cell from their forces of the last step, and finds its leading crack.
 void carry_cracks(const Range &, const StressesOfCells &stresses, const CohesiveCracks &cracks,
                   const CrackLists &lists) {
     for (Index q = 0; q < lists.size(list_count::cells); q++) {

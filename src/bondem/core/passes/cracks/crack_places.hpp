@@ -11,7 +11,7 @@ template <class T> struct CrackPlace {
     CrackFaces<T> now;
     FacetCompliance<T> facet;
     T area, friction, slips;
-    Mask<T> isotropic;  // one integrity goes for all directions
+    Mask<T> isotropic;  // one integrity for all directions
     Row<T> state;
 };
 template <class Group, class T = typename Group::Number>
@@ -32,8 +32,8 @@ BONDEM_INLINE CrackPlace<T> place_of(const Group &group, const Array<double, 2> 
     return at;
 }
 
-// -∂U/∂s a step ago. For an intact direction of a crack of the material it follows from the force of the whole facet
-// along it; for the first direction also from the energy of bending.
+// Rates -∂U/∂s a step ago. For an intact direction of a crack of the material the rate follows from the force of the
+// whole facet along it; for the first direction also from the energy of bending.
 template <class T>
 BONDEM_INLINE CrackRates<T> rates_before(const FacetCompliance<T> &facet, const CrackFaces<T> &now, Mask<T> isotropic,
                                          const CrackHalves<T> &half, Vector3<T> pull, T bending,
@@ -50,7 +50,7 @@ BONDEM_INLINE CrackRates<T> rates_before(const FacetCompliance<T> &facet, const 
     return found;
 }
 
-// Softening of the cracks of a group.
+// Criterion and softening of the cracks of a group.
 template <class T> struct CrackJudgement {
     Symmetric3<T> H;
     T bends, fastest;
@@ -79,7 +79,7 @@ template <class T> BONDEM_INLINE T opened_at_most(T bent, const Symmetric3<T> &m
     return positive(T(bent + least(least(least(mean.xx, mean.yy), mean.zz), T{})));
 }
 
-// One of the cracks of a group.
+// Values of one crack of a group: a mask, a vector, axes or integrities.
 BONDEM_INLINE bool lane_of(bool mask, int) { return mask; }
 #if defined(BONDEM_LANES)
 BONDEM_INLINE bool lane_of(Mask<Lanes> mask, int n) { return mask[n] != 0; }

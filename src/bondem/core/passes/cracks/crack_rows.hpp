@@ -7,7 +7,7 @@
 
 namespace bondem {
 
-// A facet in the reference.
+// Reference geometry of a cracked facet.
 struct CrackShapeRow {
     int32_t lever_i[3], lever_j[3];  // [pitch]
     float share_i[3], share_j[3];  // [m²]
@@ -34,14 +34,14 @@ struct CrackPastRow {
 };
 struct CrackSofteningRow {
     float H[6], plane, unused;  // [N·m]; 1 for facets of material planes
-    double bends, brittleness, fastest;  // 4 k / A², 1 / T_l, and the largest loss in a step of what breaks at once
+    double bends, brittleness, fastest;  // 4 k / A², 1 / T_l, largest loss per step of facets that break at once
     double strength;  // [Pa], 0 where a cell had no cohesion
 };
 struct CrackHistoryRow {
     double status, spent;  // how it is treated, energy dissipated [J]
     double cohesion, slip_brittleness, friction;  // of facets of material planes
     double began;  // step in which it began, below 0 for those of a state, in their order
-    double onset_step;  // the same step of all of them
+    double onset_step;  // step in which it began, also for those of a state
     double unused;
 };
 static_assert(sizeof(CrackShapeRow) == 64 && sizeof(CrackFaceRow) == 64 && sizeof(CrackStateRow) == 64 &&
@@ -66,14 +66,14 @@ inline Index facet_of(Index half) { return (half - 1) >> 1; }
 namespace crack {
 // Changes of the treatment of a crack in a step.
 enum Flag : Byte { unchanged, fell, calmed, parts, wakes };
-// Columns of the loads of a half: force on its cell, energy rubbed away, torque, and N of `slides.hpp`; and the
+// Columns of the loads of a half: force on its cell, energy lost to friction, torque, and N of `slides.hpp`; then the
 // sliding force, K, its present sum Σ, and the transmitted force.
 enum LoadColumn : Index { force = 0, slides = 8 };
-// Column of the slip of a cell that says whether its cracks slip: not in this step and the one before, in that one
-// only, or in this step.
+// Column of the slip of a cell with its state: no slip in this step and the one before, slip in the step before only,
+// or slip in this step.
 constexpr Index slipping = 3;
 enum Slipping : int { sticks, slipped, slips };
-// Places of a portion of a list.
+// Number of places in a portion of a list.
 constexpr Index of_portion = 256;
 }  // namespace crack
 

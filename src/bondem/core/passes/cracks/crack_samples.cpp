@@ -159,7 +159,7 @@ template <class One, class Several> void over(Index count, Index wide, One one, 
 
 }  // namespace
 
-// Evaluates the softening of beams in samples, by single numbers or by lanes.
+// Evaluates the softening of facets in samples, by single numbers or by lanes.
 Index evaluate_softening(Index, const SofteningSamples &samples) {
     over(samples.given.shape[1], samples.wide, [&](Index e) { soften<double>(samples, e); },
          [&](Index e) { soften<Lanes>(samples, e); });

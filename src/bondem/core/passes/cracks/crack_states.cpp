@@ -1,8 +1,8 @@
 // Changes of cracks in a step: softening, rest, waking and parting.
 //
-// A crack that is open and does not soften is a facet of less stiffness among all others, which is the same to
-// rounding. It goes to rest at nine tenths of the traction at which it softens, and wakes at 0.98 of it, or where it
-// closes. A broken crack whose faces no longer face each other parts: its cells touch like others from then on.
+// An open crack that does not soften equals a facet of less stiffness to rounding, and rests as such among all
+// others. It goes to rest at nine tenths of the traction at which it softens, and wakes at 0.98 of it, or where it
+// closes. A broken crack whose faces no longer face each other parts: its cells then touch like any others.
 #include "../../registered.hpp"
 #include "../../tables/cell_tables.hpp"
 #include "../../tables/crack_tables.hpp"
@@ -61,8 +61,8 @@ struct HalvesAhead {
     }
 };
 
-// Moves a resting crack to the list of cracks that are treated one by one: to its end in this step, to its order in
-// the next one.
+// Moves a resting crack to the list of cracks that are treated one by one: to its end in this step, to its place in
+// the order of facets in the next one.
 void wake(const SingleCrack &one, const ElasticFacets &facets, const CohesiveCracks &cracks, const CrackLists &lists,
           Index k) {
     const Index e = lists.size(list_count::treated)++;
@@ -92,7 +92,7 @@ void watch_resting_cracks(const Range &range, const Moving &all, const ElasticFa
 }
 BONDEM_PASS(watch_resting_cracks, of_cracks, "ends pose pose.stress")
 
-// Treats resting cracks one by one again that are about to soften or close.
+// Treats resting cracks one by one again if they are about to soften or close; parts those whose faces turned away.
 void wake_cracks(const Range &range, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
                  const CellSlack &slack, const CohesiveCracks &cracks, const CrackLists &lists) {
     if (!(range.clock.dt > 0.0)) return;
@@ -160,7 +160,7 @@ void slide_cracks(const Range &range, const Moving &all, const ElasticFacets &fa
 }
 BONDEM_PASS(slide_cracks, of_cracks, "ends pose slip")
 
-// Puts cracks to rest, or parts their faces, as `soften_cracks` has found.
+// Ends the treatment of cracks one by one where `soften_cracks` has found them to rest or to part.
 void leave_cracks(const Range &range, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
                   const CellSlack &slack, const CohesiveCracks &cracks, const CrackLists &lists) {
     if (!(range.clock.dt > 0.0)) return;

@@ -1,4 +1,4 @@
-// Stress-free strains at cracks: ∂U/∂ε* = f · (R_j b_j - R_i b_i) with the force f of the crack, as of other facets.
+// Stress-free strains at cracks: ∂U/∂ε* = f · (R_j b_j - R_i b_i) with the force f of the crack, as for other facets.
 #include "../../registered.hpp"
 #include "../../tables/cell_tables.hpp"
 #include "../../tables/crack_tables.hpp"
@@ -25,8 +25,7 @@ void sum_crack_powers(const Range &, const Moving &all, const CellStrains &strai
 }
 BONDEM_PASS(sum_crack_powers, of_cracks, "ends pose")
 
-// Adds ∂U/∂factor of the stress-free strains by the forces that cracks have, where the time of the clock was not
-// reached by a step.
+// Adds ∂U/∂factor of the stress-free strains by the forces of cracks, at a time that no step has reached.
 void begin_crack_powers(const Range &range, const Moving &all, const CellStrains &strains,
                         const ElasticFacets &facets, const CohesiveCracks &cracks) {
     if (range.clock.first) sum_powers(all, strains, facets, cracks);

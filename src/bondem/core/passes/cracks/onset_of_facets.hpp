@@ -46,7 +46,7 @@ BONDEM_INLINE Mask<T> begins_to_crack(Vector3<T> t, T size, T bends, T strength,
     return begin;
 }
 
-// Facet k in space.
+// Facet k in space: its normal, the mean stress of its cells, and T_b.
 inline FacetInBody<double> facet_in_body(const Moving &all, const ElasticFacets &facets, const FacetForces &stored,
                                          const Symmetric3<double> &mean, Vector normal, Index k) {
     const Ends<double> ends = ends_of(all.pose.data, facets, k);

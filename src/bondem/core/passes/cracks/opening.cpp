@@ -60,7 +60,7 @@ void relax_cracked_cells(const Range &range, const Moving &all, const CellDilata
 }
 BONDEM_PASS(relax_cracked_cells, of_cracks, "own base half weight; adds pose.stress")
 
-// Finds the stresses of cells with cracks that are out of date, and which crack leads those of each.
+// Finds stresses that are out of date of cells with cracks, and the leading crack of each of these cells.
 void relax_outdated_cells(const Range &range, const Moving &all, const CellDilatation &cells,
                           const CohesiveCracks &cracks, const CrackLists &lists) {
     over_places(range, lists.size(list_count::cells), [&](Index first, Index last, Index) {

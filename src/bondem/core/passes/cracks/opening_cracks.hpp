@@ -1,13 +1,13 @@
 // Faces of cracks, and the stresses of their cells as cracks open or press: one, or as many as there are lanes.
 //
-// V θ = Σ g·δ - g·L / k of the halves of a cell (`laws/crack.hpp`), and σ = weight · V θ. Newton's method on
-// this piecewise linear, rising function: a step is exact where no half closes or opens on the way.
+// V θ = Σ g·δ - g·L / k of the halves of a cell (`laws/crack.hpp`), and σ = weight · V θ. Newton's method solves this
+// piecewise linear equation; a step is exact where no half closes or opens on the way.
 #pragma once
 #include "crack_axes.hpp"
 
 namespace bondem {
 
-// Halves of the cracks of a group, a mask of cracks that part, and axes of cracks before any loss of integrity.
+// Writes the halves of a group of cracks, flags cracks that part, and chooses axes of cracks without loss.
 template <class Group, class T = typename Group::Number>
 BONDEM_INLINE void measure_each(const Group &group, const Moving &all, const ElasticFacets &facets, const CellSlack &slack,
                                 const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists,

@@ -1,4 +1,4 @@
-// Cracks that change between being treated one by one, being at rest, and having parted.
+// Changes of one crack between treatment one by one, rest, and parted faces.
 #pragma once
 #include "single_cracks.hpp"
 
@@ -43,8 +43,8 @@ inline void end_treating(const ElasticFacets &facets, const CohesiveCracks &crac
 
 // ---- parting
 
-// Change of the stress of cell p, of a given weight, with V θ if one of its halves is open [Pa/m³]. Halves that
-// `removed` names belong to cracks that have left the list earlier.
+// Change of the stress of cell p, of a given weight, with V θ if one of its halves is open [Pa/m³]. removed(h) is
+// true for halves of cracks that have left the list earlier.
 template <class Removed>
 inline double stiffness_without(const Moving &all, const CrackLists &lists, double weight, Short p, Index without,
                                 Removed removed) {
@@ -62,10 +62,10 @@ inline double stiffness_without(const Moving &all, const CrackLists &lists, doub
     return weight / (1.0 + weight * softness);
 }
 
-// Energy of a broken facet whose faces no longer press on each other: of each half that of the force that presses,
-// less the elastic energy that its cell gains from the change of its stress; and that of friction [J].
+// Energy lost as the faces of a broken facet part [J]: for each half that of its pressing force, less the elastic
+// energy that its cell gains from the change of its stress; and that of the spring of friction.
 //
-//     stiffness(p, number)    how much the stress of a cell changes with V θ, with the half of that number open
+//     stiffness(p, number)    change of the stress of cell p with V θ, with the half of that number open [Pa/m³]
 template <class Stiffness>
 inline double energy_of_parting(const SingleCrack &one, const ElasticFacets &facets, const CohesiveCracks &cracks,
                                 const CrackLists &lists, Index at, Stiffness stiffness) {

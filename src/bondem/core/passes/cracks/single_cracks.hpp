@@ -43,12 +43,12 @@ inline void put_axes(const CohesiveCracks &cracks, Index k, Quaternion<double> c
     to[0] = q.w, to[1] = q.x, to[2] = q.y, to[3] = q.z;
 }
 
-// Largest slip of the faces of facet k that face each other, over √A.
+// Largest slip over √A at which the faces of facet k still face each other [-].
 inline double slide_of(const CohesiveCracks &cracks, Index k) { return softening_of(cracks, k).plane > 0.0f ? cracks.slide : 1.0; }
 
 // Lever of a half in the reference [pitch].
 BONDEM_INLINE const int32_t *lever_of(const CohesiveCracks &cracks, Index half) { return cracks.lever.data + 4 * (half - 1); }
-// A half that adds nothing.
+// Clears a half, so that it adds nothing to V θ.
 inline void clear_half(const CrackLists &lists, Index number) {
     SwellingHalf<double> &half = lists.half.row<SwellingHalf<double>>(number);
     half = {};
@@ -64,8 +64,8 @@ inline void treat(const ElasticFacets &facets, const CohesiveCracks &cracks, Ind
     put_shared(cracks.size(crack_number::out_of_date), Index(1));
 }
 
-// λ / V of a cell: the lost parts of cracks that are not treated one by one act as free facets. `counts` names these
-// cracks.
+// Weight λ / V of a cell in which the lost parts of cracks act as free facets if counts(k) is true: those that are
+// not treated one by one.
 template <class Counts>
 inline double weight_with(const CellSlack &of, const CohesiveCracks &cracks, Index p, Counts counts) {
     double slack = 0.0;

@@ -2,18 +2,18 @@
 //
 // A crack crosses a body by inclined facets. The common part of the shear of the cracked facets of a cell is sliding
 // along the crack. The part that alternates from facet to facet is the stress along the crack, which has to stay. So
-// a cell has one slip for all its cracked facets. With e the normal of the crack of a facet, P = 1 - e⊗e, ω = 1 - r
-// where r is the traction across the crack over its strength, ± f the force of the facet on the cell, n its normal
-// outwards, and σ the stress of the cell, by which a uniform stress along the crack slides nothing,
+// a cell has one slip for all its cracked facets. Let e be the normal of the crack of a facet, P = 1 - e⊗e, ω = 1 - r
+// with the traction r across the crack over its strength, ± f the force of the facet on the cell, and n its normal
+// outwards. The stress σ of the cell excludes a uniform stress along the crack from the sliding force R:
 //
 //     R = Σ ω [± P f - A P σ P n]        K = Σ ω² k        C = Σ ω A |n·e| r f_t        N = Σ ω f·e
 //     transmitted by the crack: L = √(C² - ⟨N⟩²) + μ ⟨-N⟩ with the friction μ of one of its facets
 //     cell: where |R| > L and R·Σ ± ω P f > 0,  b = ½ (1 - L / |R|) R / K        facet: slip += ω P (b_i - b_j)
 //
-// A facet slips while it has taken less than two fracture energies, one for its opening and one for its slip: below
-// an impact the stress along the crack does work on slip that no cohesion resists. Each cell of a facet contributes
-// half of the slip; equal facets of a crack slip at once. Slip only dissipates energy; its work is that of the mean
-// of the forces before and after.
+// A facet slips until it has dissipated two fracture energies, one for its opening and one for its slip: below an
+// impact the stress along the crack does work on slip that no cohesion resists. Each cell of a facet contributes half
+// of the slip; equal facets of a crack slip at once. Slip only dissipates energy; its work is that of the mean of the
+// forces before and after.
 #pragma once
 #include "carried.hpp"
 
@@ -45,7 +45,7 @@ BONDEM_INLINE T friction_share(const CrackPlace<T> &at, Vector3<T> both, const C
     return select(rubs > zero, T(rubs / (rubs + cohesion_of(at, of, strengths).force)), zero);
 }
 
-// Sliding force of the cracks of a group, per half; 0 for cracks with a spring of friction. Returns their part of N.
+// Writes the sliding force of cracks per half, 0 for cracks with a spring of friction. Returns their part of N.
 template <class Group, class T = typename Group::Number>
 BONDEM_INLINE T shear_each(const Group &group, const CrackPlace<T> &at, Vector3<T> f, Mask<T> treated,
                               const CrackSoftening<T> &of, const FacetStrengths &strengths,

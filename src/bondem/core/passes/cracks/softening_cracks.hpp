@@ -6,13 +6,13 @@ namespace bondem {
 
 namespace crack {
 // Largest loss of integrity of a facet in a step whose opening grows by a share `steady` at most, its increase with
-// larger growth, and the integrity below which a facet has none.
+// larger growth, and the integrity that counts as zero.
 constexpr double fastest = 0.1, follows = 5.0, steady = 0.2, nothing_left = 1e-9;
-// Shares of the traction that softens at which a crack goes to rest and wakes, and of its force across it.
+// Shares of the softening traction at which a crack goes to rest and wakes, and of its force that opens it at least.
 constexpr double asleep = 0.9, calm = 0.98, grazing = 0.1;
-// A facet that is open along its own normal too loses its grip on traction along the crack while its faces move apart
-// from the first to the second of these shares of the distance of its cells. Where the other directions have lost
-// `rubble` of their integrity, it is while they open from the first to the second of these multiples of the last one.
+// A facet that is open along its own normal too loses its grip on traction along the crack while its faces move from
+// `apart` to `far_apart`, over the distance of its cells. A brittle facet, or one whose other directions have lost
+// `rubble` of their integrity, does so while it opens from `lets_go` to `has_let_go` times its last opening.
 constexpr double apart = 0.05, far_apart = 0.1, lets_go = 2.0, has_let_go = 4.0, rubble = 0.5;
 }  // namespace crack
 
@@ -78,7 +78,7 @@ template <class T> struct Softened {
     CrackAxes<T> at;
     CrackIntegrity<T> left;
 };
-// Directions 2 and 3, if both are intact, as the principal directions of the stress in their plane.
+// Turns directions 2 and 3 into the principal directions of the stress in their plane, where both are intact.
 template <class T> BONDEM_INLINE void turn_in_plane(CrackAxes<T> &at, const Symmetric3<T> &s, Mask<T> turns) {
     if (!any(turns)) return;
     const Vector3<T> a = at.e[1], b = at.e[2], sa = s * a;
@@ -88,15 +88,15 @@ template <class T> BONDEM_INLINE void turn_in_plane(CrackAxes<T> &at, const Symm
     at.e[1] = minus(c * a, sine, b);
     at.e[2] = plus(sine * a, c, b);
 }
-// Motion of the faces of a crack: their slip, as the traction of a whole facet [Pa], and how far they are apart over
-// the distance of their cells, which few of them have to know [-].
+// Motion of the faces of a crack: their slip, as the traction of a whole facet [Pa], and their distance over that of
+// their cells [-], a function because few cracks need it.
 template <class T, class Apart> struct FacesMoved {
     Vector3<T> slip;
     Apart apart;
 };
-// Cracks of the material under the traction t of whole facets. Slip along a crack opens it as much as opening across,
-// and along a softening direction as much as a pull along it. `losses()` are the largest ones in a step of each
-// direction; most cracks soften in few steps, and need none.
+// Softens cracks of the material under the traction t of whole facets. Slip along a crack opens it as much as opening
+// across, and along a softening direction as much as a pull along it. `losses()` returns the largest loss per step of
+// each direction; most cracks soften in few steps, and need none.
 template <class T, class Losses, class Apart>
 BONDEM_INLINE Softened<T> soften_along(const CrackFaces<T> &faces, const FacetTraction<T> &load,
                                        const Symmetric3<T> &mean, Losses losses, const Softening<T> &facet,
@@ -150,13 +150,13 @@ BONDEM_INLINE Softened<T> soften_along(const CrackFaces<T> &faces, const FacetTr
     found.left.grip = select((s[0] == zero) & open, fallen(found.left.grip, grip, loss[0]), found.left.grip);
     return found;
 }
-// Writes axes of crack k that have turned; the direction that has lost most is the first.
+// Writes axes of crack k that have turned; the direction that has lost most becomes the first.
 inline void put_turned(const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
                        const CrackLists &lists, Softened<double> found, Index k) {
     CrackPastRow &past = past_of(cracks, k);
     double *const s = found.left.s;
     if (s[1] < s[0] || s[2] < s[0]) {
-        // the energy of bending is that of the first direction, and goes with the least integrity
+        // bending counts in the rate of the first direction, which becomes that of the least integrity
         const float *const h = softening_of(cracks, k).H;
         const FacetBending<double> whole = facet_bending(
             SingleCrack(all.pose, facets, cracks, k).ends, Symmetric3<double>{h[0], h[1], h[2], h[3], h[4], h[5]});

@@ -53,7 +53,7 @@ void find_stress_candidates(const Range &range, const Moving &all, const Elastic
 }
 BONDEM_PASS(find_stress_candidates, of_bonds, "ends judged pose tensor")
 
-// Marks candidates that fail, and leaves these with the mean stress of their cells, of which the index gives their strength.
+// Marks candidates that fail, and replaces their stresses by those whose index gives their strength.
 void mark_failing_facets(const Range &, const Moving &all, const ElasticFacets &facets, const FacetForces &stored,
                          const StressesOfCells &stresses, const CrackOnset &cracks, const CandidateFacets &onset) {
     Index next = 0;
@@ -69,7 +69,7 @@ void mark_failing_facets(const Range &, const Moving &all, const ElasticFacets &
 }
 BONDEM_PASS(mark_failing_facets, of_events, "ends pose tensor")
 
-// Keeps the strengths of facets that begin to crack.
+// Stores the strengths of facets that begin to crack.
 void find_strengths_along(const Range &, const CandidateFacets &onset) {
     for (Index c = 0; c < onset.total(0); c++) keep_strength_along(onset, c);
 }

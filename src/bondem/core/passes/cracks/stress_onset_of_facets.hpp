@@ -1,13 +1,13 @@
 // Facets that begin to crack by a function of the stress, such as Drucker and Prager's cone.
 //
 // Facets in tension are candidates, by σ* (`laws/agreed_stress.hpp`) with the opening part of bending added to their
-// normal traction. The function sees σ* times f_t over that of the facet. For those that fail it is evaluated once
-// more, of the mean stress of their cells: the largest principal stress over this index is the strength of the
+// normal traction. The function evaluates σ* times f_t over that of the facet. For facets that fail it is evaluated
+// once more, with the mean stress of their cells: the largest principal stress over this index is the strength of the
 // direction in which the facet cracks.
 //
-// Facets of a cell without cracks are not evaluated while the cell stays below a criterion of the core at its stress
-// over a share of the strength, and at that with a tension from all sides, a share of its size and the bending of its
-// facets. For the function of a user the size of these stresses alone decides.
+// Facets of a cell without cracks are not evaluated while the stress of the cell, over a share of the strength, stays
+// below a criterion of the core. This holds also with a tension from all sides, a share of its size and the bending
+// of its facets. For the function of a user the size of these stresses alone decides.
 #pragma once
 #include "../../laws/agreed_stress.hpp"
 #include "../../tables/stress_onset_tables.hpp"
@@ -51,7 +51,7 @@ inline void judge_cell_of_user(const StressesOfCells &stresses, const CandidateF
 
 // ---- facets
 
-// A facet in space.
+// A facet in space, with its opening by bending.
 struct JudgedFacet {
     Vector normal;
     Stress<double> mean;
@@ -77,7 +77,7 @@ inline bool is_far_below(const StressesOfCells &stresses, const CandidateFacets 
     return onset.scale(k) * bound < near_bound * onset.least;
 }
 
-// Calls on(σ*) where facet k is a candidate, with σ* times f_t over that of the facet.
+// Calls on(σ*) if facet k is a candidate, with σ* times f_t without scatter over that of the facet.
 template <class On>
 inline void with_candidate(const Moving &all, const ElasticFacets &facets, const FacetForces &stored,
                            const StressesOfCells &stresses, const CandidateFacets &onset, Index k, On on) {
@@ -96,13 +96,13 @@ inline Stress<double> stress_along(const Moving &all, const ElasticFacets &facet
     const JudgedFacet facet(all, facets, stored, stresses, k);
     return onset.scale(k) * bent_stress(facet.mean, facet.normal, facet.opened);
 }
-// Keeps the strength of the facet of candidate c.
+// Stores the strength of the facet of candidate c.
 inline void keep_strength_along(const CandidateFacets &onset, Index c) {
     const double *const s = onset.stress.data + 9 * c;
     const double largest = largest_of(principal(Stress<double>{s[0], s[4], s[8], s[1], s[2], s[5]}));
     const Index k = onset.bond(c);
     const double index = onset.found(c);
-    // far below the criterion the index says little
+    // far below the criterion the index does not determine a strength
     onset.along(k) = index > 0.5 && largest > 0.0 ? largest / (onset.scale(k) * index) : onset.tension / onset.scale(k);
 }
 

@@ -10,7 +10,7 @@
 namespace bondem {
 namespace {
 
-// b⊗f in space from b_x f, b_y f, b_z f in the reference of b: b' = R b has the components of R by rows.
+// Symmetric part of R b⊗f in space, from b_x f, b_y f and b_z f with the lever b in the reference.
 Symmetric3<double> turned_moment(Quaternion<double> q, const double *c) {
     const Vector x = turned_by(q, Vector{c[0], c[4], c[8]}), y = turned_by(q, Vector{c[1], c[5], c[9]}),
                  z = turned_by(q, Vector{c[2], c[6], c[10]});  // R b f_x, R b f_y, R b f_z
@@ -59,7 +59,7 @@ void add_surface_stresses(const Range &range, const Moving &all, const WallConst
 }
 BONDEM_PASS(add_surface_stresses, of_rows, "own arm load pose; changes tensor")
 
-// Adds forces of walls and of loads on free facets to stresses of surface cells that were found without a step.
+// Adds forces of walls and of loads on free facets to the stresses of surface cells, where no step is taken.
 void add_still_surface_stresses(const Range &range, const Moving &all, const WallConstraints &walls,
                                 const FacetTractions &tractions, const StressesOfCells &stresses) {
     if (!(range.clock.dt > 0.0)) add_of_surface(all, walls, tractions, stresses);

@@ -14,7 +14,7 @@ inline Symmetric3<double> tensor_of(const StressesOfCells &stresses, Index p) {
 inline void put_size(const StressesOfCells &stresses, Index p) {
     stresses.tensor(p, tensor_column::size) = root(square_of(tensor_of(stresses, p)));
 }
-// Adds contributions of load l on free facets and of wall g to the stress of cell p.
+// Adds load l on free facets to the stress of cell p; `add_wall_stress` adds that of wall g to its cell.
 inline void add_traction_stress(const FacetTractions &tractions, const StressesOfCells &stresses, Index l, Index p) {
     for (Index d = 0; d < 6; d++)
         stresses.tensor(p, d) += tractions.factor(l) * stresses.pressed(l, p, d) / stresses.volume(p);
@@ -32,7 +32,7 @@ inline void add_wall_stress(const Moving &all, const WallConstraints &walls, con
 // Finds the mean stresses of cells from the forces of the last step on their facets and cracks.
 void find_cell_stresses(const Range &range, const Moving &all, const FacetForces &stored,
                         const StressesOfCells &stresses);
-// Finds the mean stresses of cells from present forces that were found without a step.
+// Finds the mean stresses of cells from present forces, where no step is taken.
 void find_still_stresses(const Range &range, const Moving &all, const FacetForces &stored,
                          const StressesOfCells &stresses);
 // Finds the cells whose facets may crack: those with cracks, and those whose stress may reach their strength.

@@ -5,7 +5,7 @@
 namespace bondem {
 namespace {
 
-// Cells that may flow, as many as there are lanes, with the remaining share of their cohesion.
+// Cells that may flow, as many as there are lanes, with their remaining cohesion [Pa] and the slip carried over.
 struct Batch {
     Index count = 0, cell[lanes];
     double cohesion[lanes], carry[lanes];
@@ -81,7 +81,7 @@ void stretch_walls_and_cracks(const Range &range, const ElasticFacets &facets, c
 }
 BONDEM_PASS(stretch_walls_and_cracks, of_cracks, "own base_wall; ends plastic; adds arm")
 
-// Stretches levers with the plastic deformation of their cells, where stress-free strains have set them anew.
+// Stretches levers with the plastic deformation of their cells, where stress-free strains have changed them.
 void stretch_anew(const Range &, const CellStrains &strains, const ElasticFacets &facets,
                   const FacetsOfCells &of_cells,
                   const WallConstraints &walls, const YieldingCells &cells) {

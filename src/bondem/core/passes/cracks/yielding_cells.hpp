@@ -50,7 +50,7 @@ inline void where_yields(const StressesOfCells &stresses, const YieldingCells &c
     if (by.carry > 0.0 || yield_bound(invariants(tensor_of(stresses, p)), by, cells.cone != 0) > 0.0) on(by);
 }
 
-// Δγ, its part for the next step, and Δε in space.
+// Plastic flow of a cell: Δγ, its part for the next step, and Δε in space.
 template <class T> struct PlasticFlow {
     T gamma, carry;
     Symmetric3<T> strain;
@@ -115,7 +115,7 @@ inline double yielding_work(const StressesOfCells &stresses, const YieldingCells
     const double *m = &stresses.pressed(l, p, 0);
     return work_of({m[0], m[1], m[2], m[3], m[4], m[5]}, strain_of(cells, p));
 }
-// Adds the work of loads on free facets of cell p, which owns a row.
+// Adds the work of loads on free facets of cell p to the row that the cell owns.
 inline void add_yielding_work_of(const FacetTractions &tractions, const StressesOfCells &stresses, const YieldingCells &cells,
                                  const Rows &rows, Index p) {
     for (Index l = 0; l < stresses.pressed.shape[0]; l++)

@@ -18,7 +18,7 @@ void judge_beams(const Range &range, const Moving &all, const Beams &beams, cons
 
 #if defined(BONDEM_LANES)
 
-// Number c of the strengths of the bonds from k on; after the last bond, that of the last one again.
+// Coefficient c of the bonds from k on; lanes after the last bond repeat that of the last one.
 Lanes coefficients_of(const Strengths &strengths, Index k, Index c) {
     Lanes all;
     for (int n = 0; n < lanes; n++) all[n] = strengths.coefficient(least(k + n, strengths.station.size() - 1), c);
@@ -30,7 +30,7 @@ Lanes stations_of(const Strengths &strengths, Index k) {
     return all;
 }
 
-// Finds the index of every beam by a criterion, in any poses, as many at once as there are lanes.
+// Finds the index of every beam by a criterion in given poses, as many at once as there are lanes.
 template <class Criterion>
 Index index_beams(Index, const Poses &all, const Beams &beams, const Strengths &strengths, const FailureIndices &found) {
     const double *const pose = all.pose.data;

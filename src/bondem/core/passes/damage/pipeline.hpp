@@ -1,30 +1,25 @@
-// The damage pipeline: failure of bonds, facets and pairs in an explicit step. It exists once, with the kind of bond
-// as a parameter.
+// The damage pipeline: failure of bonds, facets and pairs in an explicit step, with the kind of bond as a parameter.
 //
 // Bonds fail at the end of a step. Their two elements close it with the whole force, and open the next without it, so
-// that the energy of a bond is released between two steps, and the balance of energy is as exact as the scheme is.
+// that the energy of a bond is released between two steps, and the energy balance is as exact as the scheme.
 //
 // In the order of a step (stages of `bondem/interactions/step_part.py`):
 //
-//     loads    The pass of forces compares a size of the load of each bond with its bound, and `mark`s those that
-//              reach
-//              it, block by block. Nearly all bonds do not.
+//     loads    The pass over forces compares a size of the load of each bond with its bound, block by block, and
+//              `mark`s bonds that reach it. Nearly all bonds do not.
 //     judge    `judge` evaluates the criterion of the marked bonds of a block, index(k) → (index, mode), and keeps
-//              those
-//              with index ≥ 1. `postpone(k)` postpones the elements that the failure changes.
-//     divide   `postpone_elements` divides the elements of each block into those that continue, and those that are
-//     postponed: these close the step, and do not open the next. `keep_sums` keeps the sums of their forces.
-//     apply    `remove` calls apply(k) → (energy, gap, place) of each bond that fails, one after the other in the
-//              order
-//              of bonds. It subtracts the force of the bond from the kept sums of its ends, and sets the integrity.
-//              The event is logged, and its energy added to the energy released in the run.
-//              A further pass may follow for each of these bonds (`for_each_event`): contact where its ends press on
-//              each other, which adds to the kept sums, and stores a part of the energy.
+//              those with index ≥ 1. `postpone(k)` postpones the elements that the failure changes.
+//     divide   `postpone_elements` divides the elements of each block into those that continue, and postponed ones,
+//              which close the step and do not open the next. `keep_sums` keeps the sums of their forces.
+//     apply    `remove` calls apply(k) → (energy, gap, place) for each bond that fails, in the order of bonds. This
+//              subtracts the force of the bond from the kept sums of its ends, and sets the integrity. `remove` logs
+//              the event, and adds its energy to the energy released in the run. A further pass may follow for each
+//              of these bonds (`for_each_event`): contact where its ends press on each other, which adds to the kept
+//              sums, and stores a part of the energy.
 //     resume   `list_postponed` lists all postponed elements, and ends the failures of the step. They find their
-//     acceleration
-//              by the passes of motion, with a clock that stands still, and then open the next step.
+//              acceleration by the passes of motion, with a clock that stands still, and then open the next step.
 //
-// Each criterion and each kind of bond gives two functions:
+// Each criterion and each kind of bond provide two functions:
 //
 //     index(k) → Verdict<double>     at the poses of the step, before any element postponed by k moves
 //     apply(k) → Removal             at the same poses, on one thread
@@ -48,7 +43,7 @@ struct Removal {
     double energy;  // released [J]
     double gap;  // how far it is open [m]
     Vector place;  // [m]
-    double opening_steps = undefined;  // from its onset on, of a bond that softened [-]
+    double opening_steps = undefined;  // steps since the onset of softening, NaN without
 };
 
 // ---- marks
@@ -59,7 +54,7 @@ BONDEM_INLINE Lanes limits_of(const float *limit) {
     typedef float Floats __attribute__((vector_size(lanes * 4), aligned(4)));
     return __builtin_convertvector(*reinterpret_cast<const Floats *>(limit), Lanes);
 }
-// Marks of a block, to which a pass over its bonds writes those that reach their bounds.
+// List of a block, to which a pass over its bonds writes those that reach their bounds.
 class Marks {
   public:
     template <class Bounds>
@@ -90,7 +85,7 @@ class Marks {
 
 #endif
 
-// ---- judging
+// ---- evaluation
 
 // Postpones an element at the end of the step. Several threads may postpone an element that domains share.
 inline void postpone_element(const Postponed &postponed, Index element, Byte as = 1) {
@@ -111,9 +106,9 @@ template <class Strong> inline Coefficients<double> coefficients_of(const Strong
 }
 // Keeps the marked bonds of a block that fail. No bond fails at a time that no step has reached.
 //
-//     may_fail(k)    whether the bond is unbroken
-//     index(k)       its index and mode
-//     postpone(k) postpones the elements that the failure of the bond changes
+//     may_fail(k)    true for an unbroken bond
+//     index(k)       index and mode of the bond
+//     postpone(k)    postpones the elements that the failure of the bond changes
 template <class MayFail, class IndexOf, class Postpone>
 inline void judge(const Range &range, const Candidates &candidates, MayFail may_fail, IndexOf index, Postpone postpone) {
     const Index first = candidates.begin(range.block);
@@ -143,7 +138,7 @@ template <class On> inline void for_each_failing(const Candidates &candidates, O
             on(candidates.marked(e), candidates.mode(e));
 }
 inline bool any_event(const EventLog &log) { return log.written(log_count::before) < log.written(log_count::events); }
-// Calls on(k, event) for those that have failed in this step; event is the number of a row of the log.
+// Calls on(k, event) for the bonds that have failed in this step; event is the number of a row of the log.
 template <class On> inline void for_each_event(const EventLog &log, On on) {
     for (Index event = log.written(log_count::before); event < log.written(log_count::events); event++)
         on(Index(log.event(event, event_column::bond)), event);
@@ -174,7 +169,7 @@ inline void remove(const Range &range, const Candidates &candidates, const Event
     log.released(0) += released.value();
 }
 
-// Ends the failures of a step that postpone no element.
+// Ends the failures of a step: empties the lists of failing bonds.
 inline void end_failures(const Candidates &candidates) {
     for (Index b = 0; b < candidates.count.size(); b++) candidates.count(b) = 0;
     candidates.any(0) = 0;

@@ -45,7 +45,7 @@ void postpone_elements(const Range &range, const StepBlocks &blocks, const Candi
 }
 BONDEM_PASS(postpone_elements, divides_elements, "")
 
-// Keeps the sums of postponed elements.
+// Copies the sums of postponed elements, which are kept until failed bonds are removed.
 void keep_sums(const Range &range, const StepBlocks &blocks, const Postponed &postponed) {
     for (Index e = range.first; e < range.last; e++)
         row_at(postponed.sum.data, range.element[e]) = row_at(blocks.sums.data, range.row[e]);

@@ -32,12 +32,12 @@ struct OpenedAlong {
     Vector direction;
 
     double factor(double s, const CurveShape &curve) const {
-        const bool broken = s < 1.0 && by.brittleness == infinity;  // nothing is left to lose
+        const bool broken = s < 1.0 && by.brittleness == infinity;  // no integrity is left to lose
         return traction > 0.0 && !broken ? softens_at(s, by.strength, by.brittleness, curve) / traction : infinity;
     }
 };
-// Finds the openings along the principal directions of the mean stress, from σ3 to σ1, under a traction t; that of a plane
-// is one. Returns the traction that slides a facet of a plane [Pa].
+// Finds the openings along the principal directions of the mean stress, from σ3 to σ1, under a traction t; a facet of
+// a plane has only the first. Returns the traction that slides a facet of a plane [Pa].
 double open_along(const FacetBetween &facet, Vector t, const PrincipalStress<double> &mean, const FacetStrengths &strengths,
                   Index k, OpenedAlong *found) {
     const Softening<double> own = {strengths.strength(k), strengths.brittleness(k)};

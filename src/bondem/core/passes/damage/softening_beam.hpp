@@ -83,7 +83,7 @@ __attribute__((noinline)) inline Row<double> row_before(const Moving &all, Short
     return {{now.column[0] + back.x, now.column[1] + back.y, now.column[2] + back.z, now.column[3], q.w, q.x, q.y, q.z}};
 }
 
-// Two poses of a beam are evaluated by one function, because two would need twice the registers.
+// Index and mode of a beam at given ends. Not inlined: two inlined evaluations would need twice the registers.
 template <class Criterion>
 __attribute__((noinline)) Verdict<double> verdict_apart(const Ends<double> &ends, const Beams &beams,
                                                         const SofteningBounds &bounds, Index k) {
@@ -92,8 +92,8 @@ __attribute__((noinline)) Verdict<double> verdict_apart(const Ends<double> &ends
 
 // Softens whole beam k if it has reached its criterion within the last step; returns index and mode.
 //
-// Within the step the index is taken to grow on a line, from 0 for a beam under pressure, and the criterion is reached
-// where it is 1. A beam that has nothing left keeps half of the least integrity until the next step, in which it breaks.
+// Within the step the index is taken to grow on a line, from 0 for a beam under pressure, and the criterion is
+// reached where it is 1. A beam without remaining integrity keeps half of the least one, and breaks in the next step.
 template <class Criterion>
 inline Verdict<double> begin_beam(const Moving &all, const Beams &beams, const SofteningBounds &bounds, double dt, Index k) {
     const Ends<double> now = ends_of(all.pose.data, beams, k);

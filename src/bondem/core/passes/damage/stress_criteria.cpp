@@ -9,7 +9,7 @@ namespace {
 
 using UserFunction = void (*)(Index count, const double *stress, const double *parameter, double *index);
 
-// A criterion of the core, over many stresses.
+// Evaluates a criterion of the core for many stresses.
 template <class Criterion> void evaluate(const StressCandidates &candidates, const StressFunction &by, Index count) {
     require(by.parameter.size() == Criterion::parameters);
     for (Index c = 0; c < count; c++) {
@@ -17,7 +17,7 @@ template <class Criterion> void evaluate(const StressCandidates &candidates, con
         candidates.found(c) = Criterion::index(Stress<double>{s[0], s[4], s[8], s[1], s[2], s[5]}, by.parameter.data);
     }
 }
-// The function of a user.
+// Stands for a criterion by the function of a user.
 struct OfUser {};
 template <> void evaluate<OfUser>(const StressCandidates &candidates, const StressFunction &by, Index count) {
     if (count == 0) return;

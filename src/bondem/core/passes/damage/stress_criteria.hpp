@@ -1,14 +1,13 @@
 // Criteria that are functions of a stress tensor, evaluated once per step for all bonds or facets that reach a bound.
 //
-// A pass over portions of bonds writes the candidates, `write_candidate`, and how many there are. `index_candidates_by_…`
-// moves them together and evaluates the function: one of the core's own, or that of a user, a C function
+// A pass over portions of bonds writes the candidates (`write_candidate`) and their numbers. `index_candidates_by_…`
+// moves them together and evaluates the function: one of the core, or that of a user, a C function
 //
 //     void function(int64_t count, const double *stress, const double *parameter, double *index)
 //
-// of `count` symmetric stresses (count, 3, 3) [Pa], tension positive, and of the parameters of the criterion, that
-// writes an index for each; at 1 or above, or where it is no number, the bond fails. It is called on the thread that
-// called the core, and only if there are candidates. A function of Python acquires the lock of the interpreter by
-// itself.
+// that writes an index for each of `count` symmetric stresses (count, 3, 3) [Pa], tension positive, by the parameters
+// of the criterion. A bond fails where its index is at least 1, or NaN. The function is called on the thread that
+// called the core, only if there are candidates. A function of Python acquires the lock of the interpreter by itself.
 #pragma once
 #include "../../laws/stress.hpp"
 #include "../../steps.hpp"

@@ -13,7 +13,7 @@ namespace bondem {
 // elements.
 void add_stored_loads(const Range &range, const Moving &all, const Beams &beams, const StoredLoads &stored,
                       const StepBlocks &blocks) {
-    constexpr Index ahead = 32;  // bonds ahead of the loop whose first elements are asked for
+    constexpr Index ahead = 32;  // distance in bonds at which first elements are prefetched
     const Short *const i = beams.i.data, *const j = beams.j.data;
     const double *const pose = all.pose.data, *const motion = all.motion.data, *const period = beams.period.data;
     const StoredColumns<Lanes> history(stored);
@@ -50,7 +50,7 @@ void sum_stored_energies(const Range &range, const Moving &all, const Beams &bea
 }
 BONDEM_PASS(sum_stored_energies, of_bonds, "ends pose")
 
-// Finds the loads of each beam on its elements in any poses.
+// Finds the loads of each beam on its elements in given poses.
 Index load_stored_beams(Index, const Poses &all, const Beams &beams, const StoredLoads &stored,
                         const LoadsOfEach &loads) {
     const StoredColumns<double> history(stored);

@@ -18,7 +18,7 @@ void add_work(const Range &range, const Moving &all, const BodyForces &body, Sho
 
 }  // namespace
 
-// Brings body forces to the time of the clock.
+// Sets the accelerations by body forces at the time of the clock.
 void follow_body_forces(const Range &range, const Timeline &timeline, const BodyForces &body) {
     bool changed = false;
     for (Index b = 0; b < body.schedule.size(); b++) {

@@ -6,7 +6,7 @@
 namespace bondem {
 namespace {
 
-// Elements ahead of the loop whose rows are prefetched.
+// Distance in elements at which rows are prefetched.
 constexpr Index ahead = 32;
 
 // The sum of loads in the row of an element, or of several, which is set to zero.

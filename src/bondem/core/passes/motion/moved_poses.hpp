@@ -40,7 +40,7 @@ BONDEM_INLINE Row<Dual<double>> gather(const MovedPoses &all, const Short &place
     return moved(gather(all.pose, place), gather(all.motion, place));
 }
 BONDEM_INLINE Row<double> gather(const Array<double, 2> &pose, const Short &place) { return gather(pose.data, place); }
-// Numbers in the rows of poses: numbers, or duals.
+// Types of the numbers in rows of poses: numbers, or duals.
 template <class T> T number_in(const Row<T> &);
 template <class Pose> using NumberOf = decltype(number_in(gather(*static_cast<const Pose *>(nullptr), Short())));
 

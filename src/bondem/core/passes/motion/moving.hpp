@@ -1,10 +1,9 @@
 // Motion of an element with complete forces, which closes the step and, without a pause, opens the next one:
 //
-//     close    v += finish a                       a = f / m, and so do the angular velocities with torque and
-//              inertia
+//     close    v += finish a                       with a = f / m; angular velocities likewise
 //     open     v += begin a,   x += dt v + extra a
 //
-// There are two kicks also where they could be one: no bit depends on where a run pauses.
+// Velocities change twice also where one change would do, so that no bit depends on where a run pauses.
 #pragma once
 #include "resisted.hpp"
 
@@ -27,8 +26,8 @@ template <class Who, class T> BONDEM_INLINE void add_loss(double *loss, const Wh
     put_number(loss, 3, 1, who.element, power);
 }
 
-// Moves the elements `who` under a load; `row` is their row of the boundary and `resistance` their damping, each or
-// none.
+// Moves the elements `who` under a load; `row` is their row r of the boundary and `resistance` their damping, each
+// `NoRow` for none.
 template <class Who, class Boundary, class Resisted>
 BONDEM_INLINE void move(const Who &who, const Clock &clock, const Moving &all, Wrench<typename Who::Number> load,
                         const Boundary &row, const Resisted &resistance, Index r) {

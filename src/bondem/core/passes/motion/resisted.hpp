@@ -5,8 +5,8 @@
 
 namespace bondem {
 
-// Acceleration of the row's absorbing dashpots at the velocity a kick of h later: (s + h C / m) a' = a - C v / m, the
-// symmetric 3 × 3 system by its cofactors.
+// Acceleration with the absorbing dashpots of a row at the velocity a kick of h later: (s + h C / m) a' = a - C
+// v / m, the symmetric 3 × 3 system by its cofactors.
 inline Vector absorbed(const double *absorbing, double h, double s, double m, Vector v, Vector a) {
     double xx = m * absorbing[0], yy = m * absorbing[1], zz = m * absorbing[2];
     double xy = m * absorbing[3], xz = m * absorbing[4], yz = m * absorbing[5];
@@ -21,7 +21,7 @@ inline Vector absorbed(const double *absorbing, double h, double s, double m, Ve
             (c2 * ax + c4 * ay + c5 * az) / whole};
 }
 
-// The row of an element in the boundary, or none.
+// Stands for an element without a row of the boundary, or without damping.
 struct NoRow {};
 BONDEM_INLINE const double *absorbing_of(const Resistance &resistance, Index r) {
     return resistance.absorbing.size() > 0 ? &resistance.absorbing(r, 0) : nullptr;

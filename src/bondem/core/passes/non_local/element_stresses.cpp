@@ -1,7 +1,7 @@
 // Stresses of elements of the non-local law, from the forces of their bonds and contacts, eq (1).
 //
-// The stress of an element is kept in its own frame, where it does not change when all turns together, and in space,
-// where bonds take the mean of both ends. Forces of dashpots of bonds do not count.
+// The stress of an element is kept in its own frame, where a rotation of the whole body does not change it, and in
+// space, where bonds use the mean of both ends. Forces of dashpots of bonds do not count.
 #include "../../registered.hpp"
 #include "../../tables/non_local_tables.hpp"
 #include "own_stress.hpp"
@@ -30,7 +30,7 @@ void turn_stresses(const Range &portion, const Moving &all, const LaggedStresses
 }
 BONDEM_PASS(turn_stresses, of_elements, "own pose stress; writes space")
 
-// Turns the stresses of all elements in any poses.
+// Turns the stresses of all elements in given poses.
 Index turn_all_stresses(Index, const Poses &all, const LaggedStresses &stresses) {
     turn(0, all.pose.size(), all.pose.data, stresses);
     return 0;

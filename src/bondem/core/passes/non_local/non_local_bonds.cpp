@@ -1,7 +1,7 @@
 // Bonds of the non-local law: extra forces by the stresses of the previous step, then contributions to the present
 // stresses.
 //
-// A step finds the forces of all bonds, and then the stresses of all elements, before the blocks add the forces up as
+// A step finds the forces of all bonds, then the stresses of all elements; after that the blocks add the forces as
 // those of other bonds. Without failure and contacts no pass needs the stresses before the elements move: blocks find
 // forces, add them at once, and store none. A step of 0 finds the forces of a state again: extra forces, gaps and
 // stresses do not change.
@@ -17,7 +17,7 @@ namespace {
 
 #if defined(BONDEM_LANES)
 
-// Bonds ahead of the loop whose first elements are prefetched.
+// Distance in bonds at which first elements are prefetched.
 constexpr Index ahead = 32;
 
 BONDEM_INLINE Row<Lanes> moment_row(const Stress<Lanes> &s) {
@@ -25,9 +25,9 @@ BONDEM_INLINE Row<Lanes> moment_row(const Stress<Lanes> &s) {
     return {{s.xx, s.yy, s.zz, s.xy, s.xz, s.yz, zero, zero}};
 }
 
-// Bonds that go through the stages of `find_forces` together. One stage after the other, because all of them at once
-// would need many times the registers, would be one long chain of dependent operations, and would read and write more
-// columns side by side than caches foresee.
+// Number of bonds that pass one stage of `find_forces` before the next stage begins. All stages in one loop would
+// need many times the registers, form one long chain of dependent operations, and access more columns at once than
+// caches can foresee.
 constexpr Index bonds_of_stage = 128;
 
 // Results of one stage for a group of bonds, which the next stage reads.
@@ -85,7 +85,7 @@ BONDEM_INLINE void find_forces(const Range &range, const Moving &all, const Beam
         find_forces<false>(range, all.pose.data, beams, bonds, stresses, give);
 }
 
-// Adds loads of bonds to the moments of their elements, and to the sums.
+// Adds forces of a group of bonds to the moments of their elements; `add_loads` adds their loads to the sums.
 BONDEM_INLINE void add_moments(const LaggedStresses &stresses, const Beams &beams, Group group,
                                const PairPose<Lanes> &now, Vector3<Lanes> force) {
     const Index k = group.first;
@@ -187,7 +187,7 @@ Vector moved_by(const Twist &a, Vector lever) { return a.u + cross(a.turn, lever
 void add_load(const Array<double, 2> &to, Index row, Vector force, Vector lever) {
     to.row<Twist>(row) = {to.row<Twist>(row).u + force, to.row<Twist>(row).turn + cross(lever, force)};
 }
-// Adds the symmetric part of b ⊗ F.
+// Adds the symmetric part of b ⊗ F to the moment of an element.
 void add_moment(const Array<double, 2> &to, Index row, Vector b, Vector f) {
     Stress<double> &sum = to.row<Stress<double>>(row);
     sum.xx += b.x * f.x, sum.yy += b.y * f.y, sum.zz += b.z * f.z;
@@ -196,7 +196,7 @@ void add_moment(const Array<double, 2> &to, Index row, Vector b, Vector f) {
 }
 }  // namespace
 
-// Takes steps of small motions with extra forces that lag a step behind, until their energy is beyond 1e30 of the first.
+// Takes steps of small motions with extra forces that lag a step behind, until their energy is 1e30 times the first.
 Index take_small_steps(Index, const SmallPairs &pairs, const SmallSprings &springs, const SmallSteps &run) {
     const PairLaw law = {pairs.nu, pairs.limited != 0};
     const Index n = run.volume.size(), m = pairs.area.size();
@@ -245,7 +245,7 @@ BONDEM_CALL(take_small_steps, "")
 
 #if defined(BONDEM_LANES)
 
-// Finds forces and torques of all bonds in any poses from their stored values.
+// Finds forces and torques of all bonds in given poses from their stored values.
 Index load_non_local_bonds(Index, const Poses &all, const Beams &beams, const NonLocalBonds &bonds) {
     for_each_group(0, beams.i.size(), [&](Group group) {
         const Index k = group.first;

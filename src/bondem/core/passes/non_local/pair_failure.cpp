@@ -1,8 +1,8 @@
 // Bonds of the non-local law that fail by the mean stress of their two elements.
 //
-// The criterion is evaluated when the stresses of the step are known, and exactly only for bonds that reach it by bounds of
-// the principal stresses. The energy released is that of the springs; the work of extra forces stays in an entry of its
-// own. The stresses of the elements, which the next step takes, are then without the bond.
+// The criterion is evaluated when the stresses of the step are known, and exactly only for bonds that reach it by
+// bounds of the principal stresses. The energy released is that of the springs; the work of extra forces stays in an
+// entry of its own. The bond is then subtracted from the stresses of the elements, which the next step uses.
 #include "../../registered.hpp"
 #include "../../tables/damage_tables.hpp"
 #include "non_local_bonds.hpp"
@@ -71,7 +71,7 @@ void relieve_pairs(const Range &, const Moving &all, const Beams &beams, const N
 }
 BONDEM_PASS(relieve_pairs, of_events, "own pose; adds stress")
 
-// Index of the criterion of every bond, by stresses in space.
+// Finds the index of the criterion of every bond from the stresses in space.
 Index index_pairs(Index, const Beams &beams, const LaggedStresses &stresses, const Strengths &strengths,
                   const FailureIndices &found) {
     for (Index k = 0; k < strengths.coefficient.size(); k++)

@@ -5,7 +5,7 @@
 
 namespace bondem {
 
-// Levers of both elements of a pair, d apart [m].
+// Levers of both elements of a pair with the branch d [m].
 struct TouchLevers {
     Vector of_first, of_second;
 

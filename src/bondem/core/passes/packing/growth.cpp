@@ -155,7 +155,7 @@ struct Flying {
     void predict(Index p, double now) const {
         const Event event = next_event(p, now);
         const Index other = flight.what(p);
-        if (other >= 0) {  // chosen a moment ago by the one before
+        if (other >= 0) {  // scheduled just before by the prediction of the other sphere
             if (event.time >= flight.when(p)) return;
             flight.what(other) = check;
         }
@@ -172,8 +172,8 @@ struct Flying {
 
 }  // namespace
 
-// Advances spheres that fly and grow while the neighbour lists are valid, all to the same time. Returns its
-// ending; after `list_out_of_date` make new lists and call again. Without a grid of depths.
+// Advances spheres that fly and grow while the neighbour lists are valid, all to the same time. Returns its ending;
+// after `list_out_of_date` make new lists and call again. Walls on a grid of depths are ignored.
 Index fly_and_grow(Index, const Spheres &spheres, const PackingWalls &walls, const Near &near, const Growing &growing,
                    const Flight &flight) {
     const Flying flying{spheres, walls, near, growing, flight, Period(spheres.period)};

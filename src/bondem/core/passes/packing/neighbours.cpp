@@ -58,7 +58,7 @@ Index sort_and_count_neighbours(Index threads, const SphereGrid &grid) {
 }
 BONDEM_CALL(sort_and_count_neighbours, "")
 
-// Lists the neighbours of spheres that are sorted and counted, (start[n],).
+// Lists the neighbours of spheres that are sorted and counted, start[n] numbers in all.
 Index list_neighbours(Index threads, const SphereGrid &grid, const NeighbourLists &lists) {
     const Index n = grid.sphere.size();
     const Period period(grid.period);

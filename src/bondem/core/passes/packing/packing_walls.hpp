@@ -9,7 +9,7 @@ namespace bondem {
 
 // Largest gap to a wall of the grid, over the radius of a sphere, at which they touch.
 constexpr double touch = 1e-6;
-// Walls that meet at a right angle need one round, at 45° about 30.
+// Largest number of rounds of `carried_by_grid`: walls that meet at a right angle need one, at 45° about 30.
 constexpr int most_rounds = 30;
 
 inline bool has_grid(const PackingWalls &walls) { return walls.depth.all() > 0; }
@@ -86,7 +86,7 @@ struct Spline {
           slope{t - 0.5, -2.0 * t, t + 0.5} {}
 };
 
-// Depth at a point and its gradient, smooth over the grid; some depth above `enough` where it is more.
+// Depth at a point and its gradient, smooth over the grid; a coarse value where the depth exceeds `enough`.
 inline Depth grid_depth(const PackingWalls &walls, Vector x, double enough) {
     const double h = walls.spacing;
     double at[3];

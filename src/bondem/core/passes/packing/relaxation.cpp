@@ -1,10 +1,10 @@
 // Soft spheres between rigid walls, brought to mechanical equilibrium.
 //
-// Overlapping spheres repel with unit stiffness, walls let nothing through, and the energy is minimised by FIRE 2.0
-// (Guénolé et al., Comput. Mater. Sci. 175, 2020): inertial descent that is steered along the force and stopped
-// whenever it runs uphill. Unit mass and stiffness make every time dimensionless. A sphere far larger than its neighbours
-// has a hundred contacts, and needs a larger mass to be as slow as the others; the descent is that of the coordinates
-// times √mass.
+// Overlapping spheres repel with unit stiffness, walls are impenetrable, and FIRE 2.0 minimises the energy (Guénolé
+// et al., Comput. Mater. Sci. 175, 2020): inertial descent that is steered along the force and stopped whenever it
+// runs uphill. Unit mass and stiffness make every time dimensionless. A sphere far larger than its neighbours has a
+// hundred contacts. It needs a larger mass to be as slow as the others, so the descent is that of coordinates times
+// √mass.
 #include "../../lanes.hpp"
 #include "../../registered.hpp"
 #include "../../tables/columns.hpp"
@@ -24,7 +24,7 @@ enum Relaxed : Index { converged, out_of_date, exhausted, loose };
 enum Sum { power, force_square, speed_square, overlap, contacts, deepest, farthest, eased_square };
 enum Fire { time_step, mixing, downhill };
 
-// FIRE: first and longest step (the stiffest sphere stays stable to about 0.7), mixing, and when to trust the descent.
+// FIRE: first and longest step (the stiffest sphere is stable up to about 0.7), mixing, downhill steps to accelerate.
 constexpr double first_step = 0.15, longest_step = 0.45, first_mixing = 0.25, patience = 10.0;
 // Longest step between walls on a grid: a sphere pressed into a rounded edge oscillates fast.
 constexpr double longest_step_on_grid = 0.25;
@@ -41,7 +41,7 @@ double largest(const Array<double, 2> &part, Sum column) {
     return found;
 }
 
-// Force and energy of the neighbours of a sphere.
+// Force of the neighbours on a sphere; sum, number and largest of the overlaps in a block.
 struct Pressed {
     Vector force = {0.0, 0.0, 0.0};
     double overlaps = 0.0, touching = 0.0, deepest = 0.0;
@@ -78,7 +78,7 @@ BONDEM_INLINE void press_sphere(const Spheres &spheres, const Near &near, Four e
     sum.force = {force[0], force[1], force[2]};
 }
 
-// Forces on the spheres of a block, and their sums.
+// Finds the forces on the spheres of a block, and the sums of the block.
 void press(const Spheres &spheres, const PackingWalls &walls, const Near &near, Index b, const Array<double, 2> &part) {
     const Period period(spheres.period);
     const PlainWalls plain(walls);
@@ -112,8 +112,8 @@ void press(const Spheres &spheres, const PackingWalls &walls, const Near &near, 
 }
 
 struct Descent {
-    double back;  // how far back along the old velocity, as a time
-    double dt, keep, steer;  // time step, and what of velocity and of force enters the new velocity
+    double back;  // time by which positions move back along the old velocity
+    double dt, keep, steer;  // time step, and shares of old velocity and of force in the new velocity
 };
 
 // Moves the spheres of a block, and finds the largest displacement since the neighbour lists were made.

@@ -1,6 +1,6 @@
 // Conjugate gradients for successive equilibria, with the diagonal of Sᵀ K S equal to one and a coarse correction.
 //
-// The memory that a round reads decides its time. The residual of the guess is exact; corrections, which are much
+// Memory traffic determines the time of a round. The residual of the guess is exact; corrections, which are much
 // smaller than the solution, are found with a matrix in single precision.
 #include "../../registered.hpp"
 #include "../../tables/quasistatic_tables.hpp"
@@ -38,13 +38,13 @@ template <class T> double dot(const T *a, const double *b, Index n) {
     for (; k < n; k++) rest += a[k] * b[k];
     return sum_of(one + other) + rest;
 }
-// Aᵀ x of a block.
+// Product Aᵀ x of a 6 × 6 block A.
 template <class T> Eight turned_product(const T *A, const double *x) {
     return (six(A) * x[0] + six(A + 6) * x[1] + six(A + 12) * x[2]) +
            (six(A + 18) * x[3] + six(A + 24) * x[4] + six(A + 30) * x[5]);
 }
 
-// y = (B + Fᵀ W F) x. B is symmetric: the blocks of a row act on its cell as they are found, along their rows.
+// Computes y = (B + Fᵀ W F) x. As B is symmetric, a block A in row p and column q adds Aᵀ x_p to y_q.
 template <class T>
 void multiply(const ScaledMatrix &matrix, const Array<const T, 3> &block, const Array<const T, 2> &form, const double *x,
               double *y, const Array<double, 1> &stress) {
@@ -64,7 +64,7 @@ void multiply(const ScaledMatrix &matrix, const Array<const T, 3> &block, const 
             add(six(&form(e, 0)) * stress(p), y + 6 * matrix.column(e));
 }
 
-// v becomes (L Lᵀ)⁻¹ v.
+// Solves L Lᵀ x = v in place.
 void solve_coarse(const Array<const double, 2> &factor, double *v) {
     const Index c = factor.shape[0], w = factor.shape[1];
     for (Index j = 0; j < c; j++) {
@@ -80,7 +80,7 @@ void solve_coarse(const Array<const double, 2> &factor, double *v) {
     }
 }
 
-// Removes rigid motions from z, and the forces of a rounded matrix that drive them.
+// Removes rigid motions from z, or from the forces of a rounded matrix the part that drives them.
 void remove_rigid(const ClumpCorrection &clumps, double *v) {
     const Index size = clumps.rigid.shape[1];
     for (Index m = 0; m < clumps.rigid.shape[0]; m++) {

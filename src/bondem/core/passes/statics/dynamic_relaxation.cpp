@@ -18,7 +18,7 @@ namespace {
 
 enum RelaxationEnding : Index { balanced, all_steps_done };
 
-// Fastest and slowest fading of the running means, and the largest rate of damping, of which 2 is the limit.
+// Fastest and slowest fading of the running means, and the largest rate of damping, below its limit of 2.
 constexpr double fastest_fading = 0.5, slowest_fading = 1e-4, largest_rate = 1.9;
 
 // Share of loads and prescribed motions in a step.
@@ -29,7 +29,7 @@ struct Balance {
     double power, mass;  // Σ v·ΔF and Σ m v² of the last step
 };
 
-// Compares forces and loads, keeps the forces, and leaves zeros in the sums.
+// Compares forces and loads, stores the forces, and sets the sums to zero.
 Balance balance(const DynamicRelaxation &c, const Array<double, 2> &sums, double share) {
     double out = 0.0, applied = 0.0, borne = 0.0, power = 0.0, mass = 0.0;
     const auto square = [](double a) { return a * a; };
@@ -57,7 +57,7 @@ Balance balance(const DynamicRelaxation &c, const Array<double, 2> &sums, double
 double squared_frequency(const Array<double, 1> &memory) {
     return memory(1) > 0.0 ? most(memory(0), 0.0) / memory(1) : 0.0;
 }
-// The critical rate of damping for the present frequency.
+// Critical rate of damping for the present frequency; updates the running means.
 double damping_rate(const Array<double, 1> &memory, const Balance &now) {
     const double fade = least(fastest_fading, most(root(squared_frequency(memory)), slowest_fading));
     memory(0) += fade * (now.power - memory(0));

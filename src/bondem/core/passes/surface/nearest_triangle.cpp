@@ -1,5 +1,5 @@
-// The triangle nearest to each point: each point walks down a tree of boxes, the nearer branch first, and leaves out
-// what is farther than the nearest triangle so far.
+// The triangle nearest to each point, by a tree of boxes: the nearer branch is searched first, and boxes farther than
+// the nearest triangle so far are left out.
 #include "../../registered.hpp"
 #include "../../tables/surface_tables.hpp"
 #include "../../threads.hpp"

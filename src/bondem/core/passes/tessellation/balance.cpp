@@ -19,7 +19,7 @@ Symmetric3<double> tensor(const double *row) {
 
 }  // namespace
 
-// Computes the equation of each cell for given multipliers: its column sums of facet corrections.
+// Applies the operator N of the balanced shares to the tensors of all cells.
 Index apply_balance(Index threads, const CellBranches &branches, const BalanceField &field) {
     const Index n = field.given.size();
     for_each_task(threads, (n + cells_of_a_task - 1) / cells_of_a_task, [&](Index task) {

@@ -74,7 +74,7 @@ bool put_whole(const Solids &solids, Index s, const WallTree &walls, const Split
     return true;
 }
 
-// The wall polygon with the largest area, or no_polygon.
+// Number of the wall polygon with the largest area, or no_polygon.
 Index largest_wall(const Stack &piece) {
     Index best = no_polygon;
     double largest = 0.0;

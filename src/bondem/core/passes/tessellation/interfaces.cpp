@@ -19,7 +19,7 @@ struct Matcher {
     const FaceGroups &groups;
     Stack done;
 
-    // Plane h of a piece, measured from a point at -shift, one term of the shift after the other.
+    // Plane h of a piece, measured from a point at -shift; the terms of the shift are added one after the other.
     Plane plane(Index h, Vector shift) const { return face_plane(solids, h).seen_from(shift); }
 
     // Divides the polygons of `rest` by the piece of face g: parts within the face become, if `wanted`, patches of

@@ -6,7 +6,7 @@
 namespace bondem {
 namespace {
 
-// Products of components, summed.
+// Sums of products of components.
 struct Moments {
     double xx = 0.0, yy = 0.0, zz = 0.0, xy = 0.0, xz = 0.0, yz = 0.0;
 };
@@ -22,7 +22,7 @@ inline void put_symmetric(const Array<double, 3> &matrix, Index k, const Moments
 
 }  // namespace
 
-// Areas, centroids and second moments of polygons.
+// Computes areas, centroids and second moments of polygons.
 Index measure_polygons(Index, const PolygonMeasures &polygons) {
     for (Index f = 0; f < polygons.area.size(); f++) {
         const Index start = polygons.corner(f), end = polygons.corner(f + 1);
@@ -58,7 +58,7 @@ Index measure_polygons(Index, const PolygonMeasures &polygons) {
 }
 BONDEM_CALL(measure_polygons, "")
 
-// Volumes and moments of solids.
+// Computes volumes and moments of solids, about the centre of the element.
 Index measure_solids(Index, const Solids &solids, const Bulk &bulk) {
     for (Index s = 0; s < bulk.volume.size(); s++) {
         double volume = 0.0, far = 0.0, beyond = -infinity;

@@ -8,7 +8,7 @@ namespace {
 
 enum Division : Index { all_divided, parts_full, room_full };
 
-// Splits of a cell by the plane between elements a < b have the number a n + b beyond this; walls make fewer.
+// First number of splits by radical planes, to which elements a < b add a n + b; splits by walls have smaller ones.
 constexpr Index first_split = 10000000;
 
 // The radical plane of elements a and b, away from a, about x.

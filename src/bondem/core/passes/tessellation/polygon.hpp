@@ -65,7 +65,7 @@ struct Buffer {
     void reverse() {
         for (Index k = 0; k < size / 2; k++) exchange(corner[k], corner[size - 1 - k]);
     }
-    // The part of a polygon below a plane, empty with fewer than three corners. The polygon is in another buffer.
+    // Sets the buffer to the part of another polygon below a plane, empty with fewer than three corners.
     void clip(Polygon source, const Plane &plane) {
         size = 0;
         if (source.size == 0) return;
@@ -81,7 +81,7 @@ struct Buffer {
         }
         if (size < 3) size = 0;
     }
-    // A square of half-width `half` on a plane, about the foot of the origin.
+    // Sets the buffer to a square of half-width `half` on a plane, about the foot of the origin.
     void square(const Plane &plane, double half) {
         const Vector n = plane.normal;
         Vector u = absolute(n.x) < 0.6 ? Vector{0.0, n.z, -n.y} : Vector{-n.z, 0.0, n.x};

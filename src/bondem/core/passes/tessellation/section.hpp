@@ -6,12 +6,12 @@ namespace bondem {
 
 // Kinds of the polygons of a piece: its faces, and the wall triangles within it.
 constexpr Index face_kind = 0, wall_kind = 1;
-// No polygon of the piece lies in the plane.
+// Number that stands for no polygon of a piece.
 constexpr Index no_polygon = -1;
 // Sides of the splits of a cell have these numbers as tags: split - 2 s and split - 2 s - 1.
 constexpr Index split_tag = -16;
 
-// The section of a piece by a plane, in `section`.
+// Computes the section of a piece by a plane, in `section`.
 inline void cut_section(const Stack &piece, const Plane &plane, double tolerance, Buffer &section, Buffer &other) {
     double far = 0.0;
     for (Index p = 0; p < piece.size(); p++)
