@@ -45,8 +45,8 @@ class StepCount(IntEnum):
 
 
 class GuardNumber(IntEnum):
-    """Results of the guard: bonds turned wide (beyond safe angles) and lost (beyond valid ones), ending, lists too
-    old.
+    """Results of the guard: bonds turned wide (beyond safe angles) and lost (beyond valid ones), the ending of the
+    call, and 1 for lists out of date.
     """
 
     WIDE = 0

@@ -103,7 +103,7 @@ class FacePairs(NamedTuple):
     whole: Floats  #: reach of the pair as spheres [m], (pairs,)
     #: pairs that touch by faces or did a step ago, ascending, those of a portion from its first on, (pairs,)
     close: Uint32s
-    #: of pair k: force on the later element [N], lost to dashpots [J], torque on it [N·m], lost to friction [J],
+    #: of pair k: force on the later element [N], loss to dashpots [J], torque on it [N·m], loss to friction [J],
     #: torque on the earlier one [N·m], (pairs, 12)
     output: Floats
     gained: Floats  #: energy taken over from facets that part [J], (pairs,)
@@ -174,7 +174,7 @@ class WallMotions(NamedTuple):
 
 
 class PairSources(NamedTuple):
-    """Bonds and memories of contacts, of which the list of pairs is made."""
+    """Bonds and memories of contacts, from which the list of pairs is made."""
 
     bond_start: Ints  #: start of the bonds of each later element, (n + 1,)
     bond_first: Uint32s  #: earlier elements of the bonds, (m,)
@@ -200,7 +200,7 @@ class FoundPairs(NamedTuple):
 
 
 class WallSources(NamedTuple):
-    """Memories of contacts with walls, of which their list is made."""
+    """Memories of contacts with walls, from which their list is made."""
 
     radius: Floats  #: radii of the elements [m], (n,)
     rest_start: Ints  #: start of the contacts of each element that overlap in the reference, (n + 1,)

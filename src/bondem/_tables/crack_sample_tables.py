@@ -50,4 +50,4 @@ class StressBoundSamples(NamedTuple):
     stress: Floats  #: [Pa], (6, m)
     bent: Floats  #: T_b [Pa], (m,)
     wide: int  #: 1 to evaluate by lanes, 0 by single numbers
-    found: Floats  #: bounds of σ_1 and σ_3, T_b less the pressure, and the bound of that [Pa], (4, m)
+    found: Floats  #: bounds of σ_1 and σ_3, T_b less the pressure, and an upper bound of the latter [Pa], (4, m)

@@ -58,7 +58,7 @@ class ScaledMatrix(NamedTuple):
 
 
 class ClumpCorrection(NamedTuple):
-    """Coarse correction by clumps, groups of cells that move rigidly: c unknowns, and a factor L of half-width w - 1."""
+    """Coarse correction by clumps of cells that move rigidly: c unknowns, and a factor L of half-width w - 1."""
 
     place: Ints  #: first coarse unknown of the clump of each cell, (n,)
     order: Ints  #: place of each coarse unknown in L, (c,)

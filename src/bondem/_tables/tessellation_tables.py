@@ -37,7 +37,7 @@ class Solids(NamedTuple):
 
 
 class PolygonBuffer(NamedTuple):
-    """Polygons in arrays with spare room. A pass that fills the arrays ends; with larger ones it continues from there."""
+    """Polygons in arrays with spare room. A pass that fills them ends; with larger ones it continues from there."""
 
     what: Ints  #: kind, tag, first corner and number of corners of each polygon, (*, 4)
     plane: Floats  #: outward unit normal and distance from the centre [-, m], (*, 4)
@@ -69,8 +69,9 @@ class CellRoom(NamedTuple):
 
 
 class WallTree(NamedTuple):
-    """Wall triangles in a tree of boxes, for the search of those near a cell. Box 1 holds all, box b boxes 2 b and 2 b +
-    1, and the last p one triangle each or none.
+    """Wall triangles in a tree of boxes, for the search of those near a cell.
+
+    Box 1 holds all, box b boxes 2 b and 2 b + 1, and the last p one triangle each or none.
     """
 
     corner: Floats  #: of the triangles [m], (triangles, 3, 3)
@@ -111,7 +112,7 @@ class Dividing(NamedTuple):
 
 
 class FaceGroups(NamedTuple):
-    """Faces in one plane: those of group g begin at plus[first[g]] on one side, and at minus[second[g]] on the other."""
+    """Faces in one plane: those of group g begin at plus[first[g]] on one side, at minus[second[g]] on the other."""
 
     of_face: Ints  #: solid of each face, (faces,)
     plus: Ints  #: faces on one side, group by group, (forth,)

@@ -30,7 +30,7 @@ BONDEM_EXPORT const bondem::TableDescription *bondem_tables(bondem::Index *count
     *count = sizeof(bondem::tables) / sizeof(bondem::tables[0]);
     return bondem::tables;
 }
-// The last pass that registered itself; each refers to the next one.
+// The last pass that registered itself; each refers to the one registered before it.
 BONDEM_EXPORT const bondem::PassDescription *bondem_passes() { return bondem::Registered::first(); }
 BONDEM_EXPORT const bondem::PassDescription *bondem_index_passes(bondem::Index *count) {
     *count = sizeof(bondem::index_passes) / sizeof(bondem::index_passes[0]);
@@ -38,5 +38,5 @@ BONDEM_EXPORT const bondem::PassDescription *bondem_index_passes(bondem::Index *
 }
 // Number of lanes, which is the number of bonds in a group; tables of fewer bonds are padded to a group.
 BONDEM_EXPORT bondem::Index bondem_lanes() { return bondem::lanes; }
-// The level that this library was compiled for.
+// The instruction level that this library was compiled for: 2, 3 or 4 of x86-64, else 0.
 BONDEM_EXPORT bondem::Index bondem_compiled_level() { return bondem::compiled_level; }

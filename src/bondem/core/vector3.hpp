@@ -33,7 +33,7 @@ template <class T> inline T dot(Vector3<T> a, Vector3<T> b) { return a.x * b.x +
 template <class T> inline Vector3<T> cross(Vector3<T> a, Vector3<T> b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-// c + a × b and c - a × b, two roundings a component.
+// c + a × b and c - a × b, with two roundings per component.
 template <class T> inline Vector3<T> plus_cross(Vector3<T> c, Vector3<T> a, Vector3<T> b) {
     return {c.x + a.y * b.z - a.z * b.y, c.y + a.z * b.x - a.x * b.z, c.z + a.x * b.y - a.y * b.x};
 }

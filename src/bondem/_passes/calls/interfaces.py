@@ -10,7 +10,7 @@ from bondem._tables.tessellation_tables import FaceGroups, PolygonBuffer, Solids
 def match_faces(
     solids: Solids, groups: FaceGroups, rest: PolygonBuffer, left: PolygonBuffer, pile: PolygonBuffer
 ) -> Call:
-    """Lays the faces of each group over each other: patches go to the pile, with their face as kind and the face
-    on the other side, or -1, as tag.
+    """Intersects the faces of each group: patches go to the pile, with their face as kind and the face on the
+    other side, or -1, as tag.
     """
     return Call("match_faces", (solids, groups, rest, left, pile))

@@ -185,8 +185,8 @@ def load_facet(moving: Moving, elastic_facets: ElasticFacets, loads_of_bonds: Lo
 
 
 def place_wall(device_span: DeviceSpan, wall_constraints: WallConstraints) -> Kernel:
-    """Launched for `follow_walls`: brings walls to the time of the clock; at a time that no step has reached,
-    their forces are updated as well.
+    """Launched for `follow_walls`: moves walls to their places at the time of the clock, and updates their forces
+    at a time that no step has reached.
 
     Over one index.
     """

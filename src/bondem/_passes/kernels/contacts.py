@@ -69,7 +69,7 @@ def count_work_of_walls(device_span: DeviceSpan, walls: Walls, ledger: Ledger) -
 
 
 def kick_free_wall(device_span: DeviceSpan, wall_motions: WallMotions, walls: Walls) -> Kernel:
-    """Applies half a kick to free wall e, when the forces on the wall are known."""
+    """Adds the second half of the velocity change to free wall e, once its forces are known, and sets its spin."""
     return Kernel("kick_free_wall", (device_span, wall_motions, walls))
 
 

@@ -22,7 +22,7 @@ def end_facets_of_cell(
     moving: Moving, elastic_facets: ElasticFacets, wall_constraints: WallConstraints, facet_release: FacetRelease,
     bond_marks: BondMarks, candidates: Candidates
 ) -> Kernel:
-    """Sets weight and stress of cell p without its failed facets, and the integrity of those of which it is i to
+    """Sets weight and stress of cell p without its failed facets, and the integrity of failed facets with i = p to
     zero.
     """
     return Kernel("end_facets_of_cell", (

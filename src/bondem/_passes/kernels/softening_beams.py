@@ -56,7 +56,8 @@ def begin_beam_by_peripheral_stress(
 
 
 def end_portion_of_softening(softening_bounds: SofteningBounds, softening_beams: SofteningBeams) -> Kernel:
-    """Launched for `soften_beams`: lowers the integrity of beams of a portion that soften, before the forces.
+    """Launched for `soften_beams`: lowers the integrity of the softening beams of a portion, before forces are
+    computed.
 
     Over one index.
     """

@@ -33,7 +33,7 @@ def log_softened_beams(
 def soften_beams(
     moving: Moving, beams: Beams, softening_bounds: SofteningBounds, softening_beams: SofteningBeams
 ) -> StepEntry:
-    """Lowers the integrity of beams of a portion that soften, before the forces.
+    """Lowers the integrity of the softening beams of a portion, before forces are computed.
 
     Over bonds, in portions. Reads `motion`, `pose` at both ends.
     """

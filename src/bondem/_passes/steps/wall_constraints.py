@@ -38,7 +38,8 @@ def apply_walls(moving: Moving, wall_constraints: WallConstraints, rows: Rows) -
 
 
 def follow_walls(moving: Moving, wall_constraints: WallConstraints, rows: Rows) -> StepEntry:
-    """Brings walls to the time of the clock; at a time that no step has reached, their forces are updated as well.
+    """Moves walls to their places at the time of the clock, and updates their forces at a time that no step has
+    reached.
 
     Over rows of a table, in the order of the table. Reads `base` of an element; changes `increment`, `wall` of
     an element.

@@ -107,7 +107,7 @@ inline void load_wall(Index w, const DeviceSpan &span, const WallContacts &conta
     for (Index e = order.start(w); e < order.start(w + 1); e++) add_to_wall(contacts, order.load(e));
     load_wall_by_sums(contacts, walls, w, 0.5 * clock_of(span).dt);
 }
-// Applies half a kick to free wall e, when the forces on the wall are known.
+// Adds the second half of the velocity change to free wall e, once its forces are known, and sets its spin.
 inline void kick_free_wall(Index e, const DeviceSpan &span, const WallMotions &motions, const Walls &walls) {
     kick_free(motions, walls, e, 0.5 * clock_of(span).dt);
     show_free_spin(walls, motions.free_wall(e));

@@ -83,7 +83,7 @@ inline void write_facet_failure(Index e, const DeviceSpan &span, const Moving &a
     }
     write_failure(e, span, candidates, log, removal);
 }
-// Sets weight and stress of cell p without its failed facets, and the integrity of those of which it is i to zero.
+// Sets weight and stress of cell p without its failed facets, and the integrity of failed facets with i = p to zero.
 inline void end_facets_of_cell(Index p, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                                const FacetRelease &release, const BondMarks &marks, const Candidates &candidates) {
     if (!any_fails(candidates)) return;

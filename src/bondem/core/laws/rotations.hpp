@@ -39,7 +39,7 @@ template <class T> BONDEM_INLINE Vector3<T> turned_by(Quaternion<T> q, Vector3<T
             v.z + q.w * tz + q.x * ty - q.y * tx};
 }
 
-// A rotation as a matrix, row by row: fewer operations yet where one q turns many vectors.
+// A rotation as a matrix, row by row, which needs the fewest operations where one q turns many vectors.
 template <class T> struct Rotation {
     Vector3<T> x, y, z;
 };
@@ -72,7 +72,7 @@ template <class T> struct HalfAngle {
     T cosine, sinc;
 };
 
-// Square of a half angle below which three terms are exact to rounding: a usual step.
+// Square of a half angle below which three terms are exact to rounding, as in a usual step.
 constexpr double small_half_angle_square = 1e-5;
 
 template <class T> BONDEM_INLINE HalfAngle<T> short_series(T h2) {

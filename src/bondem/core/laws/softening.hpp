@@ -76,7 +76,7 @@ template <class T> BONDEM_INLINE T softens_at(T s, T onset, T brittleness, const
     return select(brittleness < all<T>(infinity), found, select(s == one, onset, T{}));
 }
 
-// ∫ T² (-ds) along the curve from a traction on [Pa²]: a / (1 - b) times the length of each line.
+// Integral ∫ T² (-ds) along the curve, from a traction to its end [Pa²]: a / (1 - b) times the length of each line.
 inline double absorbed_from(double traction, double onset, double last, const CurveShape &curve) {
     const double end = curve.steep * last, first = onset / (1.0 - onset / end);
     if (!(curve.kink > 0.0)) return first * positive(last - traction);

@@ -34,7 +34,8 @@ enum : Index {
 }
 // Counts of a call of the core: steps, records, bonds turned wide and lost.
 namespace step_count { enum : Index { steps, records, wide, lost }; }
-// Results of the guard: bonds turned wide (beyond safe angles) and lost (beyond valid ones), ending, lists too old.
+// Results of the guard: bonds turned wide (beyond safe angles) and lost (beyond valid ones), the ending of the call,
+// and 1 for lists out of date.
 namespace guard_number { enum : Index { wide, lost, ending, out_of_date }; }
 // Counts of bonds turned wide and lost, and of portions with a number that is not finite.
 namespace turn_count { enum : Index { wide, lost, not_finite }; }

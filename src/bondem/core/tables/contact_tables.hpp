@@ -94,7 +94,7 @@ struct FacePairs {
     Array<double, 1> whole;  // reach of the pair as spheres [m], (pairs,)
     // pairs that touch by faces or did a step ago, ascending, those of a portion from its first on
     Array<Short, 1> close;  // (pairs,)
-    // of pair k: force on the later element [N], lost to dashpots [J], torque on it [N·m], lost to friction [J],
+    // of pair k: force on the later element [N], loss to dashpots [J], torque on it [N·m], loss to friction [J],
     // torque on the earlier one [N·m]
     Array<double, 2> output;  // (pairs, 12)
     Array<double, 1> gained;  // energy taken over from facets that part [J], (pairs,)
@@ -156,7 +156,7 @@ struct WallMotions {
 
 // ---- the search
 
-// Bonds and memories of contacts, of which the list of pairs is made.
+// Bonds and memories of contacts, from which the list of pairs is made.
 struct PairSources {
     Array<const Index, 1> bond_start;  // start of the bonds of each later element, (n + 1,)
     Array<const Short, 1> bond_first;  // earlier elements of the bonds, (m,)
@@ -179,7 +179,7 @@ struct FoundPairs {
     Array<double, 2> memory;  // memory as in `State.stretch`, (room, 8)
     Array<Byte, 1> touch;  // `TouchState`, (room,)
 };
-// Memories of contacts with walls, of which their list is made.
+// Memories of contacts with walls, from which their list is made.
 struct WallSources {
     Array<const double, 1> radius;  // radii of the elements [m], (n,)
     Array<const Index, 1> rest_start;  // start of the contacts of each element that overlap in the reference, (n + 1,)

@@ -43,7 +43,7 @@ struct StressBoundSamples {
     Array<const double, 2> stress;  // [Pa], (6, m)
     Array<const double, 1> bent;  // T_b [Pa], (m,)
     Index wide;  // 1 to evaluate by lanes, 0 by single numbers
-    // bounds of σ_1 and σ_3, T_b less the pressure, and the bound of that [Pa]
+    // bounds of σ_1 and σ_3, T_b less the pressure, and an upper bound of the latter [Pa]
     Array<double, 2> found;  // (4, m)
 };
 

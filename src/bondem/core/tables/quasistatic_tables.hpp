@@ -48,7 +48,7 @@ struct ScaledMatrix {
     Array<const float, 2> rounded_form;  // F, (b, 6)
     Array<const double, 1> weight;  // W, (n,)
 };
-// Coarse correction by clumps, groups of cells that move rigidly: c unknowns, and a factor L of half-width w - 1.
+// Coarse correction by clumps of cells that move rigidly: c unknowns, and a factor L of half-width w - 1.
 struct ClumpCorrection {
     Array<const Index, 1> place;  // first coarse unknown of the clump of each cell, (n,)
     Array<const Index, 1> order;  // place of each coarse unknown in L, (c,)

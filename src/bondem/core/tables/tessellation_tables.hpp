@@ -33,7 +33,7 @@ struct Solids {
     Array<const double, 2> vertex;  // corners relative to the centre of the element [m], (corners, 3)
 };
 
-// Polygons in arrays with spare room. A pass that fills the arrays ends; with larger ones it continues from there.
+// Polygons in arrays with spare room. A pass that fills them ends; with larger ones it continues from there.
 struct PolygonBuffer {
     Array<Index, 2> what;  // kind, tag, first corner and number of corners of each polygon, (*, 4)
     Array<double, 2> plane;  // outward unit normal and distance from the centre [-, m], (*, 4)
@@ -62,8 +62,9 @@ struct CellRoom {
     Array<double, 2> other;  // a polygon, (512, 3)
 };
 
-// Wall triangles in a tree of boxes, for the search of those near a cell. Box 1 holds all, box b boxes 2 b and 2
-// b + 1, and the last p one triangle each or none.
+// Wall triangles in a tree of boxes, for the search of those near a cell.
+//
+// Box 1 holds all, box b boxes 2 b and 2 b + 1, and the last p one triangle each or none.
 struct WallTree {
     Array<const double, 3> corner;  // of the triangles [m], (triangles, 3, 3)
     // unit normal of each and its product with a point of the plane [-, m]
@@ -101,7 +102,7 @@ struct Dividing {
     Array<Index, 1> done;  // numbers of solids divided and of parts made, (2,)
 };
 
-// Faces in one plane: those of group g begin at plus[first[g]] on one side, and at minus[second[g]] on the other.
+// Faces in one plane: those of group g begin at plus[first[g]] on one side, at minus[second[g]] on the other.
 struct FaceGroups {
     Array<const Index, 1> of_face;  // solid of each face, (faces,)
     Array<const Index, 1> plus;  // faces on one side, group by group, (forth,)

@@ -13,7 +13,7 @@ namespace {
 // Distance in bonds at which first elements are prefetched; second elements follow one another in memory.
 constexpr Index ahead = 32;
 
-// Stiffness of beams with constants of their own, or with constants that all share divided by their length.
+// Stiffness of beams with constants of their own (`Own`), or with shared ones divided by their length (`Uniform`).
 struct Own {
     const Beams &beams;
     template <class T> BONDEM_INLINE BeamStiffness<T> stiffness(Index k) const {

@@ -52,7 +52,7 @@ template <class Bonds> inline Ends<double> ends_of(const double *pose, const Bon
 
 #if defined(BONDEM_LANES)
 
-// Groups of as many bonds as there are lanes.
+// A group of as many bonds as there are lanes.
 struct Group {
     Index first;
     int known;  // how many of it belong to the group before

@@ -28,7 +28,7 @@ inline double tension_of(const Moving &all, const Strain &strain, const Beams &b
     return beams.integrity(k) * beams.kn(k) * (present - beams.length(k));
 }
 
-// Brings the factors to the time of a clock, and finds whether lengths change and ∂U/∂factor is needed.
+// Updates the factors to the time of a clock, and finds whether lengths change and ∂U/∂factor is needed.
 inline void follow_factors(const Clock &clock, const Timeline &timeline, const Strain &strain) {
     const auto &factor = strain.factor;
     bool changed = clock.first, needed = clock.first;

@@ -53,7 +53,7 @@ struct FacetColumns {
     }
 };
 
-// Stresses of the cells of a facet [Pa], times a share.
+// Stresses of the cells of a facet [Pa], times a factor, such as the integrity.
 template <class T> BONDEM_INLINE OfCells<T> stresses_of(const Row<T> &i, const Row<T> &j, T share) {
     return {share * i.column[stress_column], share * j.column[stress_column]};
 }

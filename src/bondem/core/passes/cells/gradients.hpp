@@ -17,7 +17,7 @@
 
 namespace bondem {
 
-// Σ c (σ_p - σ_q) of a cell [m³], by stresses `stress(q)`.
+// Sum Σ c (σ_p - σ_q) over the neighbours of a cell [m³], by stresses `stress(q)`.
 template <class Stress>
 inline double difference_of(const DilatationGradients &gradients, Index p, Stress stress) {
     double sum = 0.0;
@@ -29,7 +29,7 @@ inline double difference_of(const DilatationGradients &gradients, Index p, Stres
 
 inline bool has_layers(const DilatationGradients &gradients) { return gradients.bend.size() > 0; }
 
-// The same rotation by the quaternion with a scalar part of at least zero.
+// A rotation by the quaternion with a scalar part of at least zero.
 template <class T> CellTurn<T> positive(T w, Vector3<T> v) {
     const T sign = w < 0.0 ? -1.0 : 1.0;
     return {sign * w, sign * v};

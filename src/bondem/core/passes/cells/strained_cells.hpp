@@ -7,8 +7,8 @@
 
 namespace bondem {
 
-// Brings the factors to the time of the clock. ∂U/∂factor is needed if a factor changes in this step or the
-// next one. Returns true if a factor has changed.
+// Updates the factors to the time of the clock. ∂U/∂factor is needed if a factor changes in this step or the next
+// one. Returns true if a factor has changed.
 inline bool follow_factors(const Clock &clock, const Timeline &timeline, const CellStrains &strains) {
     using namespace strain_factor;
     const auto &factor = strains.factor;

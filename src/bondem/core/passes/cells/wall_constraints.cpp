@@ -16,7 +16,7 @@ void add_half_works(const WallConstraints &walls, const Rows &rows) {
 
 }  // namespace
 
-// Brings walls to the time of the clock; at a time that no step has reached, their forces are updated as well.
+// Moves walls to their places at the time of the clock, and updates their forces at a time that no step has reached.
 void follow_walls(const Range &range, const Moving &all, const WallConstraints &walls, const Rows &rows) {
     for (Index g = 0; g < walls.cell.size(); g++) place_support(walls, range.clock.time, g);
     if (!range.clock.first) return;

@@ -8,7 +8,7 @@
 
 namespace bondem {
 
-// The facet of crack k in the reference.
+// Reference geometry of the facet of crack k.
 BONDEM_INLINE FacetShape<double> facet_shape(const CohesiveCracks &cracks, Index k) {
     const CrackShapeRow &of = shape_of(cracks, k);
     const double *const pitch = cracks.pitch.data;
@@ -25,7 +25,7 @@ template <class T> struct CrackSoftening {
     T plane, bends, brittleness, fastest, strength;
 };
 
-// The crack of facet k, whose place in a list is that of its facet.
+// The crack of facet k, whose place in lists is the number of the facet.
 struct OneCrack {
     using Number = double;
     Index e, crack;
@@ -102,7 +102,7 @@ BONDEM_INLINE void scatter_rows(double *const *row, Row<Lanes> all) {
 #endif
 }
 
-// Columns whose lanes are two numbers of four bytes.
+// Types of columns whose lanes contain two numbers of four bytes each.
 typedef uint64_t TwoInLanes __attribute__((vector_size(lanes * 8)));
 typedef uint32_t OneInLanes __attribute__((vector_size(lanes * 4)));
 typedef int32_t WholeLanes __attribute__((vector_size(lanes * 4)));

@@ -6,8 +6,8 @@
 
 namespace bondem {
 
-// Forces of the cracks of a group; adds the energy that they dissipate to a sum, one by one, so that its bits do not depend
-// on the number of lanes.
+// Computes forces, torques and dissipation of the cracks of a group; adds the dissipation to a sum one by one, so
+// that its bits do not depend on the number of lanes.
 template <class Group, class T = typename Group::Number>
 BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double *period, const FacetStrengths &strengths,
                              const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists,

@@ -78,7 +78,7 @@ inline void flow(const Moving &all, const StressesOfCells &stresses, const Yield
 
 // ---- levers
 
-// Updates lever k of a table from the one without plastic strain.
+// Updates lever k of a table from its value without plastic strain.
 inline void stretch_lever(const Array<int32_t, 2> &lever, const Array<int32_t, 2> &base,
                           const Array<const double, 1> &pitch, const PlasticDeformation<double> &P, Index k) {
     const Vector b = {pitch(0) * double(base(0, k)), pitch(1) * double(base(1, k)), pitch(2) * double(base(2, k))};

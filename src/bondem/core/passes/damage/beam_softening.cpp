@@ -15,7 +15,7 @@
 
 namespace bondem {
 
-// Lowers the integrity of beams of a portion that soften, before the forces.
+// Lowers the integrity of the softening beams of a portion, before forces are computed.
 void soften_beams(const Range &range, const Moving &all, const Beams &beams, const SofteningBounds &bounds,
                   const SofteningBeams &soft) {
     const Index q = range.block, last = range.first + soft.number(q);

@@ -155,7 +155,7 @@ inline void log_event(const Clock &clock, const EventLog &log, Index k, Index mo
     write_event(clock, log, log.written(log_count::events)++, k, mode, removal);
 }
 
-// Removes the bonds that fail in this step: apply(k) → Removal.
+// Removes the bonds that fail in this step by apply(k) → Removal, and logs their events.
 template <class Apply>
 inline void remove(const Range &range, const Candidates &candidates, const EventLog &log, Apply apply) {
     log.written(log_count::before) = log.written(log_count::events);

@@ -1,5 +1,5 @@
-// One beam that softens: its onset, its row, the integrity that it loses in a step, and the list of a portion of bonds. The passes of
-// the CPU and a thread of a device call these functions.
+// One beam that softens: its onset, its row, its loss of integrity in a step, and the list of a portion of bonds.
+// Passes of the CPU and threads of a device call these functions.
 #pragma once
 #include "../../laws/beam_softening.hpp"
 #include "../../tables/beam_softening_tables.hpp"

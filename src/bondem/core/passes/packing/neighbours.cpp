@@ -1,7 +1,7 @@
 // Neighbours of spheres, by a grid of cells: the lists over which every short-range force runs.
 //
-// Lists are full (each pair stands in the list of both partners), so that a force can be gathered sphere by sphere in
-// a fixed order and does not depend on the number of threads.
+// Each pair is in the lists of both partners, so that a force can be gathered sphere by sphere in a fixed order and
+// does not depend on the number of threads.
 #include "../../registered.hpp"
 #include "../../tables/packing_tables.hpp"
 #include "../../threads.hpp"

@@ -47,8 +47,8 @@ struct Pressed {
     double overlaps = 0.0, touching = 0.0, deepest = 0.0;
 };
 
-// Adds the forces of the neighbours on sphere i, four at a time. They are added one after the other, as one at a time
-// would be. No branch: about a third of the neighbours do not touch, in no order that a processor could guess.
+// Adds the forces of the neighbours on sphere i, computed four at a time and added one after the other. There is no
+// branch: about a third of the neighbours do not touch, in an order that a processor cannot predict.
 BONDEM_INLINE void press_sphere(const Spheres &spheres, const Near &near, Four edge, Four inverse, Index i, Pressed &sum) {
     const double *const sphere = &spheres.sphere(0, 0);
     const auto row = [&](Index j) -> Four { return *reinterpret_cast<const FourInMemory *>(sphere + 4 * j); };

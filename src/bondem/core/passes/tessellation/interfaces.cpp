@@ -83,9 +83,9 @@ struct Matcher {
 
 }  // namespace
 
-// Lays the faces of each group over each other: patches go to the pile, with their face as kind and the face on the
-// other side, or -1, as tag. After `patches_full` (the pile) or `rest_full` (rest, left) make room and call again: it
-// continues with group done[0].
+// Intersects the faces of each group: patches go to the pile, with their face as kind and the face on the other side,
+// or -1, as tag. After `patches_full` (the pile) or `rest_full` (rest, left) make room and call again: it continues
+// with group done[0].
 Index match_faces(Index, const Solids &solids, const FaceGroups &groups, const PolygonBuffer &rest, const PolygonBuffer &left,
                   const PolygonBuffer &pile) {
     const Matcher matcher{solids, groups, {pile}};
