@@ -28,8 +28,9 @@ struct Team {
     Index tasks;
     void (*work)(Index, void *);
     void *data;
-    // Generation of the work, which counts up when there is some, and in the last 16 bits the members that share it,
-    // the caller among them: in one number, so that a late thread cannot join work for which it was not counted.
+    // Generation of the work, which counts up with each new work, and in the last 16 bits the number of members that
+    // share it, the caller included. Both are one number, so that a late thread cannot join work for which it was not
+    // counted.
     uint64_t call;
     int left;  // members still at work
 };

@@ -129,8 +129,8 @@ template <class T> struct PlaneStrength {
     T brittleness;  // 1 / T_l of the slip that exhausts the cohesion [1/Pa], 0 for a constant cohesion
     T friction;  // tan φ
 };
-// Traction that opens a facet of a plane, 1 / T_l along that opening, and traction that slides it [Pa, 1/Pa, Pa]; `bent` is
-// T_b [Pa], of which pressure on the facet closes a part.
+// Loads of a facet of a plane: the traction that opens it [Pa], 1 / T_l along that opening [1/Pa], and the traction
+// that slides it [Pa]. `bent` is T_b [Pa], of which pressure on the facet closes a part.
 template <class T> struct PlaneLoad {
     T traction, brittleness, slides;
 };
