@@ -23,7 +23,7 @@ from bondem.interactions.beams.bond_law import BondLaw
 
 @dataclass(frozen=True, eq=False)
 class Curve:
-    """Calibration curve of a law: ν and E/E_μ of the bulk with 6.2 contacts per sphere, over one parameter.
+    """Calibration curve of a law: ν and E/E_μ of periodic packings with 6.2 contacts per sphere, over one parameter.
 
     Attributes:
         law: name of the law.
@@ -45,7 +45,7 @@ class Curve:
 
     @classmethod
     def read(cls, law: str, data: Mapping[str, Any]) -> "Curve":
-        """Read the curve of a law from a file of `python -m validation abacus`."""
+        """Create the curve of a law, named `law`, from the parsed JSON of its file."""
         arrays = ("values", "nu", "nu_std", "stiffness_ratio", "stiffness_ratio_std")
         return cls(law, data["parameter"], dict(data["fixed"]),
                    **{name: np.array(data[name], dtype=float) for name in arrays})  # fmt: skip
@@ -100,7 +100,7 @@ class Curve:
 
 
 def curve(law: type[BondLaw]) -> Curve | None:
-    """Calibration curve shipped with bondem for a family of laws, or None."""
+    """Return the calibration curve shipped with bondem for a family of laws, or None."""
     return _shipped(law.__name__)
 
 

@@ -17,13 +17,13 @@ from bondem.specimen.lattice import Lattice
 # Voigt order xx, yy, zz, yz, xz, xy, with engineering shear strains.
 _VOIGT = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
 
-# How far section times length may be from the volume of a bar [-].
+# Largest relative difference between section times length and the volume of a bar [-].
 _PRISM = 0.01
 
 
 @dataclass(frozen=True, eq=False)
 class AffineEstimate:
-    """Moduli of a lattice without relaxation of its elements, and the quantities that govern the relaxation.
+    """Moduli of a lattice whose elements follow the mean strain, and the quantities that govern their relaxation.
 
     Attributes:
         stiffness: C = 1/V Σ kn δn δn + ks δs·δs over the bonds, for six unit strains [Pa], (6, 6).
@@ -32,7 +32,8 @@ class AffineEstimate:
         coordination: mean over the bonds of the mean number of bonds of their two elements [-].
         looseness: mean over the bonds of 1/z_i + 1/z_j, with z the numbers of bonds of the two elements [-]. It
             measures the relaxation.
-        wall: R̄ times the wall area along the load over the volume of the counted region [-].
+        wall: mean radius times the side area of a bar over its volume [-]; for other shapes times half the surface;
+            0 for periodic cells.
         shear: ratio Σ ks L² / Σ kn L² [-].
         bending: ratio Σ kb / Σ kn L² [-].
     """
@@ -56,11 +57,10 @@ def is_bar(lattice: Lattice) -> bool:
 def affine_estimate(lattice: Lattice, law: BondAssignment, *, bar: bool | None = None) -> AffineEstimate:
     """Compute the affine estimate of a lattice.
 
-    For a bar, the sum is over the bonds in the middle half of its length, as in `static_tension`. The walls that
-    count are then its sides. For other shapes and periodic cells the sum is over all bonds, and E is the mean over
-    all directions. As loads act at centres of elements, the loaded length is shorter than the body by a radius at
-    either end. The loaded volume is therefore smaller by R̄ times half the surface, as a surface S has a mean shadow
-    of S/4 (Cauchy).
+    For a bar, the sum is over the bonds in the middle half of its length, as in `static_tension`. For other shapes
+    and periodic cells the sum is over all bonds, and E is the mean over all directions. Loads act at centres of
+    elements, so that the loaded length is shorter than the body by a radius at either end. A surface S has the mean
+    projected area S/4 (Cauchy), so that the loaded volume is smaller than the body by R̄ S/2.
 
     Args:
         lattice: elements and bonds.
@@ -104,7 +104,7 @@ def affine_estimate(lattice: Lattice, law: BondAssignment, *, bar: bool | None =
 
 
 def _inside_gauge(lattice: Lattice) -> PerBond:
-    """Share of each bond's extent along x that lies in the middle half of the length."""
+    """Share of the extent of each bond along x that lies in the middle half of the specimen [-], (m,)."""
     lower, upper = lattice.particles.envelope.bounds
     x = lattice.particles.position[:, 0] - 0.5 * (lower[0] + upper[0])
     half = 0.25 * (upper[0] - lower[0])

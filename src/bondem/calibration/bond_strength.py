@@ -15,10 +15,10 @@ from bondem.specimen.lattice import Lattice
 
 # Tolerances over the targets [-]: strengths of packings of some hundred spheres scatter by 5 to 10 %.
 _WITHIN = {"ucs": 0.04, "tension": 0.04}
-# First tensile strength over the target, and first cohesion over that: a packing is torn at about half the strength
-# of its bonds.
+# Start values: tensile strength of the bonds over the target, and cohesion over that tensile strength. The direct
+# tensile strength of a packing is about half that of its bonds.
 _BOND, _COHESION = 2.0, 2.0
-# Largest cohesion over the tensile strength: bonds fail in tension only beyond, and nothing changes.
+# Largest cohesion over the tensile strength: beyond it bonds fail in tension only, and cohesion has no effect.
 _LARGEST = 20.0
 
 
@@ -31,7 +31,7 @@ def calibrate_bond_strength(
     friction_angle: float,
     density: float,
 ) -> StrengthCalibration:
-    """Calibrate tensile strength and cohesion of a `bd.MohrCoulomb` of bonds to means over several specimens.
+    """Calibrate tensile strength and cohesion of `bd.MohrCoulomb` bonds to mean strengths of several specimens.
 
     Args:
         lattices: bars along x.

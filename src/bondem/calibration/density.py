@@ -9,16 +9,15 @@ from bondem.errors import InputError
 from bondem.geometry.moments import moments
 from bondem.specimen.lattice import Lattice
 
-# What rounding may leave of the moments, relative.
+# Largest relative error of the moments, from rounding.
 _ROUNDING = 1e-10
 
 
 def element_density(lattices: Sequence[Lattice], rho: float) -> float:
-    """Compute the uniform element density that gives specimens the mass of their material, ρ_μ = ρ_M V_M / Σ V_μ
-    [kg/m³].
+    """Compute the uniform element density that gives specimens the mass of their material [kg/m³].
 
-    V_M is the volume of the shape, and the sum is over connected elements: rattlers do not move with the specimen, so
-    that their mass does not count. Over several lattices both volumes are summed.
+    ρ_μ = ρ_M V_M / Σ V_μ, with V_M the volume of the shape and the sum over connected elements. Rattlers do not move
+    with the specimen, so that their mass does not count. Over several lattices both volumes are summed.
 
     Args:
         lattices: the specimens.
@@ -35,10 +34,10 @@ def element_density(lattices: Sequence[Lattice], rho: float) -> float:
 
 
 def balanced_density(lattice: Lattice, rho: float) -> PerElement:
-    """Compute densities of elements for the mass, the centre of mass and the inertia tensor of the shape.
+    """Compute element densities that reproduce the mass, the centre of mass and the inertia tensor of the shape.
 
-    Eq (19) gives the mass only: as spheres fill the skin of a body less than its core, its moments of inertia are a
-    few percent too small. Here each element has its own density,
+    Eq (19) gives the mass only. Spheres fill the skin of a body less than its core, so that moments of inertia are
+    then a few percent too small. Here each element has its own density,
 
         min Σ (ρ_i / ρ_μ - 1)²   with   Σ m_i = M,   Σ m_i x_i = M c,   Σ m_i (r_i² 1 - r_i r_iᵀ + 2/5 R_i² 1) = I,
 
@@ -53,7 +52,7 @@ def balanced_density(lattice: Lattice, rho: float) -> PerElement:
         Density ρ_μ of each element [kg/m³], user's order, (n,), all positive.
 
     Raises:
-        InputError: no positive densities satisfy the conditions (too few elements), or a periodic cell.
+        InputError: no positive densities satisfy the conditions (too few elements), several bodies, a periodic cell.
     """
     particles, inside = lattice.particles, lattice.connected
     body = moments(particles.envelope)
@@ -66,7 +65,7 @@ def balanced_density(lattice: Lattice, rho: float) -> PerElement:
     inertia = body.inertia[[0, 1, 2, 1, 0, 0], [0, 1, 2, 2, 2, 1]]
     wanted = np.concatenate([[1.0, 0.0, 0.0, 0.0], inertia / (body.volume * size**2)])
     factor = np.ones(len(mass))
-    for _ in range(2):  # the second round takes out what rounding left
+    for _ in range(2):  # the second round removes the rounding error of the first
         factor += np.linalg.lstsq(rows, wanted - rows @ factor, rcond=None)[0]
     if np.abs(rows @ factor - wanted).max() > _ROUNDING or not (factor > 0.0).all():
         raise InputError(
@@ -80,7 +79,7 @@ def balanced_density(lattice: Lattice, rho: float) -> PerElement:
 
 
 def _conditions(arm: Floats, own: PerElement) -> Floats:
-    """Contributions of unit masses at arms (n, 3) with inertia `own` to mass, first moments and inertia, (10, n)."""
+    """Contributions of unit masses at arms (n, 3) with inertia (n,) to mass, first moments and inertia, (10, n)."""
     x, y, z = arm.T
     one = np.ones_like(x)
     return np.stack([one, x, y, z, y * y + z * z + own, z * z + x * x + own, x * x + y * y + own,

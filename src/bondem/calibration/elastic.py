@@ -27,8 +27,8 @@ from bondem.labtests.tension import Tension
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material
 
-# Length along x over the largest width from which a tension test measures E and ν of a specimen: with 800 spheres
-# bonds are 1.2 and 1.8 times as stiff as those of a periodic cell at 0.8 and 0.4, 0.8 and 0.9 times at 1 and 1.5.
+# Least ratio of length along x to largest width for a tension test. With 800 spheres, calibrated bonds are 1.8, 1.2,
+# 0.8 and 0.9 times as stiff as those of a periodic cell at ratios of 0.4, 0.8, 1 and 1.5.
 _SLENDER = 1.0
 _RANGE = "two positive values of the free parameter, the smaller first"
 #: Quantities of a calibration that scatter from packing to packing.
@@ -151,25 +151,29 @@ class Calibration:
         Args:
             quantity: name "E", "nu", "E_mu" or "value"; see `sample`.
             kind: kind of interval, "confidence" or "prediction".
-            level: probability that the interval holds [-].
+            level: probability that the interval contains the value [-].
 
         Raises:
-            InputError: a calibration on a single packing, or an unknown quantity or kind.
+            InputError: a calibration on a single packing, an unknown quantity or kind, or `level` outside (0, 1).
         """
         return self.sample(quantity).interval(kind=kind, level=level)
 
     def packings_for(self, precision: float, *, quantity: Quantity = "E", level: float = 0.95) -> int:
-        """Return the number of calibrating packings that a mean within ± precision × mean requires.
+        """Return the number of packings for a confidence interval of ± `precision` times the mean.
 
         Args:
             precision: half-width of the confidence interval over the mean [-].
             quantity: name "E", "nu", "E_mu" or "value"; see `sample`.
-            level: probability that the interval holds [-].
+            level: probability that the interval contains the value [-].
+
+        Raises:
+            InputError: a calibration on a single packing, an unknown quantity, or a precision that is not positive or
+                needs more than 100 000 packings.
         """
         return self.sample(quantity).packings_for(precision, level=level)
 
     def law_for(self, lattice: Lattice) -> BondLaw:
-        """Predict the law for another specimen of the same packing, of any shape, with the target E and ν.
+        """Predict the law with which another specimen of the same packing, of any shape, has the target E and ν.
 
         The skin of a body differs from its interior, so that E and ν of a specimen depend on its shape. The
         `SurfaceCorrection` predicts the difference from the calibrating lattices, and the slopes convert it into bond
@@ -197,15 +201,15 @@ class Calibration:
 
         Args:
             lattice: the specimen.
-            balanced: False for one density, by eq (19) of André et al. (2012); True for one per element, (n,), so
-                that the mass is also distributed as in the material.
+            balanced: False for one density, by eq (19) of André et al. (2012); True for one per element, (n,), which
+                also gives the centre of mass and the inertia of the shape, see `balanced_density`.
         """
         if balanced:
             return balanced_density(lattice, self.material.rho)
         return element_density([lattice], self.material.rho)
 
     def sensitivity(self, parameter: str) -> Slope:
-        """Return d ln E / dp and dν / dp for a parameter p of the law, by its name, as means over the lattices."""
+        """Return d ln E / dp and dν / dp for a named parameter p of the law, as means over the lattices."""
         return _mean_slope([one.slope(parameter) for one in self.responses])
 
 
@@ -223,7 +227,7 @@ def calibrate(
     friction_angle: float = math.radians(35.0),
     **parameters: Any,
 ) -> Calibration:
-    """Calibrate a family of bond laws to E, ν and ρ of a material, and if wanted to its strengths.
+    """Calibrate a family of bond laws to E, ν and ρ of a material, and optionally to its strengths.
 
     In linear elasticity ν does not depend on E_μ, and E is proportional to E_μ. The free parameter of the law (r̃ of
     beams, a factor on the shear stiffness of others: `law.free`) is solved for ν. One division then gives E_μ. The
@@ -254,6 +258,8 @@ def calibrate(
         UnreachableTargetError: the law cannot give this ν on this lattice; the message states its range.
         InputError: no lattice, one of several bodies, a specimen too short for a tension test along x or without
             ends to pull, an unknown parameter, a parameter that calibration sets, or one strength without the other.
+        ConvergenceError: ν is not within the tolerance after 30 evaluations.
+        UnstableRunError: a strength test failed at the start.
     """
     if (ucs is None) != (tension is None):
         raise InputError("calibrate: ucs and tension belong together; give both strengths, or neither")

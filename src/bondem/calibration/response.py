@@ -1,11 +1,11 @@
 """Elastic response of one lattice with a bond law: E and ν and their derivatives with respect to parameters.
 
-Both are linear functionals of a static solution, or its energy, so that derivatives need no finite differences of
-solutions. With K u = f, ε = cᵀ u and the adjoint problem K λ = c,
+E and ν follow from strains ε that are linear in a static solution u, or from the energy of u in a periodic cell.
+Their derivatives need no finite differences of solutions. With K u = f, ε = cᵀ u and the adjoint problem K λ = c,
 
     dε/dp = - λᵀ (dK/dp) u = - Σ bonds, (dk/dp) × (products of the bond's deformation under u and under λ).
 
-In a periodic cell, whose stiffness is stationary in the motions, the sum uses u for λ.
+The energy of a periodic cell is stationary with respect to u, so that u replaces λ there.
 """
 
 from dataclasses import dataclass, replace
@@ -26,7 +26,7 @@ from bondem.observables.affine_strain import gradient_weights
 from bondem.specimen.lattice import Lattice
 from bondem.statics.static import Statics
 
-# Central differences of closed forms over this share of a parameter: right to ten digits.
+# Step of central differences of closed forms, relative to the parameter: derivatives have ten correct digits.
 _STEP = 1e-5
 
 
@@ -51,8 +51,8 @@ class Response:
         law: bond law.
         E: Young's modulus [Pa].
         nu: Poisson's ratio [-].
-        tension: tension test, or None.
-        moduli: bulk moduli, or None.
+        tension: tension test; None for a periodic cell.
+        moduli: bulk moduli of a periodic cell; None for other shapes.
     """
 
     def __init__(self, lattice: Lattice, law: BondLaw, *, guess: "Response | None" = None) -> None:

@@ -12,7 +12,7 @@ class Search:
     """Search range of a positive law parameter on which ν depends monotonically.
 
     Attributes:
-        name: keyword of the law.
+        name: name of the parameter.
         low, high: ends of the range [-].
     """
 
@@ -31,19 +31,19 @@ class Search:
     ) -> float:
         """Find the parameter value at which ν is within `tolerance` of the target.
 
-        Newton's method runs in the logarithm of the value. From the second step on it uses the cubic through two
-        values and their slopes, within a bracket once there is one. Two or three evaluations suffice.
+        Newton's method is applied to the logarithm of the value. From the second step on it uses the cubic through
+        two values and their slopes, limited to the known bracket. Two or three evaluations usually suffice.
 
         Args:
             measure: function of the value that returns ν and its derivative.
             target: target value of ν [-].
             start: first value, from curves of similar specimens [-]; None for the geometric mean of the ends.
             tolerance: tolerance of ν [-].
-            who: owner of the parameter, for messages.
+            who: name of the bonds in messages.
 
         Raises:
             UnreachableTargetError: ν does not reach the target between `low` and `high`.
-            ConvergenceError: ν is too rough for the tolerance.
+            ConvergenceError: ν is not within the tolerance after 30 evaluations.
         """
         points: list[_Point] = []
         ends = math.log(self.low), math.log(self.high)
@@ -74,7 +74,7 @@ class Search:
         return self._value(here.x)
 
     def _value(self, x: float) -> float:
-        # the ends come back as they were given
+        # rounding of exp(log) must not pass the ends
         return min(max(math.exp(x), self.low), self.high)
 
     @staticmethod
@@ -93,7 +93,7 @@ class Search:
 
 @dataclass(frozen=True)
 class _Point:
-    """Evaluated point: x the logarithm of the value, with the error of ν and its derivative in x."""
+    """Evaluated point: x is the logarithm of the value, miss the error of ν, slope the derivative of ν in x."""
 
     x: float
     miss: float

@@ -8,7 +8,7 @@ from bondem._types import Floats
 
 # Changes of parameters of the size of the noise of a test do not determine slopes, in logarithms.
 _NOISE = 0.02
-# Singular values of the weighted slopes below this share of the largest say nothing.
+# Singular values of the weighted slopes below this share of the largest are neglected.
 _SINGULAR = 1e-3
 
 
@@ -50,7 +50,7 @@ class Secant:
             beyond = free & (np.abs(inside - found) > 1e-12)
             if not beyond.any():
                 break
-            found[beyond] = inside[beyond]  # held at their bounds, while the others make up for them
+            found[beyond] = inside[beyond]  # fixed at their bounds; the other components compensate
             free &= ~beyond
         longest = float(np.abs(found).max())
         return found if longest <= most else found * (most / longest)
@@ -60,7 +60,7 @@ class Secant:
         return self.miss_of(self.y + self.slopes @ step)
 
     def learned(self, x: Floats, y: Floats) -> "Secant":
-        """Update the slopes by Broyden's formula after an evaluation; the model is then about the better point."""
+        """Update the slopes by Broyden's formula for results y at x; return the model about the better point."""
         moved = x - self.x
         surprise = y - self.y - self.slopes @ moved
         slopes = self.slopes + np.outer(surprise, moved) / (moved @ moved + _NOISE**2)

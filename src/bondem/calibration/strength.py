@@ -36,8 +36,8 @@ class StrengthCalibration:
         best: number of the best run, counted from 1.
         names: names of the parameters.
         targets: target and tolerance of each test [Pa].
-        sensitivities: derivatives d ln strength / d ln parameter, by test and parameter [-]; None after a single run,
-            as when the start meets all targets.
+        sensitivities: derivatives d ln strength / d ln parameter, by test and parameter [-]; None if unknown, as when
+            the start meets all targets.
     """
 
     reached: bool
@@ -73,7 +73,7 @@ class StrengthCalibration:
                 the best run.
 
         Raises:
-            InputError: an unknown parameter, no slopes, other tests, or different numbers of packings in the tests.
+            InputError: unknown parameter or sensitivities, other tests, or different numbers of packings in the tests.
         """
         if parameter not in self.names:
             raise InputError(
@@ -106,17 +106,17 @@ class StrengthCalibration:
             parameter: name of the parameter.
             measured: strengths of several packings, as for `sample`.
             kind: kind of interval, "confidence" or "prediction".
-            level: probability that the interval holds [-].
+            level: probability that the interval contains the value [-].
 
         Raises:
-            InputError: fewer than two packings, or an unknown parameter or kind.
+            InputError: fewer than two packings, unknown sensitivities, or an unknown parameter or kind.
         """
         logs = Sample(np.log(self.sample(parameter, measured).values))
         low, high = logs.interval(kind=kind, level=level)
         return math.exp(low), math.exp(high)
 
     def strengths(self, test: str) -> Sample:
-        """Strengths of the packings in the best run [Pa]; `.interval(kind="prediction")` is that of a new packing.
+        """Return strengths of the packings in the best run [Pa]; its `interval` also predicts that of a new packing.
 
         Raises:
             InputError: an unknown test.
@@ -129,7 +129,7 @@ class StrengthCalibration:
         """Return the range of a parameter for strengths anywhere within the tolerances of the targets.
 
         Raises:
-            InputError: an unknown parameter.
+            InputError: an unknown parameter, or unknown sensitivities.
         """
         if parameter not in self.names:
             raise InputError(
@@ -238,7 +238,7 @@ def calibrate_strength(
 
 
 def _checked(tests: object, targets: object, start: object) -> dict[str, tuple[float, float]]:
-    """Targets and tolerances by test, after a check of their consistency."""
+    """Check that tests, targets and start are consistent; return target and tolerance by test [Pa]."""
     for name, given, wanted in (
         ("tests", tests, "functions by name, such as {'ucs': press}"),
         ("targets", targets, "target and tolerance by test, such as {'ucs': (55e6, 2e6)}"),
@@ -286,7 +286,7 @@ def _check_keywords(name: str, test: object, start: Mapping[str, float]) -> None
 
 
 def _scaled(names: tuple[str, ...], strengths: object) -> Floats:
-    """Mask of the parameters that scale all strengths together, 1 or 0, (k,)."""
+    """Check `strengths`; return the mask of the parameters that scale all strengths together, 1 or 0, (k,)."""
     given = list(strengths) if isinstance(strengths, Sequence) and not isinstance(strengths, str) else [strengths]
     if not all(isinstance(name, str) and name in names for name in given):
         raise InputError(f"{_WHO}: strengths = {shown(strengths)}; give names out of {', '.join(names)}, as a tuple")
@@ -294,7 +294,7 @@ def _scaled(names: tuple[str, ...], strengths: object) -> Floats:
 
 
 def _bounds(start: Mapping[str, float], bounds: object) -> tuple[Floats, Floats]:
-    """Logarithms of the lowest and highest values, (k,) each."""
+    """Check `bounds`; return logarithms of the lowest and highest value of each parameter, (k,) each."""
     low, high = np.full(len(start), -np.inf), np.full(len(start), np.inf)
     if bounds is None:
         return low, high

@@ -15,7 +15,7 @@ from bondem._checks import shown
 from bondem.errors import InputError, UnstableRunError
 from bondem.io.atomic import make_folder, require_folder, write_text
 
-#: A test: parameters by name → strength [Pa], or one of each of several packings; or a function for each packing.
+#: Test: function of the parameters that returns a strength [Pa] or one per packing; or one function per packing.
 Test = Callable[..., float | Sequence[float]] | Sequence[Callable[..., float]]
 _FILE = "strength_calibration.json"
 
@@ -26,7 +26,7 @@ def is_series(test: object) -> bool:
 
 
 def functions_of(test: Any) -> list[Callable[..., object]]:
-    """Functions of a test: one for all packings or one per packing."""
+    """Return the functions of a test as a list: one for all packings or one per packing."""
     return list(test) if is_series(test) else [test]
 
 
@@ -51,7 +51,7 @@ class StrengthRun:
 
 @dataclass(frozen=True)
 class Runs:
-    """Run the tests of a strength calibration, or read stored results.
+    """Tests of a strength calibration, with the results that are already known.
 
     Attributes:
         tests: tests by name.
@@ -59,7 +59,7 @@ class Runs:
         folder: folder of the stored results, or None.
         progress: callback, called with the next test.
         executor: executor for all tests of a run in parallel; None runs them in sequence.
-        stored: known tests: parameters, test, and strengths or the reason for failure.
+        stored: finished tests: parameters, name of the test, and strengths [Pa] or the reason for failure.
     """
 
     tests: Mapping[str, Test]
@@ -116,7 +116,7 @@ class Runs:
         return next(same, None)
 
     def _begin(self, number: int, name: str, parameters: Mapping[str, float]) -> list[Callable[[], object]]:
-        """Start a test and return a function for its strengths; an executor runs all tests in parallel."""
+        """Return functions that yield the strengths of a test; only an executor starts the test here, in parallel."""
         if self.progress is not None:
             values = ", ".join(f"{key} = {value:.5g}" for key, value in parameters.items())
             self.progress(f"run {number}, {name}: {values}")
@@ -127,7 +127,7 @@ class Runs:
         return [one.result for one in under_way]
 
     def _keep(self, name: str, parameters: Mapping[str, float], parts: list[Callable[[], object]]) -> dict[str, Any]:
-        """Store the strengths of a finished test, or the reason for its failure."""
+        """Finish a test and store its strengths, or the reason for its failure; return the stored row."""
         strength, failed = list[float](), ""
         try:
             found = [part() for part in parts]

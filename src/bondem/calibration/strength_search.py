@@ -10,12 +10,12 @@ from bondem.calibration.secant import Secant
 from bondem.calibration.strength_runs import Runs, StrengthRun
 from bondem.errors import UnstableRunError
 
-# Parameters change by this factor for the first slopes, and by no more than the second one in a step.
+# Change of a parameter for the first slopes, and its largest change in a step, both as logarithms of factors.
 _PROBE, _FARTHEST = math.log(1.25), math.log(2.0)
-# Steps shorter than this, in logarithms, change nothing; and those that are foreseen to leave more than this share
-# of the largest miss are not worth a run.
+# Least step in logarithms, and largest predicted miss over the present one: other steps end the search without a
+# run.
 _SHORT, _HOPE = 1e-4, 0.95
-# After so many halvings of a step that made things worse, or failed, there is no way.
+# Most halvings of a step after runs that failed or were no better; then the search ends.
 _HALVINGS = 4
 
 
@@ -49,7 +49,7 @@ class StrengthSearch:
     reason: str = ""
 
     def from_start(self, values: Floats) -> "StrengthSearch":
-        """Iterate until all targets are met, the runs are used up, or no step improves the result.
+        """Search from start values (k,) until all targets are met, no run is left, or no step improves the result.
 
         Raises:
             UnstableRunError: a test failed at the start.
@@ -105,7 +105,7 @@ class StrengthSearch:
         ]))  # fmt: skip
 
     def _visit(self, x: Floats, values: Floats | None = None) -> Floats | None:
-        """Logarithms of the mean strengths at a point; None if a test failed."""
+        """Run the tests at a point; return the logarithms of the mean strengths, or None if a test failed."""
         given = np.exp(x) if values is None else values
         parameters = dict(zip(self.names, map(float, given), strict=True))
         done = self.made.run(len(self.runs) + 1, parameters)
@@ -119,8 +119,8 @@ class StrengthSearch:
     def _probe(self, x: Floats, y: Floats) -> None:
         """Determine the first slopes from runs with one changed parameter each.
 
-        One parameter that scales with others needs no run. The runs are made where the known scale brings the
-        strengths closest to their targets.
+        Parameters in `together` multiply all strengths by a common factor, so that one of them needs no run. The runs
+        are made where this factor brings the strengths closest to their targets.
         """
         slopes = np.zeros((len(y), len(x)))
         scaled = np.flatnonzero(self.together)
@@ -152,7 +152,7 @@ class StrengthSearch:
         self.secant = Secant(*near, slopes, self._target, self._weight)
 
     def _step(self, secant: Secant, shorter: int) -> int:
-        """Make one run along the secants and return the number of halvings of the next step."""
+        """Make one run, its step halved `shorter` times; return the number of halvings of the next step."""
         if len(self.runs) >= self.most:
             self.reason = "all runs are used up"
             return shorter

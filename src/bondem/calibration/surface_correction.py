@@ -9,8 +9,9 @@ estimate, a sum over its bonds, times a factor for the relaxation of the element
     f = 1, ln p, ln² p, ln(12 q / p),    p = Σ ks L² / Σ kn L²,  q = Σ kb / Σ kn L²      (the law),
     g = 1, ln v, w, w ln v, ln z,     v = ⟨1/z_i + 1/z_j⟩,  z = ⟨z_i + z_j⟩ / 2,  w = R̄ S / V   (the lattice),
 
-with coefficients measured by `python -m validation surface`. The sum over bonds is far cheaper than an equilibrium,
-and as accurate as the scatter of single packings. A higher accuracy requires a test of the specimen.
+with coefficients measured by `python -m validation surface`; v and z are relative to fixed reference values. The sum
+over bonds is far cheaper than an equilibrium, and as accurate as the scatter of single packings. A higher accuracy
+requires a test of the specimen.
 """
 
 import json
@@ -34,7 +35,7 @@ from bondem.specimen.lattice import Lattice
 
 _DATA = Path(__file__).with_suffix(".json")
 
-# z and v are taken over those of a cell with 6.2 contacts a sphere, roughly [-].
+# Reference values of z and v, about those of a periodic cell with 6.2 contacts per sphere [-].
 _COORDINATION, _LOOSENESS = 6.6, 0.32
 
 
@@ -60,8 +61,8 @@ class SurfaceModel:
 
     Attributes:
         E, nu: coefficients c_jk and d_jk, (4, 5).
-        E_curve, nu_curve: coefficients of E/E_bulk - 1 and ν/ν_bulk - 1 as functions of s = R̄S/V in s, s ln p, s²,
-            s² ln p, for bodies with 6.2 contacts per sphere, (4,).
+        E_curve, nu_curve: coefficients of s, s ln p, s² and s² ln p in E/E_bulk - 1 and ν/ν_bulk - 1, with s = R̄S/V,
+            for bodies with 6.2 contacts per sphere, (4,).
         E_error, nu_error: a, b of the relative standard error √(a² + b² / elements) of predictions from a lattice, on
             shapes outside the fit, (2,).
         E_curve_error, nu_curve_error: relative standard error of predictions from R̄S/V [-].
@@ -103,14 +104,14 @@ class SurfaceModel:
         )  # fmt: skip
 
     def moduli(self, estimate: AffineEstimate) -> tuple[float, float]:
-        """Predicted E [Pa] and ν [-]."""
+        """Predict E [Pa] and ν [-] of the lattice of an affine estimate."""
         f = law_terms(estimate.shear, estimate.bending)
         g = lattice_terms(estimate.coordination, estimate.looseness, estimate.wall)
         return estimate.E * math.exp(float(f @ self.E @ g)), estimate.nu + float(f @ self.nu @ g)
 
     def bulk(self, law: BondLaw, mean_radius: float) -> AffineEstimate:
-        """Isotropic estimate of a large periodic cell with 6.2 contacts per sphere."""
-        # two lengths that have this mean and this standard deviation stand for all
+        """Isotropic affine estimate of a large periodic cell: 6.2 contacts per sphere, mean radius [m]."""
+        # two lengths of this mean and standard deviation represent all bonds
         length = mean_radius * (self.length[0] + self.length[1] * np.array([-1.0, 1.0]))
         half = 0.5 * length
         k = law.stiffness(BondGeometry(length, half, half, np.full(2, mean_radius)))
@@ -162,16 +163,22 @@ class SurfaceCorrection:
 
         Args:
             law: bond law; its modulus does not matter.
+
+        Raises:
+            InputError: not a bond law.
         """
         if not isinstance(law, BondLaw):
             raise InputError(f"law = {law!r}: not a bond law; give one, such as calibrate(...).law")
         return cls(law, _default())
 
     def E(self, where: Lattice | float) -> float:
-        """Young's modulus over that of the bulk [-].
+        """Ratio of Young's modulus of a specimen to that of the bulk [-].
 
         Args:
             where: lattice; or the less accurate R̄S/V of a body packed with 6.2 contacts per sphere [-].
+
+        Raises:
+            InputError: R̄S/V for a law with radius= instead of radius_ratio=.
 
         Warns:
             ExtrapolationWarning: outside the range of the fit.
@@ -182,7 +189,7 @@ class SurfaceCorrection:
         return 1.0 + float(self._curve_terms(where) @ self.model.E_curve)
 
     def nu(self, where: Lattice | float) -> float:
-        """Poisson's ratio over that of the bulk [-]; the argument is that of `E`.
+        """Ratio of Poisson's ratio of a specimen to that of the bulk [-]; arguments and errors are those of `E`.
 
         The value holds for bodies at least twice as long as thick. Uniform tractions on the ends of shorter bodies
         overload their soft skin, and `static_tension` measures a ν some percent smaller. Between rigid plates their ν

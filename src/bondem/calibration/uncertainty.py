@@ -12,12 +12,12 @@ from bondem._types import Floats
 from bondem.errors import InputError
 
 Kind = Literal["confidence", "prediction"]
-# More packings than this nobody makes; then the answer is "more".
+# Largest number of packings that `packings_for` returns.
 _MOST = 100_000
 
 
 def half_width(n: int, *, kind: Kind, level: float) -> float:
-    """Half-width of an interval over the standard deviation of n packings; see `Sample.interval`."""
+    """Ratio of the half-width of an interval to the standard deviation of n packings [-]; see `Sample.interval`."""
     choice("interval", "kind", kind, Kind)
     if not 0.0 < level < 1.0:
         raise InputError(f"level = {level}: not a probability; give a number between 0 and 1, such as 0.95")
@@ -29,7 +29,7 @@ def half_width(n: int, *, kind: Kind, level: float) -> float:
 
 @dataclass(frozen=True, eq=False)
 class Sample:
-    """Values of one quantity for several packings made alike.
+    """Values of one quantity for several packings of the same kind.
 
     Attributes:
         values: value of each packing, (n,).
@@ -51,10 +51,10 @@ class Sample:
         """Compute the interval of the mean of all packings ("confidence") or of one new packing ("prediction").
 
         The interval is mean ± t s √(1/n) or ± t s √(1 + 1/n), with t of n - 1 degrees of freedom. For normally
-        distributed packings it holds with probability `level`, on average over calibrations.
+        distributed packings it contains the value with probability `level`, on average over calibrations.
 
         Raises:
-            InputError: fewer than two packings, which have no scatter, or an unknown kind.
+            InputError: fewer than two packings, which have no scatter, an unknown kind, or `level` outside (0, 1).
         """
         half = half_width(len(self.values), kind=kind, level=level) * self.std
         return self.mean - half, self.mean + half
@@ -66,10 +66,10 @@ class Sample:
 
         Args:
             precision: half-width of the interval over the mean [-].
-            level: probability that the interval holds [-].
+            level: probability that the interval contains the mean [-].
 
         Raises:
-            InputError: fewer than two packings, or a precision that is not positive.
+            InputError: fewer than two packings, or a precision that is not positive or needs more than 100 000.
         """
         if not precision > 0.0:
             raise InputError(f"precision = {precision}: not positive; give a positive share, such as 0.01")
