@@ -73,7 +73,7 @@ class StrengthCalibration:
                 the best run.
 
         Raises:
-            InputError: unknown parameter or sensitivities, other tests, or different numbers of packings in the tests.
+            InputError: unknown parameter or sensitivities, other tests, or unequal numbers of packings in the tests.
         """
         if parameter not in self.names:
             raise InputError(
@@ -116,7 +116,7 @@ class StrengthCalibration:
         return math.exp(low), math.exp(high)
 
     def strengths(self, test: str) -> Sample:
-        """Return strengths of the packings in the best run [Pa]; its `interval` also predicts that of a new packing.
+        """Return the strengths of the packings in the best run [Pa]; their `interval` predicts that of a new packing.
 
         Raises:
             InputError: an unknown test.

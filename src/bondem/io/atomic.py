@@ -1,8 +1,8 @@
 """Writing of files: every file of bondem is either complete or absent.
 
-A file is written beside its target under a name of its own, checked, and moved into place. Symbolic links stay, and
-the file behind them is replaced. Processes that write one name at the same time leave the whole file of one of them.
-Only run files grow in place, see `bondem.io.journal`.
+A file is written beside its target under a temporary name, flushed to the disk, and moved into place. Symbolic links
+stay, and the file behind them is replaced. If several processes write the same name, the complete file of one of them
+remains. Only run files grow in place, see `bondem.io.journal`.
 """
 
 import os
@@ -15,7 +15,7 @@ from pathlib import Path
 
 from bondem.errors import InputError, RunFileError
 
-# Letters of a name that a temporary file keeps: with its own marks it is shorter than 255 bytes.
+# Characters of the target name in that of a temporary file, which stays shorter than 255 bytes.
 _STEM = 40
 
 
@@ -26,9 +26,10 @@ def target_of(path: Path) -> Path:
 
 @contextmanager
 def replacing(path: Path) -> Iterator[Path]:
-    """Yield a temporary path with the suffix of `path`; at the end of the block it replaces `path` by one move.
+    """Yield a temporary path with the suffix of `path`, which replaces `path` by one move at the end of the block.
 
-    A kill at any moment leaves the old file or none, never a partial one. The permissions of an old file are kept.
+    A process killed at any moment leaves the old file or the new one, never a partial one. The new file has the
+    permissions of the old one.
 
     Raises:
         InputError: The path names something other than a file.
@@ -60,7 +61,7 @@ def write_bytes(path: Path, content: bytes | memoryview) -> None:
 
 
 def write_text(path: Path, text: str) -> None:
-    """Write a text file in UTF-8; parts of file names that are no text are written as escapes."""
+    """Write a text file in UTF-8; surrogates, as in undecodable file names, are written as escapes."""
     write_bytes(path, text.encode(errors="backslashreplace"))
 
 

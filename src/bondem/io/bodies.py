@@ -1,5 +1,4 @@
-"""Facets and cells of a body in an HDF5 file, stored to the bit, so that reading does not depend on the cutting of
-cells.
+"""Facets and cells of a body in an HDF5 file, bit for bit: reading does not repeat the tessellation.
 
 `/facets` holds the arrays of `Facets`, `/cells` those of `Cells`, `/cells/free` those of `FreeFacets`, by name.
 A scene of several bodies has `/bodies/label`, with names and shapes as JSON in the attributes of that group.
@@ -21,7 +20,7 @@ from bondem.specimen.tessellation.facets import Cells, Facets, FreeFacets
 
 
 def write_bonds(file: h5py.File, lattice: Lattice) -> None:
-    """Write the pairs, and the facets and cells of a body."""
+    """Write the bonds of a lattice, the bodies of a scene of several, and any facets and cells."""
     file["bonds/pairs"] = lattice.pairs
     if len(lattice.names) > 1:
         file["bodies/label"] = lattice.body
@@ -31,7 +30,7 @@ def write_bonds(file: h5py.File, lattice: Lattice) -> None:
 
 
 def complete_body(file: h5py.File, lattice: Lattice) -> None:
-    """Write the tables of a body that a file does not yet have."""
+    """Write those arrays of the facets and cells of a body that a file does not have yet."""
     for place, table in lattice.elements.tables.items():
         group = file.require_group(place)
         for item in fields(table):

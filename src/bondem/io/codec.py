@@ -1,4 +1,4 @@
-"""Frozen dataclasses as JSON and back, for an explicit list of types.
+"""Conversion of frozen dataclasses to JSON and back, for an explicit list of types.
 
 `{"type": "Face", "name": "x_min", "depth": 0.02}` holds the arguments of the object. An unknown type or key raises an
 error, so that files of a newer bondem are rejected instead of misread. Numbers keep every bit, as JSON prints the
@@ -57,7 +57,7 @@ def encode(value: Any) -> Any:
     """Encode a value of known dataclasses, mappings, sequences, text and numbers for JSON.
 
     Raises:
-        RunFileError: a type that is not in the list.
+        RunFileError: a type that is not in the list, or an integer of more than 64 bits.
     """
     match value:
         case int() if value.bit_length() > _MOST_BITS:
@@ -92,7 +92,7 @@ def _arguments(value: Any) -> dict[str, Any]:
 
 
 def decode(data: Any) -> Any:
-    """Decode a value of `encode`; sequences become tuples.
+    """Decode a JSON value that `encode` returned; sequences become tuples.
 
     Raises:
         RunFileError: a type or key unknown to this version.

@@ -13,10 +13,10 @@ _IN_VERSION = re.compile(r"\+g([0-9a-f]{7,})")
 
 @functools.cache
 def commit() -> str | None:
-    """Short hash of the commit of bondem, with "-dirty" if files have changed; None where it is not known.
+    """Return the short hash of the commit of bondem, or None if it is unknown.
 
-    An installed package has the commit in its version. In a clone, whose code changes after the installation, Git is
-    asked, once.
+    An installed package has the commit in its version. In a clone, whose code may change after the installation, Git
+    is called once, and "-dirty" marks uncommitted changes.
     """
     if not (_ROOT / ".git").exists():
         found = _IN_VERSION.search(__version__)

@@ -17,7 +17,7 @@ def write_csv(path: str | Path, table: Mapping[str, ArrayLike], *, owner: str) -
     Args:
         path: file to write.
         table: columns by name and unit, such as "load [N]".
-        owner: function of the user, for messages.
+        owner: name of the calling function, for messages.
 
     Raises:
         InputError: The file cannot be written.

@@ -13,7 +13,7 @@ import numpy as np
 
 
 def digest_of(items: Iterable[tuple[str, Any]]) -> str:
-    """Digest of named arrays, with their types and shapes, and texts; 64 hexadecimal digits."""
+    """Compute a digest of named texts and arrays, including types and shapes, as 64 hexadecimal digits."""
     found = hashlib.blake2b(digest_size=32)
     for name, value in items:
         if isinstance(value, str):
@@ -42,7 +42,7 @@ def text_of(value: object) -> str:
 
 
 def arrays_of(group: Any, under: str = "") -> list[tuple[str, Any]]:
-    """Collect all arrays and texts of an HDF5 group and its subgroups, by path and in order."""
+    """Collect all arrays and texts of an HDF5 group and its subgroups as (path, value), sorted by name."""
     items: list[tuple[str, Any]] = []
     for name in sorted(group):
         item, path = group[name], f"{under}/{name}"

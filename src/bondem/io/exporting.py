@@ -20,10 +20,10 @@ from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
 
 _TABLE, _DATA, _DUMP = (".csv",), (".data", ".lmp", ".lammps"), (".dump", ".lammpstrj")
-# Of spheres: formats of meshio that have points and lines; of cells those that have polyhedra.
+# Formats of meshio for spheres, with points and lines; for cells, with polyhedra; and for points beside lines.
 _MESH, _POLYHEDRA = (".vtu", ".vtk", ".xdmf", ".msh"), (".vtu",)
 _MIXED = (".vtu", ".vtk")
-# Formats whose fields have 1, 3 or 9 components, as quaternions do not.
+# Formats whose fields have 1, 3 or 9 components, and so no quaternions.
 _UNTURNED = (".xdmf", ".msh")
 _FORMATS = ".csv; .data or .lmp (LAMMPS read_data); .dump or .lammpstrj (LAMMPS, OVITO); " + ", ".join(_MESH)
 
@@ -48,7 +48,7 @@ def export(
     Args:
         path: file to write; an existing file is replaced once the new one is complete.
         lattice: elements and bonds, or cells.
-        state: state of the elements; adds displacement and velocity, and omits broken bonds.
+        state: state of the elements; adds displacement, velocity and (.vtu, .vtk) orientation; omits broken bonds.
         density: density of the elements [kg/m³], required for LAMMPS data files.
         elements: further fields by name, each (n,) or (n, k), for CSV, dumps and meshio.
 
@@ -84,7 +84,7 @@ def export(
 
 
 def _check_names(frame: "_Frame", given: Mapping[str, ArrayLike], suffix: str) -> None:
-    """Reject fields whose columns would have the names of other columns."""
+    """Reject field names that the format cannot represent, and fields whose columns would have equal names."""
     own = {"x", "y", "z", frame.lattice.elements.size_column[0]}
     if frame.state is not None:
         own |= {"displacement", "velocity"}
@@ -105,7 +105,7 @@ class _Frame:
         lattice: elements and bonds.
         state: state of the elements, or None.
         position: centres [m], of cells their centroids, (n, 3).
-        density: [kg/m³], or None.
+        density: density of the elements [kg/m³], or None.
         fields: fields of the elements by name, each (n,) or (n, k).
     """
 
@@ -146,7 +146,7 @@ class _Frame:
         return {key: values for name in self.fields for key, values in self.columns_of(name).items()}
 
     def columns_of(self, name: str) -> dict[str, Floats]:
-        """Columns of one field."""
+        """Components of one field by column name."""
         values = self.fields[name]
         if values.ndim == 1:
             return {name: values}
@@ -155,7 +155,7 @@ class _Frame:
 
     @property
     def bounds(self) -> tuple[Floats, Floats]:
-        """Bounds of the periodic cell, or of the elements with a margin of one hundredth [m]."""
+        """Lower and upper corner of the periodic cell, or of the elements with a margin of 1 % [m], (3,) each."""
         period = self.lattice.particles.period
         if period is not None:
             return np.zeros(3), np.asarray(period, dtype=float)
@@ -182,7 +182,7 @@ def _write_data(path: Path, frame: _Frame, suffix: str) -> None:
         strained = f", {STRAINED}" if frame.state is not None and np.any(frame.state.displacement) else ""
         file.write(f"LAMMPS data file of bondem: units si, atom_style bpm/sphere{strained}\n\n")
         file.write(f"{len(diameter)} atoms\n{len(pairs)} bonds\n1 atom types\n1 bond types\n")
-        # room for bonds: as many as the best bonded element has, and those that LAMMPS makes of both ends
+        # room in LAMMPS for the largest number of bonds of an element, and for as many special neighbours
         most = int(np.bincount(pairs.ravel(), minlength=1).max()) if len(pairs) else 0
         file.write(f"{most} extra bond per atom\n{most + 1} extra special per atom\n\n")
         for axis, low, high in zip("xyz", *frame.bounds, strict=True):
@@ -232,7 +232,7 @@ def _write_mesh(path: Path, frame: _Frame, suffix: str) -> None:
         mesh = meshio.Mesh(points, blocks, cell_data=data)
     else:
         lines, vertices = [("line", frame.pairs)], [("vertex", np.arange(len(size))[:, None])]
-        # the other two hold one kind of cell, and points without one all the same
+        # the other formats take one kind of cell, and keep points without a cell
         mesh = meshio.Mesh(frame.position, vertices + lines if suffix in _MIXED else lines, point_data=fields)
     meshio.write(path, mesh, file_format=_meshio_format(suffix))
 
@@ -242,9 +242,7 @@ def _meshio_format(suffix: str) -> str:
 
 
 def _polyhedra(frame: _Frame) -> tuple[Floats, list[tuple[str, Any]], list[Ints]]:
-    """Points, and cells in blocks of equal numbers of corners as meshio requires, with the cell numbers of each
-    block.
-    """
+    """Return points, cells in blocks of equal numbers of corners (as meshio requires), and cell numbers by block."""
     corners = Corners(frame.lattice)
     points = corners.place if frame.state is None else corners.moved(frame.lattice, frame.state)
     faces: list[list[Ints]] = [[] for _ in frame.position]

@@ -10,13 +10,13 @@ def check_names(owner: str, names: Iterable[object], *, own: Collection[str], fo
     """Reject names of fields that a file cannot represent, or that would replace fields of bondem.
 
     Args:
-        owner: the function whose argument has them, for the message.
+        owner: name of the calling function, for messages.
         names: names of the fields of users.
-        own: names that the file has already.
-        forbidden: characters that the format has another use for.
+        own: names that bondem uses in the file.
+        forbidden: characters that the format cannot represent in names.
 
     Raises:
-        InputError: a name that is no text, empty, of characters that cannot be written, or taken.
+        InputError: a name that is no text, is empty, contains characters that cannot be written, or is in use.
     """
     for name in names:
         if not isinstance(name, str) or not name.strip() or not name.isprintable() or name != name.strip():

@@ -1,8 +1,8 @@
 """HDF5 files: the one place where they are opened for reading, and where whole files are written.
 
 HDF5 does not survive a failing disk: it crashes when it closes a file that it could not write. Files are therefore
-made in memory, and their bytes are written by Python. Errors of reading come from damage anywhere, in more kinds than
-a list could hold. Each becomes one line that names the file.
+made in memory, and their bytes are written by Python. Reading a damaged file can raise errors of any type. Each is
+replaced by an error of one line that names the file.
 """
 
 import io
@@ -20,7 +20,7 @@ from bondem.io.atomic import write_bytes
 
 #: Version of the format, whose metadata have checksums.
 FORMAT = ("v108", "v108")
-# No compression of HDF5 makes arrays smaller than by this factor; less is not worth an error [bytes].
+# Largest compression factor of HDF5 [-], and the size of arrays that are not checked against it [bytes].
 _MOST_COMPRESSED, _LITTLE = 1100, 1 << 20
 
 
@@ -70,11 +70,11 @@ def reading(path: Path, kind: Kind, source: Path | io.BytesIO | None = None) -> 
     Args:
         path: the file.
         kind: kind of the file, for errors.
-        source: contents of the file, where they are not at `path`.
+        source: source of the contents, such as a recovered file; None for `path` itself.
 
     Raises:
         BondemError: the error of the kind, for a file that is not HDF5 or is damaged, or whose arrays announce more
-            than the file holds; and errors that the block raises.
+            than the file contains. Errors of bondem raised by the block pass unchanged.
     """
     try:
         file = h5py.File(source or path, "r")

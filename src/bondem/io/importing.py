@@ -33,7 +33,7 @@ _FORMATS = (
     ".h5 (bondem), .csv, .txt (Yade), .data or .lmp (LAMMPS), .dump or .lammpstrj (LAMMPS), .xyz, .vtk, .vtp, .vtu,"
     " .vtkhdf"
 )
-# Bonds over the border of a periodic cell are longer than others by this factor, over the sum of the radii.
+# Least length of bonds across a periodic border over that of the longest other bond, both in sums of radii [-].
 _ACROSS = 1.3
 
 
@@ -120,7 +120,7 @@ def read_lattice(
         DisconnectedError: the specimen consists of two large pieces.
 
     Warns:
-        StressFreeWarning: the file is of a body that moves or is strained, and becomes one at rest.
+        StressFreeWarning: the body in the file moves or is strained; the imported one is at rest and free of stress.
     """
     path = _existing(path)
     asked = _Asked(unit, None, radius, False, periodic, -1)
@@ -162,9 +162,9 @@ class _Asked:
 
 
 def _refuse_across(path: Path, lattice: Lattice) -> None:
-    """Reject bonds over the border of a periodic cell that is taken for a body with walls.
+    """Reject bonds across the border of a periodic cell in a lattice without a period.
 
-    They reach over half of the body or more, and are longer than all others.
+    Such bonds span more than half of the body, and are longer than all others.
     """
     particles = lattice.particles
     if particles.period is not None or not len(lattice.pairs):
@@ -208,7 +208,7 @@ def _check_options(asked: _Asked, shape: object, period: object) -> None:
 
 
 def _as_saved(path: Path, unit: str | float | None, shape: Shape | None, period: ArrayLike | None) -> None:
-    """Check that a body of cells keeps the shape and the period of its file."""
+    """Reject shape, period and unit for a body of cells, which has those of its file."""
     if shape is not None or period is not None or (unit is not None and length_unit("read", unit) != 1.0):
         raise InputError(
             f"'{path}' has a body of cells with its own shape, in metres; leave out shape=, period= and unit=, or"

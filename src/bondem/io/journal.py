@@ -8,8 +8,8 @@ applied by the next writer; an incomplete one is ignored.
 h5py opens the object as a file. No error is raised while HDF5 writes, as HDF5 does not survive errors: a full disk is
 detected at the commit, and the last commit remains valid.
 
-A file that somebody removes meanwhile is written again, as the system keeps its contents while it is open. A file
-that somebody cuts or replaces is an error at the next commit.
+If another process removes the file meanwhile, the next commit writes it again, as the system keeps the contents of an
+open file. If another process truncates or replaces it, the next commit raises an error.
 """
 
 import hashlib
@@ -28,9 +28,9 @@ from bondem.io.atomic import failed, target_of
 
 _PAGE = 4096
 _HEAD = struct.Struct("<8sqq")  # magic, length after the commit, number of pages
-_PLACE = struct.Struct("<qq")  # where a page begins and how long it is
+_PLACE = struct.Struct("<qq")  # offset and length of a page
 _MAGIC = b"BONDEMJ1"
-# What may not escape while HDF5 reads or writes: a failing disk, and a file that is closed already.
+# Errors that must not reach HDF5 while it reads or writes: a failing disk, or a closed file.
 _LOST = OSError, ValueError
 
 
@@ -124,8 +124,8 @@ class JournaledFile(io.RawIOBase):
         """Make all changes since the last commit valid, or none of them.
 
         Raises:
-            RunFileError: the disk is full, or another failure to write, where the last commit remains valid; or
-                somebody has cut or replaced the file.
+            RunFileError: the file cannot be written, such as on a full disk, or another process has truncated or
+                replaced it. The last commit remains valid, unless the journal is complete: readers then apply it.
         """
         journal, descriptor = journal_of(self._path), self._file.fileno()
         try:
@@ -146,7 +146,7 @@ class JournaledFile(io.RawIOBase):
             raise failed(self._path, error) from error
         try:
             _apply(descriptor, self._end, self._pages)
-        except OSError as error:  # the journal is whole: the next one who opens the file carries it out
+        except OSError as error:  # the journal is complete: the next process that opens the file applies it
             raise failed(self._path, error) from error
         if self._pages:
             journal.unlink(missing_ok=True)
@@ -169,14 +169,14 @@ class JournaledFile(io.RawIOBase):
         super().close()
 
     def _shorten(self) -> None:
-        """Remove bytes beyond the last commit; a file that was cut from outside stays as it is."""
+        """Remove bytes beyond the last commit; a file that another process has truncated stays as it is."""
         with suppress(OSError):
             if os.fstat(self._file.fileno()).st_size > self._committed:
                 self._file.truncate(self._committed)
             self._size = self._committed
 
     def _claimed(self) -> io.FileIO:
-        """Open the file for this process alone; a new one is empty."""
+        """Open and lock the file for this process, and empty a new one."""
         place = self._path if self._aside is None else self._aside
         try:
             # unlike "w+b", which would empty the file of another process before it is claimed
@@ -194,10 +194,10 @@ class JournaledFile(io.RawIOBase):
         return file
 
     def _require_own(self) -> None:
-        """Begin a copy of the file if somebody has removed it.
+        """Check that the path still names this file; a removed file is copied to a new one.
 
         Raises:
-            OSError: somebody has cut or replaced it.
+            OSError: another process has truncated or replaced the file.
         """
         if self._aside is not None:
             return
@@ -218,7 +218,7 @@ class JournaledFile(io.RawIOBase):
         """Return the status of the file, which must be at least as long as this process has written it.
 
         Raises:
-            OSError: somebody has cut it.
+            OSError: another process has truncated the file.
         """
         found = os.fstat(self._file.fileno())
         if found.st_size < self._size:
@@ -283,7 +283,7 @@ def journal_of(path: Path) -> Path:
 
 
 def _pages_of(at: int, count: int) -> Iterator[tuple[int, int, int]]:
-    """Yield the number of each page that `count` bytes from `at` on touch, and the bytes in that page."""
+    """Yield number, first byte and end of the part in each page that `count` bytes from offset `at` on overlap."""
     for number in range(at // _PAGE, -(-(at + count) // _PAGE) if count else at // _PAGE):
         yield number, max(at, number * _PAGE), min(at + count, (number + 1) * _PAGE)
 

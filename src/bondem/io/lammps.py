@@ -17,17 +17,17 @@ from bondem.io.raw_spheres import (
     require_count,
 )
 
-# Column of the diameter and of x; behind z there may be three image flags.
+# Columns of the diameter and of x by atom style; three image flags may follow z.
 _STYLES = {"sphere": (2, 4), "bpm/sphere": (3, 5)}
 _SECTION = re.compile(r"[A-Z][A-Za-z]*( [A-Z][A-Za-z]*)*$")
-# What the first line, a comment, may say; write_data gives step and units.
+# Texts of the first line, a comment: a mark of bd.export, and units and step of write_data.
 STRAINED = "of a strained state"
 _UNITS, _STEP = re.compile(r"\bunits(?: =)? (\w+)"), re.compile(r"\btimestep = (\d+)")
 _Lines = list[tuple[int, str]]
 
 
 def read_lammps(path: Path, *, periodic: bool = False) -> RawSpheres:
-    """Read spheres and, if present, bonds, in the order of their ids.
+    """Read the spheres of a LAMMPS data file in the order of their ids, with bonds if present.
 
     Args:
         path: data file of atom_style sphere or bpm/sphere.
@@ -81,7 +81,7 @@ def _require_counts(path: Path, head: _Lines, found: dict[str, int]) -> None:
 
 
 def _strained(path: Path, title: str, velocities: Iterable[tuple[int, str]]) -> str:
-    """Return a reason to take bonds for strained, or an empty text; LAMMPS does not write lengths at rest."""
+    """Return the reason why bonds may be strained, or an empty text: LAMMPS files have no rest lengths."""
     if STRAINED in title:
         return "bd.export wrote it of a state with displacements"
     step = _STEP.search(title)

@@ -28,7 +28,7 @@ _PLACES = (
 
 @dataclass
 class _Frame:
-    """One snapshot: lines of each item by name, with the rest of its line and the number of this line."""
+    """Snapshot of a dump: by ITEM its line number, the rest of its line, and the numbered lines below it."""
 
     line: int
     units: list[tuple[int, str]]
@@ -38,12 +38,13 @@ class _Frame:
 def read_dump(
     path: Path, *, size: str | float | None = None, periodic: bool | None = None, frame: int = -1
 ) -> RawSpheres:
-    """Spheres of one snapshot, in the order of their ids.
+    """Read the spheres of one snapshot, in the order of their ids if it has ids.
 
     Args:
         path: a text dump with columns x y z (also xu, xs or xsu) and radius or diameter.
-        size: name of the column of radii, or one radius for all.
-        periodic: take the box for a periodic cell, moved to the origin; None does where all of its borders are (pp).
+        size: name of the column of radii, or one radius for all; None for the columns radius or diameter.
+        periodic: True to use the box as a periodic cell, moved to the origin; None does so if all of its borders are
+            periodic (pp) and it is not tilted.
         frame: index of the snapshot, from 0; -1 is the last.
 
     Raises:
@@ -115,7 +116,7 @@ def _row(path: Path, line: int, text: str, count: int) -> list[float]:
     words = text.split()
     if len(words) != count:
         raise InputError(f"'{path}', line {line}: {len(words)} columns where ITEM: ATOMS names {count}; correct it")
-    # elements by name, and strings of other columns, are of no use here
+    # words such as chemical symbols are not used, and become nan
     return [one if (one := _float(word)) is not None else np.nan for word in words]
 
 

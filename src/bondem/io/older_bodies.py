@@ -1,7 +1,7 @@
 """Shares of bodies in files older than the balanced shares (run files before schema 9).
 
-A run continues with the law it began with: the share of a facet in the dilatation of its cell was A w_p M_p⁻¹ n, with
-M_p = (1/V_p) Σ A d n⊗n over all facets of the cell. Bodies of particle files get balanced shares.
+A run continues with its original law: the share of a facet in the dilatation of its cell p was A w_p M_p⁻¹ n, with
+w_p = d_p / (d_p + d_q) and M_p = (1/V_p) Σ A d_p n⊗n over all facets of the cell. Particle files get balanced shares.
 """
 
 from collections.abc import Sequence
@@ -26,7 +26,7 @@ LACKING = {Facets: ("share_i", "share_j"), Cells: ("remainder",), FreeFacets: ("
 def balanced_body(
     particles: Particles, pairs: Ints, facets: dict[str, Any], cells: dict[str, Any], free: dict[str, Any]
 ) -> Lattice:
-    """Return the body of the tables of an older file, with balanced shares."""
+    """Create a body from the tables of an older file, with balanced shares."""
     surface = FreeFacets(**free, share=freeze(free["area"][:, None] * free["normal"]))
     span = facets["depth_i"] + facets["depth_j"]
     shares = balanced_shares(
@@ -42,7 +42,7 @@ def balanced_body(
 def with_corrected_normals(body: Lattice, boundary: Sequence[BoundaryCondition]) -> Lattice:
     """Return a body with the shares A w M⁻¹n of run files before schema 9.
 
-    At a smooth platen, which holds the normal of a facet and lets it slide, the share of the facet is along n alone.
+    A smooth platen fixes the displacement of a facet along its normal only: the share of this facet is along n alone.
 
     Args:
         body: body of the run.

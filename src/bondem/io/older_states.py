@@ -10,20 +10,20 @@ from bondem.damage.crack_rows import axes_along, crack_rows, isotropic_left
 from bondem.model.model import Model
 from bondem.model.state import State
 
-# Schema from which on cracks are judged by the strength of their facet, and places count from the local origin; and
-# from which on failures and what softens know the step of their onset, contacts the faces by which cells touch, and
-# cracks their directions.
+# First schema in which cracks are compared with the strength of their facet, and places are relative to the local
+# origin; and first one with the step of initiation of failures and softening bonds, touching faces of contacts, and
+# crack axes.
 _BY_FACET, _WITH_ONSET = 8, 10
-# Schema from which on walls have an orientation, and their columns before.
+# First schema in which walls have an orientation, and the number of their columns before.
 _TURNING, _UNTURNED = 11, 14
-#: Arrays with the number of their last columns that are new in the second, and what these are in older files.
+#: Arrays with new last columns in schema 10: number of these columns, and their value for older files.
 _OF_ONSET = {"broken": (1, np.nan), "softened": (1, np.nan), "stretch": (3, 0.0)}
-# Columns of a crack before: facet, strength, slip, rate, status, integrity a step ago, friction force, energy, top.
+# Columns of older cracks: facet, strength, slip, rate, status, integrity a step ago, friction force, energy, top.
 _OLDER = 13
 
 
 def shape_in(schema: int, name: str, shape: tuple[int, ...]) -> tuple[int, ...]:
-    """Return the shape of an array of a state in files of a schema, given that of today."""
+    """Convert the current shape of an array of a state to that in files of a schema."""
     if name == "walls" and schema < _TURNING:
         return shape[0], _UNTURNED
     if schema >= _WITH_ONSET:
@@ -47,13 +47,13 @@ def brought_up(model: Model, state: State, schema: int) -> None:
     if schema >= _BY_FACET:
         return
     judge_anew(model, state)
-    if state.origin.any():  # places counted from zero
+    if state.origin.any():  # older places are relative to zero
         state.pose[:, :3] -= state.origin
         state.broken[:, EventColumn.PLACE : EventColumn.PLACE + 3] -= state.origin
 
 
 def with_directions(model: Model, state: State) -> Floats:
-    """Return cracks of files whose facets had one integrity, which becomes that of all directions."""
+    """Convert cracks of files with one integrity per facet, which becomes that along all crack axes."""
     older = state.cracks
     if not len(older):
         return np.zeros((0, CRACK_COLUMNS))
@@ -65,7 +65,7 @@ def with_directions(model: Model, state: State) -> Floats:
     rows[:, SLIP : SLIP + 3], rows[:, RUB : RUB + 3] = older[:, 2:5], older[:, 8:11]
     for column, of_row in ((RATE, 5), (STATUS, 6), (SPENT, 11), (TOP, 12)):
         rows[:, column] = older[:, of_row]
-    # cracks of the material that are not gone are treated one by one
+    # resting cracks of the material become active, and its cracks lose their slip and friction
     softens = rows[:, KIND] == CrackKind.OF_MATERIAL
     rows[softens & (rows[:, STATUS] == CrackStatus.RESTING), STATUS] = CrackStatus.ACTIVE
     rows[softens, SLIP : SLIP + 3] = rows[softens, RUB : RUB + 3] = 0.0
@@ -73,7 +73,7 @@ def with_directions(model: Model, state: State) -> Floats:
 
 
 def judge_anew(model: Model, state: State) -> None:
-    """Set the strength of softening facets that stored the traction at initiation, and reactivate resting ones."""
+    """Replace the stored traction at initiation of cracks by the strength, and reset the limit of resting cracks."""
     if model.softening is None:
         return
     rows = state.cracks

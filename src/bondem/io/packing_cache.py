@@ -2,8 +2,7 @@
 
 The files are in the folder `packings` of bondem's cache: `$BONDEM_CACHE_DIR/bondem`, or the folder that the system
 provides for caches, such as `~/.cache/bondem`. Each file is named after its request. The folder may be deleted at any
-time.
-`BONDEM_PACKING_CACHE=off` in the environment disables the cache, so that every packing is computed.
+time. `BONDEM_PACKING_CACHE=off` in the environment disables the cache, so that every packing is computed.
 """
 
 import hashlib
@@ -28,11 +27,11 @@ from bondem.io.particles_file import load_particles, save_particles
 from bondem.specimen.particles import Particles, filled
 
 _MOST_BYTES = 2 << 30
-# What decides the bits of a packing. Read as text: the rooms above this one may not be imported here.
+# Packages whose code determines the bits of a packing. They are read as text, as some may not be imported here.
 _ROOMS = (
     "geometry", "specimen", "boundary", "interactions", "damage", "model", "observables", "dynamics", "packing",
 )  # fmt: skip
-# Fewer spheres are packed about as fast as a file is found, and would crowd the folder.
+# Least number of spheres of a cached packing: smaller ones are computed about as fast as a file is read.
 _WORTH_KEEPING = 1000
 
 
@@ -90,7 +89,7 @@ def written(value: Any, *, packages: tuple[str, ...] = ("bondem",)) -> Any:
 
 @cache
 def _program() -> str:
-    # Levels of instructions with fused multiply-add share their bits.
+    # All levels of instructions with fused multiply-add give identical bits.
     core = source_digest() + ("-unfused" if compiled_level() == "x86_64_v2" else "")
     versions = (np.__version__, scipy.__version__, core)
     digest = hashlib.sha256(" ".join(versions).encode())
@@ -116,9 +115,9 @@ class PackingCache:
         self._most = most_bytes
 
     def get(self, name: str) -> Particles | None:
-        """Packing stored under a key, or None."""
+        """Return the packing stored under a key, or None; any damage counts as absence."""
         path = self._path(name)
-        # Damage shows in more ways than a list could hold, and none of them may stop a packing.
+        # a damaged file can raise any type of error, and none may stop a packing
         with suppress(Exception):
             particles = load_particles(path)
             os.utime(path)
@@ -134,7 +133,7 @@ class PackingCache:
             self._shrink(path)
 
     def remembered(self, request: Mapping[str, Any], make: Callable[[], Particles]) -> Particles:
-        """Packing of a request: the stored one, or a new one, which is stored if possible.
+        """Return the stored packing of a request, or compute one and store it if possible.
 
         Args:
             request: request as for `key`; its `shape` is that of the particles.
@@ -146,7 +145,7 @@ class PackingCache:
             return make()
         cached = self.get(name)
         if cached is not None:
-            # the user's own shape may have measured its walls already
+            # the shape of the user may have cached measures of its surface
             return filled(cached, request["shape"])
         particles = make()
         self.put(name, particles, provenance=provenance)

@@ -1,11 +1,11 @@
 """Particles, or a lattice with bonds, in one HDF5 file with their provenance.
 
     /                attributes format, schema, bondem_version, digest; texts shape and provenance (JSON)
-    /elements        position (n, 3) [m], radius (n,) [m], period (3,) [m] where there is one
-    /bonds           pairs (m, 2), where a lattice was saved
+    /elements        position (n, 3) [m], radius (n,) [m], period (3,) [m] of a periodic cell
+    /bonds           pairs (m, 2) of a saved lattice
     /facets, /cells  of a body of cells, see `bondem.io.bodies`
 
-Arrays are stored to the bit, and a file with a changed array is rejected.
+Arrays are stored bit for bit, and a file with a changed array is rejected.
 """
 
 import json
@@ -28,7 +28,7 @@ from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles, filled
 
 FORMAT = "bondem particles"
-#: From 2 on they may hold facets and cells, from 3 on they have a digest.
+#: Current schema: files may contain facets and cells from 2 on, and contain a digest from 3 on.
 SCHEMA = 3
 _DIGESTED = 3
 _KIND = Kind("a particle file of bondem", "give a file of bd.save_particles", "write it again", InputError)
@@ -47,7 +47,7 @@ def save_particles(
 
     Raises:
         InputError: the file cannot be written.
-        RunFileError: the shape or the provenance contains an object that cannot be stored.
+        RunFileError: the shape or the provenance contains an object that cannot be stored, or the disk is full.
     """
     path = place("save_particles: path", path)
     given = instance("save_particles", "particles", particles, (Particles, Lattice), "bd.Particles or a lattice")
@@ -75,7 +75,7 @@ def save_particles(
 
 
 def load_particles(path: str | Path) -> Particles:
-    """Read the particles of `save_particles` to the bit, with their shape.
+    """Read the particles of `save_particles` bit for bit, with their shape.
 
     Raises:
         InputError: no such file, not a particle file, damaged, or of a newer bondem.
@@ -84,13 +84,13 @@ def load_particles(path: str | Path) -> Particles:
 
 
 def load_bonded(path: str | Path) -> tuple[Particles, np.ndarray | None]:
-    """Read particles and the pairs (m, 2) of their bonds; None for a file without bonds."""
+    """Read particles and the pairs (m, 2) of their bonds, which are None for a file without bonds."""
     particles, lattice, _ = _read(Path(path))
     return particles, None if lattice is None else lattice.pairs
 
 
 def load_lattice(path: str | Path) -> Lattice | None:
-    """Read the stored lattice, a body with its facets and cells; None for a file without bonds."""
+    """Read the stored lattice, including any facets and cells; return None for a file without bonds."""
     return _read(Path(path))[1]
 
 
@@ -124,7 +124,7 @@ def _read(path: Path) -> tuple[Particles, Lattice | None, dict[str, Any]]:
             shape = decode(json.loads(array_at(file, "shape").item()))
             if not isinstance(shape, Shape | None):
                 raise ValueError(f"its shape is a {type(shape).__name__}")
-            # it may be carved, and stick out of its shape
+            # a carved packing may extend beyond its shape, which `Particles` would reject
             particles = filled(
                 Particles(array_at(file, "elements/position"), array_at(file, "elements/radius"), period), shape
             )

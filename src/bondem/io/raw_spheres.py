@@ -16,7 +16,7 @@ from bondem.io.text_file import encoding_of
 LAMMPS_UNITS = {
     "si": 1.0, "cgs": 1e-2, "micro": 1e-6, "nano": 1e-9, "real": 1e-10, "metal": 1e-10, "electron": 5.29177210903e-11,
 }  # fmt: skip
-# Counts of more digits are of no file; Python does not convert more than 4300.
+# Most digits of a count; Python converts at most 4300.
 _DIGITS = 18
 _Frame = TypeVar("_Frame")
 
@@ -28,12 +28,12 @@ class RawSpheres:
     Attributes:
         position: centres, shape (n, 3).
         radius: radii, shape (n,).
-        period: edge lengths of the periodic cell, or None.
+        period: edge lengths of the periodic cell, shape (3,), or None.
         pairs: elements i, j of the bonds, shape (m, 2), or None for formats without bonds.
         unit: unit of length of the file [m], or None if the file does not state it.
-        strained: sign that the bonds are not at rest, or an empty text.
-        partly: axes along which the file is periodic, where it is not along all, or an empty text. Positions are
-            relative to the corner of the cell then.
+        strained: reason why the bonds may be strained; empty if there is none.
+        partly: names of the periodic axes if only some are periodic, else empty. Positions are then relative to the
+            corner of the box.
     """
 
     position: PerElement3
@@ -46,7 +46,7 @@ class RawSpheres:
 
 
 def numbered_lines(path: Path) -> Iterator[tuple[int, str]]:
-    """Non-empty lines of a text file, stripped, with their numbers from 1."""
+    """Yield the number, from 1, and the stripped text of each non-empty line of a file."""
     try:
         with open(path, encoding=encoding_of(path)) as file:
             for number, line in enumerate(file, start=1):
@@ -89,10 +89,10 @@ def snapshot_number(path: Path, frame: int, count: int) -> int:
 
 
 def chosen_frame(path: Path, number: int, frames: Iterable[_Frame], empty: str = "") -> _Frame:
-    """Return a snapshot by its number, with at most as many in memory as negative numbers count from the end.
+    """Return a snapshot by its number, where -k counts from the end and keeps k snapshots in memory.
 
     Raises:
-        InputError: the file has no such snapshot, or none at all, with the text `empty` if there is one.
+        InputError: the file has no such snapshot; `empty`, if given, is the message for a file without snapshots.
     """
     last, count = deque[_Frame](maxlen=max(-number, 1)), 0
     for count, one in enumerate(frames, start=1):
@@ -117,7 +117,7 @@ def announced_count(path: Path, line: int, text: str, what: str) -> int:
 
 
 def require_count(path: Path, line: int, what: str, announced: int | None, found: int) -> None:
-    """Reject a file that contains more or fewer entries than its header announces; None announces nothing.
+    """Reject a file that contains more or fewer entries than its header announces; None skips the check.
 
     Raises:
         InputError: the numbers differ; the message states both.
@@ -127,12 +127,12 @@ def require_count(path: Path, line: int, what: str, announced: int | None, found
 
 
 def some_axes(borders: Sequence[bool]) -> str:
-    """Name the axes whose borders are periodic, where some are and others are not: "x and y"; else an empty text."""
+    """Name the periodic axes, such as "x and y", if only some axes are periodic; else return an empty text."""
     return "" if all(borders) else " and ".join(axis for axis, one in zip("xyz", borders, strict=False) if one)
 
 
 def listed(names: Iterable[str]) -> str:
-    """Names of columns for a message, of which long ones and those after the twentieth are cut."""
+    """Join names of columns for a message, at most 40 characters of each and 20 names."""
     known = list(names)
     short = [name if len(name) <= 40 else f"{name[:37]}..." for name in known[:20]]
     return ", ".join([*short, *(["..."] if len(known) > 20 else [])]) or "none"

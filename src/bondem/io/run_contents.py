@@ -36,7 +36,7 @@ class RunContents:
         records: number of records of the history.
         snapshots: number of snapshots for ParaView.
         broken: number of broken bonds.
-        imbalance: largest error of the energy balance over its largest term [-]; None without records.
+        imbalance: largest error of the energy balance over its largest term [-]; None if unknown.
         written: True if a process is writing the file.
         provenance: versions, machine and start time.
         schema: schema number of the file.
@@ -92,7 +92,7 @@ def read_contents(path: str | Path) -> RunContents:
     require_file(path, "run file", RunFileError)
     written = _written(path)
     if not written and os.path.exists(journal_of(path)):
-        with suppress(RunFileError):  # where nobody may write, the journal is read beside the file
+        with suppress(RunFileError):  # without permission to write, readers apply the journal in memory
             JournaledFile(path).close()
     with reading_run(path) as file:
         head = head_of(file, path)
@@ -125,12 +125,12 @@ def _written(path: Path) -> bool:
     try:
         with open(path, "r+b") as file:
             return not claim(file.fileno())
-    except OSError:  # what nobody here may write, nobody here writes
+    except OSError:  # without permission to write, no process here writes the file
         return not os.access(path, os.R_OK)
 
 
 def identity_in(path: Path) -> str | None:
-    """Return the digest stored in a run file; None for other files and those of older versions."""
+    """Return the identity stored in a run file (`identity_of`); None for other files and older run files."""
     try:
         with reading_run(path) as file:
             found = dict(file.attrs).get(IDENTITY)

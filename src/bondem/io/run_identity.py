@@ -10,7 +10,7 @@ from bondem.io.digest import digest_of
 from bondem.model.model import Model
 from bondem.model.state import State
 
-#: Attribute of a run file.
+#: Attribute of a run file that contains its identity.
 IDENTITY = "identity"
 
 

@@ -1,16 +1,16 @@
 """The run file: output and restart in one HDF5 file.
 
     /                attributes format, schema, bondem_version, identity, digest; texts plan, model, provenance (JSON)
-    /elements        position (n, 3) [m], radius (n,) [m], period (3,) [m] where there is one, density
+    /elements        position (n, 3) [m], radius (n,) [m], density [kg/m³], any period (3,) [m]
     /bonds           pairs (m, 2)
     /facets, /cells  of a body, see `bondem.io.bodies`
     /state           the arrays of `State` in internal order; attributes step, time [s], stale, seconds, digest
     /history         records (s, 15 + 3 g); attribute gauges
-    /VTKHDF          snapshots for ParaView, where there are any, see `bondem.io.snapshots`
+    /VTKHDF          any snapshots for ParaView, see `bondem.io.snapshots`
 
 Derived data (order, stiffnesses) are not stored but computed again by the same code. The file grows by commits of
-`bondem.io.journal`, so that a kill at any moment leaves the previous checkpoint and snapshots. All data for a restart
-are under a digest: a file with a changed bit is rejected.
+`bondem.io.journal`: after a kill at any moment the previous checkpoint and snapshots are valid. Digests cover all data
+for a restart: a file with a changed bit is rejected.
 """
 
 import json
@@ -52,24 +52,23 @@ from bondem.specimen.particles import Particles, filled
 
 FORMAT = "bondem run"
 SCHEMA = 11
-# From here on they hold contacts, walls and friction; from 3 on stresses, non-local work and bodies of cells; from 4
-# on criteria of failure and what broke; from 5 on cracks that soften and cells that yield; from 6 on soft beams; from
-# 7 on digests, snapshots and provenance; from 8 on walls of cells that come from where a stage before left them,
-# and cracks judged by the strength of their facet; from 9 on shares of the facets of cells; from 10
-# on steps of onset, crushing, and the slip that yielding cells hold over; from 11 on walls that turn and
-# resistance to rolling.
+# Oldest schema that is read, first one with digests, first one with shares. New contents by schema: 2 contacts, walls
+# and friction; 3 stresses, non-local work and cells; 4 failure criteria and events; 5 softening facets and yielding
+# cells; 6 softening beams; 7 digests, snapshots and provenance; 8 grips that continue from an earlier stage, and
+# cracks compared with the strength of their facet; 9 shares of facets; 10 steps of initiation, crushing, and the
+# held slip of yielding cells; 11 rotating walls and rolling resistance.
 _OLDEST, _DIGESTED, _SHARED = 2, 7, 9
-# Schema from which on an array of the state is there.
+# First schema that has an array of the state.
 _SINCE = {
     "stress": 3, "broken": 4, "released": 4, "cracks": 5, "plastic": 5, "facet_force": 5, "softened": 6, "grips": 8,
     "crushed": 10, "held_slip": 10, "rolled": 11, "wall_rolled": 11,
 }  # fmt: skip
 KIND = Kind("a run file of bondem", "give a file of a run", "start the run again", RunFileError)
-# Schema from which on a column of the records is there.
+# First schema that has a column of the records.
 _COLUMN_SINCE = {
     HistoryColumn.EXTRA_WORK: 3, HistoryColumn.RELEASED: 4, HistoryColumn.PLASTIC: 5, HistoryColumn.CRUSHING: 10,
 }  # fmt: skip
-# What does not change while a run goes on.
+# Parts of the file that do not change during a run.
 _STATIC = ("plan", "model", "provenance", "elements", "bonds", "facets", "cells")
 _CHUNK = 1 << 20
 
@@ -134,13 +133,13 @@ class RunFile:
         self._replaced: JournaledFile | None = None
         again = goes_on is not None and goes_on.schema >= _DIGESTED
         if not again and os.path.exists(self.path):
-            self._replaced = JournaledFile(self.path)  # nobody else may write what is about to go
+            self._replaced = JournaledFile(self.path)  # locks the file that the first checkpoint replaces
         self._raw = JournaledFile(self.path, new=not again)
         self._file: h5py.File | None = None
         if again:
             assert goes_on is not None
             self._file = h5py.File(self._raw, "r+", libver=HDF5)
-            if goes_on.schema < SCHEMA:  # its next checkpoint is of today
+            if goes_on.schema < SCHEMA:  # its next checkpoint has the current schema
                 self._file.attrs["schema"] = SCHEMA
                 complete_body(self._file, model.lattice)
                 self._file.attrs["digest"] = fixed(_digest_of_rest(self._file))
@@ -184,7 +183,7 @@ class RunFile:
         self._commit()
 
     def snapshot(self, state: State) -> None:
-        """Append a state for ParaView."""
+        """Append and commit a snapshot of a state for ParaView."""
         file = self._new_file()
         if self._snapshots is None:
             self._snapshots = Snapshots.begin(file, self._model, self._cracks)
@@ -226,7 +225,7 @@ class RunFile:
 
 
 def _put(group: Any, name: str, values: np.ndarray) -> None:
-    """Write an array to a group, in place of an array of the same name, which is resized if possible."""
+    """Write an array to a group. An array of the same name is resized and overwritten, or else replaced."""
     data = group.get(name)
     if data is None or data.shape[1:] != values.shape[1:] or data.maxshape[:1] != (None,):
         if data is not None:
@@ -258,7 +257,7 @@ def _digest_of_rest(file: h5py.File) -> str:
 
 
 def read_run(path: str | Path, *, failure: Criterion | None = None) -> Checkpoint:
-    """Read a run file.
+    """Read the last checkpoint of a run file.
 
     Args:
         path: path of the file.

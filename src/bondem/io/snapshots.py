@@ -1,16 +1,16 @@
 """Snapshots of a run in its file for ParaView: elements, bonds or cells, and cracks, over time.
 
     /VTKHDF/elements   points that move: radius, displacement, velocity, angular_velocity, orientation (w, x, y, z);
-                       under the cell law and the non-local law the stress (xx, yy, zz, xy, yz, xz); body, the number
-                       of the body of each, in a scene of several
+                       under the cell law and the non-local law the stress (xx, yy, zz, xy, yz, xz); in a scene of
+                       several bodies the number of the body
     /VTKHDF/bonds      lines between elements: length, integrity, normal_force (tension positive), shear_force,
-                       bending_moment (of the end that has more of it), twisting_moment
-    /VTKHDF/cells      of a body instead of bonds: polyhedra where they are, which have turned with their elements;
-                       fields of the elements are stored once, under both names
+                       bending_moment (larger one of both ends), twisting_moment
+    /VTKHDF/cells      instead of bonds for a body of cells: polyhedra that move and turn; fields of the elements are
+                       stored once, under both names
     /VTKHDF/cracks     polygons of facets and beams that have lost integrity: integrity, opening, sliding, facet
-    /VTKHDF/walls      polygons of the walls of the model: wall, its number
+    /VTKHDF/walls      polygons of the walls of the model: number of the wall
 
-Snapshots are in SI units and single precision; states for a restart are stored elsewhere, to the bit.
+Snapshots are in SI units and single precision; states for a restart are stored elsewhere, bit for bit.
 """
 
 from collections.abc import Callable, Mapping
@@ -54,8 +54,8 @@ class Snapshots:
         pieces: pieces by name.
         cracks: function of the crack outlines of a state; None for a model without failure.
         drawn: numbers of the shown bonds, which do not cross the border of a periodic cell.
-        corners: corners of the cells, if they move in the file; else None.
-        walls: walls of the model, if the file has them; else None.
+        corners: corners of the cells if the file stores their motion; else None.
+        walls: outlines of all walls of the model, as one item; empty for a file without walls.
     """
 
     pieces: Mapping[str, Piece]
@@ -100,7 +100,7 @@ class Snapshots:
         """Open the snapshots stored in a run file."""
         root: Any = file["VTKHDF"]
         pieces = {name: Piece(root[name]) for name in root if name != "Assembly"}
-        # cells of older files stand where they were at rest, and go on doing so
+        # older files have cells at rest only, and continue so
         solid = pieces.get("cells")
         moves = solid is not None and (not solid.has_points or solid.has("orientation"))
         return cls(
@@ -109,7 +109,7 @@ class Snapshots:
         )  # fmt: skip
 
     def take(self, model: Model, state: State) -> None:
-        """Append a snapshot, unless one of this time exists."""
+        """Append a snapshot, unless one of this or a later time exists."""
         times = self.pieces["elements"].times
         if len(times) and times[-1] >= state.time:
             return

@@ -13,7 +13,7 @@ from bondem.io.raw_spheres import RawSpheres, floats, numbered_lines
 from bondem.io.table_header import Chosen, Column, choose, is_header
 
 _DECIMAL_COMMA = re.compile(r"[+-]?\d*,\d+([eE][+-]?\d+)?")
-# Between columns separated by blanks; a unit in brackets belongs to the name before it.
+# Gap between columns separated by blanks; a unit in brackets belongs to the name before it.
 _BLANKS = re.compile(r"\s+(?![\[(])")
 
 
@@ -135,8 +135,8 @@ def _row(
         path: the file, for messages.
         line: number of the line.
         words: words of the line.
-        chosen: columns to take.
-        most: columns of a line at most, or None.
+        chosen: selected columns.
+        most: largest number of columns of a line; None for no limit.
 
     Raises:
         InputError: too few or too many columns, or one that is no number.

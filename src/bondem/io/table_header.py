@@ -1,4 +1,4 @@
-"""Columns of a table of spheres: names, as other programs choose them, and units of length."""
+"""Columns of a table of spheres: their names in various programs, and their units of length."""
 
 import re
 from collections.abc import Sequence
@@ -11,7 +11,7 @@ from bondem.errors import InputError
 from bondem.io.raw_spheres import listed
 
 _WANTED = ("x", "y", "z", "r")
-# Names others give these columns, in small letters and without units; d is halved.
+# Names of these columns in other programs, in lower case and without units; d is a diameter.
 _ALIASES = {
     "x": ("x", "pos_x", "position_x", "x_center", "centre_x", "center_x", "points:0", "coordinates:0"),
     "y": ("y", "pos_y", "position_y", "y_center", "centre_y", "center_y", "points:1", "coordinates:1"),
@@ -21,18 +21,18 @@ _ALIASES = {
 }
 _KNOWN = {alias for aliases in _ALIASES.values() for alias in aliases}
 _BRACKETS = re.compile(r"^(?P<name>[^\[(]*)[\[(](?P<unit>[^\])]*)[\])]?.*$")
-# Columns of a table at most.
+# Least number that is not accepted for a column.
 _MOST = 100_000
-# In brackets behind names without a unit.
+# Texts in brackets that mean no unit.
 _NO_UNIT = ("", "-", "1")
 
 
 @dataclass(frozen=True)
 class Column:
-    """The name of a column in small letters, and its unit of length [m] or None.
+    """Name and unit of length of a column of a table.
 
     Attributes:
-        name: without the unit.
+        name: name in lower case, without the unit.
         unit: size of the unit [m], or None if the header does not state it.
         unknown: text in brackets that is not a unit of length.
     """
@@ -43,7 +43,7 @@ class Column:
 
     @classmethod
     def of(cls, word: str) -> "Column":
-        """Read "x", "x [mm]", "x (mm)" or "x_mm"."""
+        """Parse a word of a header, such as "x", "x [mm]", "x (mm)" or "x_mm"."""
         plain = word.strip()
         if found := _BRACKETS.match(plain):
             name, unit = found["name"].strip().lower(), found["unit"].strip()
@@ -59,12 +59,12 @@ class Column:
 
 @dataclass(frozen=True)
 class Chosen:
-    """The columns of x, y, z and radius.
+    """Columns of x, y, z and radius in a table.
 
     Attributes:
         columns: numbers of the columns from 0.
         halve: True if the column of radii contains diameters.
-        unit: one unit of length [m] for all, or None where the header does not give one.
+        unit: common unit of length [m], or None if the header does not state it.
         factor: factor of each of the four to convert it to that unit.
     """
 
@@ -82,7 +82,7 @@ def choose(
     Args:
         path: the file, for messages.
         line: line of the header.
-        header: the columns, or None where there is no header.
+        header: columns of the header; None for a table without a header.
         columns: names or numbers of the four columns; None to find them by the names of the header.
         unit_given: True if the caller gives the unit, so that the header may lack it.
 

@@ -1,4 +1,4 @@
-"""Text files as editors of all systems save them."""
+"""Reading of text files with the encodings and line ends of all systems."""
 
 import codecs
 from pathlib import Path
@@ -23,7 +23,7 @@ def encoding_of(path: Path) -> str:
 
 
 def read_text(path: Path) -> str:
-    """Text of a file, UTF-8 unless a byte-order mark states UTF-16, with Unix ends of lines.
+    """Read a text file, UTF-8 unless a byte-order mark states UTF-16, and convert line ends to those of Unix.
 
     Raises:
         OSError: the file cannot be read.

@@ -32,7 +32,7 @@ def write_vtkhdf(
     state under `CellBond`, the file also has the mean stress of each cell, its dilatation and λ θ.
 
     A static solution adds displacement, rotation, reaction and reaction_moment, and the stress of each element with
-    its principal_stresses (σ1, σ2, σ3) and von_mises_stress. Elements are drawn at their displaced places.
+    its principal_stresses (σ1, σ2, σ3) and von_mises_stress. Elements are at their displaced positions.
 
     Bonds that cross the border of a periodic cell are omitted, as their lines would cross the whole cell.
 
@@ -96,7 +96,7 @@ def _write_fields(
 
 def _checked(name: str, field: ArrayLike, count: int) -> np.ndarray:
     values = array("write_vtkhdf", f"field '{name}'", field, wanted=f"one row for each of {count}")
-    values = values.astype(np.asarray(field).dtype)  # whole numbers stay so
+    values = values.astype(np.asarray(field).dtype)  # integers remain integers
     if values.shape[:1] != (count,):
         raise InputError(f"field '{name}' has {len(values) if values.ndim else 1} values; give {count}")
     return values

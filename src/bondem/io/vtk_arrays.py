@@ -1,6 +1,6 @@
-"""Points and point arrays of a VTK file, read by VTK in a process of its own.
+"""Program that reads points and point arrays of a VTK file by VTK, run in a separate process.
 
-VTK ends its process where a damaged file announces more than memory holds. This file imports nothing of bondem.
+VTK aborts its process if a damaged file declares more data than memory. This file imports nothing of bondem.
 
 Run: python vtk_arrays.py FILE RESULT.npz
 """
@@ -18,7 +18,7 @@ _READERS = {".vtk": vtkGenericDataObjectReader, ".vtp": vtkXMLPolyDataReader, ".
 
 
 def write_arrays(path: str, result: str) -> None:
-    """Write the centres as "centre" and each array as "array NAME"; exit with a message for an unusable file."""
+    """Save points as "centre" and point arrays as "array NAME" in an .npz file; exit with a message on failure."""
     reader: Any = _READERS[Path(path).suffix.lower()]()
     complaints: list[str] = []
 

@@ -17,15 +17,15 @@ from bondem.specimen.lattice import Lattice
 from bondem.specimen.tessellation.polyhedra import polyhedra
 from bondem.statics.static import StaticResult
 
-# What VTK calls a polyhedron, and the version of VTKHDF that knows it.
+# Number of the cell type polyhedron in VTK, and the version of VTKHDF that has it.
 _POLYHEDRON = 42
 _VERSION = (2, 5)
-# Corners of one cell that are nearer than this, in mean radii, are one.
+# Corners of a cell that are closer than this coincide [mean radii].
 _SAME = 1e-7
 
 
 def fields_of_motion(state: State | StaticResult | None) -> dict[str, ArrayLike]:
-    """Fields of elements in every file: motion of a state; motion, reactions and stresses of a static solution."""
+    """Return fields of elements by name: motion of a state; motion, reactions and stresses of a static solution."""
     if state is None:
         return {}
     if isinstance(state, State):
@@ -41,12 +41,12 @@ def fields_of_motion(state: State | StaticResult | None) -> dict[str, ArrayLike]
 
 
 def fields_of_bodies(lattice: Lattice) -> dict[str, ArrayLike]:
-    """Field of the elements of a scene of several bodies: the number of the body of each."""
+    """Return the field "body", the number of the body of each element; empty for a single body."""
     return {"body": lattice.body} if len(lattice.names) > 1 else {}
 
 
 def fields_of_cells(body: Lattice, state: State | StaticResult | None) -> dict[str, ArrayLike]:
-    """Fields of the cells in every file, with motion and stress for a given state or static solution."""
+    """Return fields of cells by name, with motion and stress for a given state or static solution."""
     cells = body.elements.require_cells().cells
     fields: dict[str, ArrayLike] = {"volume": cells.volume, "free_area": cells.free_area}
     fields |= fields_of_bodies(body) | fields_of_motion(state)
@@ -116,7 +116,7 @@ class Corners:
         self.place: Floats = found.vertex[first]
 
     def moved(self, body: Lattice, state: State) -> Floats:
-        """Corners of cells that have moved and turned [m], (c, 3)."""
+        """Compute the positions of the corners in the pose of a state [m], (c, 3)."""
         centre = body.centre[self.cell]
         turned = turned_vectors(state.orientation[self.cell], self.place - centre)
         return centre + state.displacement[self.cell] + turned

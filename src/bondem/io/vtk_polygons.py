@@ -14,11 +14,11 @@ from bondem.io.hdf5 import put, writing
 
 @contextmanager
 def poly_data(path: Path, points: ArrayLike, chosen: str, offsets: Ints, corners: Ints) -> Iterator[h5py.Group]:
-    """Write points, and cells of one kind between them, into a new file, and yield its group for fields.
+    """Create a PolyData file of points and cells of one kind, and yield its group, to which fields can be added.
 
     Args:
         path: file to write.
-        points: places of the points [m], (n, 3).
+        points: positions of the points [m], (n, 3).
         chosen: kind of the cells, "Lines" or "Polygons".
         offsets: offsets of the cells in `corners`, (c + 1,).
         corners: points of all cells in sequence.

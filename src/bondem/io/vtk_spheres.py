@@ -14,7 +14,7 @@ from bondem.io.raw_spheres import RawSpheres
 from bondem.io.vtkhdf_spheres import radii
 
 _PROGRAM = Path(__file__).with_name("vtk_arrays.py")
-# Time until a file counts as damaged [s]: some seconds to start, and as long as a slow disk takes per megabyte.
+# Longest time for reading a file [s]: a constant part, and a part per megabyte for slow disks.
 _START, _PER_MEGABYTE = 60.0, 1.0
 
 
@@ -35,7 +35,7 @@ def read_vtk(path: Path, radius: str | None = None) -> RawSpheres:
     wanted = "write PolyData or an UnstructuredGrid"
     with tempfile.TemporaryDirectory() as folder:
         result = Path(folder) / "arrays.npz"
-        # -P: modules beside the program are not those of VTK
+        # -P: modules in the folder of the program must not replace those that VTK imports
         command = [sys.executable, "-P", str(_PROGRAM), str(path.absolute()), str(result)]
         patience = _START + _PER_MEGABYTE * path.stat().st_size / 1e6
         try:

@@ -16,7 +16,7 @@ from bondem._types import Floats, Ints
 _VERSION = (2, 5)
 _KINDS = ("Vertices", "Lines", "Polygons", "Strips")
 _POLYHEDRON = 42
-# Bytes in a chunk where a step has few rows.
+# Least size of a chunk, for steps with few rows [bytes].
 _CHUNK = 1 << 13
 
 
@@ -35,7 +35,7 @@ def _set_type(group: h5py.Group, name: bytes) -> None:
 
 @dataclass(frozen=True, eq=False)
 class Same:
-    """Rows that a step of another piece has just stored, so that the file has them once, under both names.
+    """Reference to rows that another piece has just stored: the file has them once, under both names.
 
     Attributes:
         data: dataset of the other piece.
@@ -52,7 +52,7 @@ class Piece:
     """Piece of a body: points with vertices, lines or polygons, or cells as polyhedra.
 
     Args:
-        group: HDF5 group of the piece; `lines`, `vertices`, `polygons` and `polyhedra` create one.
+        group: HDF5 group of the piece, which `begin` creates.
     """
 
     def __init__(self, group: h5py.Group) -> None:
@@ -61,9 +61,9 @@ class Piece:
 
     @classmethod
     def begin(cls, root: h5py.Group, name: str, kind: str) -> "Piece":
-        """Create a piece of type "PolyData" or "UnstructuredGrid"."""
+        """Create an empty piece of a collection; `kind` is "PolyData" or "UnstructuredGrid"."""
         group = root.create_group(name, track_order=True)
-        group.attrs["Version"], group.attrs["Index"] = _VERSION, len(root) - 2  # there is the assembly, too
+        group.attrs["Version"], group.attrs["Index"] = _VERSION, len(root) - 2  # the group has the assembly, too
         _set_type(group, kind.encode())
         assembly: Any = root["Assembly"]
         node = assembly.create_group(name, track_order=True)
@@ -106,8 +106,8 @@ class Piece:
         Args:
             time: time of the step [s].
             points: positions of the points [m], (p, 3); None for constant positions.
-            point_data, cell_data: arrays by name, one row per point or cell; None for the single static row of a
-                name, and `Same` for rows that another piece has already stored.
+            point_data, cell_data: arrays by name, one row per point or cell; None for the static array of this name,
+                and `Same` for rows that another piece has already stored.
             polygons: offsets of the corners of each polygon, (c + 1,), for a piece whose polygons change.
         """
         group, steps = self.group, _group(self.group, "Steps")
@@ -140,12 +140,12 @@ class Piece:
         steps.attrs["NSteps"] = self.steps + 1
 
     def last(self, field: str, rows: np.ndarray) -> Same:
-        """Return a field of the points in the last step, `rows`, for another piece with equal values."""
+        """Return a reference to a point field in the last step, for a piece whose values `rows` equal it."""
         begin = int(_group(self.group, f"Steps/PointDataOffsets/{field}")[-1])
         return Same(_dataset(self.group, f"PointData/{field}"), begin, rows)
 
     def cut(self, count: int) -> None:
-        """Remove all steps after a number of first ones; the next steps overwrite their rows."""
+        """Remove all steps but the first `count`, with their rows; static arrays stay."""
         group, steps = self.group, _group(self.group, "Steps")
         if count >= self.steps:
             return
@@ -197,7 +197,7 @@ def _stored(group: h5py.Group, name: str, values: Any) -> int:
 
 
 def static_polyhedra(cell: Ints, number: Ints, start: Ints, owner: Ints, count: int) -> dict[str, Any]:
-    """Static arrays of `count` polyhedra, each with its own points, sorted by cell.
+    """Return the static arrays of `count` polyhedra, each with its own points, sorted by cell.
 
     Args:
         cell: cell of each point, (c,).
@@ -219,7 +219,7 @@ def static_polyhedra(cell: Ints, number: Ints, start: Ints, owner: Ints, count: 
 
 
 def static_lines(pairs: Ints) -> dict[str, Any]:
-    """Static arrays of lines between points, (c, 2), or of vertices, (c, 1)."""
+    """Return the static arrays of lines between points, (c, 2), or of vertices, (c, 1)."""
     arrays: dict[str, Any] = {}
     for kind in _KINDS:
         own = pairs if kind == ("Lines" if pairs.shape[1] == 2 else "Vertices") else pairs[:0]

@@ -13,7 +13,7 @@ from bondem.io.digest import text_of
 from bondem.io.hdf5 import Kind, array_at, damage, reading
 from bondem.io.raw_spheres import RawSpheres, listed, snapshot_number
 
-# In small letters; of a diameter, half.
+# Names of arrays of sizes, in lower case.
 _RADIUS = ("radius", "radii", "rad", "r")
 _DIAMETER = ("diameter", "diameters", "d")
 _TYPES = ("PolyData", "UnstructuredGrid")
@@ -32,7 +32,7 @@ def read_vtkhdf_spheres(path: Path, radius: str | None = None, *, frame: int = -
         frame: index of the time step, from 0; -1 is the last.
 
     Raises:
-        InputError: not such a file, no such array or time step, or arrays that hold less than the file announces.
+        InputError: another kind of file, no such array or time step, or arrays shorter than the file announces.
     """
     with reading(path, _KIND) as file:
         root: Any = file.get("VTKHDF")
@@ -52,7 +52,7 @@ def read_vtkhdf_spheres(path: Path, radius: str | None = None, *, frame: int = -
 
 @dataclass(frozen=True, eq=False)
 class _Step:
-    """One time step of a file, or all of a file without time steps.
+    """Time step of a file, or the whole of a file without time steps.
 
     Attributes:
         offsets: group with the first rows of the step in each array; None for a file without time steps.
@@ -78,7 +78,7 @@ class _Step:
         return cls(offsets, number, first, points[first : first + count])
 
     def rows(self, data: Any, offset: str) -> np.ndarray:
-        """Rows of the points in an array.
+        """Return the rows of an array that belong to the points of the step, first row by the array `offset`.
 
         Raises:
             ValueError: the array has fewer rows than the file announces.
@@ -90,7 +90,7 @@ class _Step:
         return found
 
     def pairs(self, lines: Any) -> Pairs | None:
-        """Ends of the lines, (m, 2); None without lines, or where a line has more than two points."""
+        """Return the ends of the lines, (m, 2), or None without lines or if a line has not two points."""
         cells = array_at(lines, "NumberOfCells")[self.first :][: len(self.points)].astype(np.int64)
         # the offsets of each piece have one entry more than its lines
         begin = self._begin("CellOffsets", _LINES) + self.first
@@ -114,7 +114,7 @@ class _Step:
 
 
 def radii(path: Path, arrays: Mapping[str, np.ndarray], name: str | None) -> PerElement:
-    """Radii among the point arrays of a file: `name`, or radius, radii, rad, r, or half of diameter or d.
+    """Return radii from the point array `name`, or a default: radius, radii, rad, r, or half of diameter(s) or d.
 
     Raises:
         InputError: the file has no such array.

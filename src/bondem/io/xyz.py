@@ -1,4 +1,4 @@
-"""Spheres from XYZ, plain and extended (OVITO, ASE, LAMMPS)."""
+"""Import of spheres from XYZ, plain and extended (OVITO, ASE, LAMMPS)."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -22,7 +22,7 @@ from bondem.io.raw_spheres import (
 
 _Rows = list[tuple[int, list[str]]]
 _SETTING = re.compile(r"(\w+)=(\"[^\"]*\"|\S+)")
-# Names of the property of sizes in small letters, and its share in a radius.
+# Names of the property of sizes in lower case, and the factor from size to radius.
 _SIZES = {"radius": 1.0, "radii": 1.0, "diameter": 0.5}
 _TRUE = ("t", "true", "1")
 
@@ -31,19 +31,19 @@ def read_xyz(
     path: Path, columns: Sequence[str | int] | None = None, *, size: str | float | None = None,
     diameters: bool = False, periodic: bool | None = None, frame: int = -1,
 ) -> RawSpheres:  # fmt: skip
-    """Spheres of one snapshot in the order of the file.
+    """Read the spheres of one snapshot in the order of the file.
 
     Args:
-        path: the file: the number of atoms, a comment, and a line of name, x, y, z for each, over and over. The
+        path: the file. A snapshot is the number of atoms, a comment, and a line of name, x, y, z per atom. The
             comment of an extended file names its columns (Properties=) and may have a cell (Lattice=).
         columns: numbers from 0 of the columns of x, y, z and radius; those of a plain file have no names.
         size: one radius for all, or the property of radii in an extended file.
-        diameters: whether the last of `columns` holds diameters.
-        periodic: take the cell for a periodic one; None does where the comment says so (pbc=).
+        diameters: True to halve the sizes of the file.
+        periodic: True to use the cell as a periodic one; None does so if the comment states it (pbc=).
         frame: index of the snapshot, from 0; -1 is the last.
 
     Raises:
-        InputError: no radii, no such snapshot, or a line that does not fit, naming file and line.
+        InputError: no radii, no such snapshot, or an invalid line; the message states file and line.
     """
     line, comment, rows = chosen_frame(path, frame, _frames(path), f"'{path}' holds no atoms; write it again")
     said = {key.lower(): value.strip('"') for key, value in _SETTING.findall(comment)}
@@ -68,7 +68,7 @@ def _frames(path: Path) -> Iterator[tuple[int, str, _Rows]]:
     while at < len(lines):
         line, text = lines[at]
         count = announced_count(path, line, text, "atoms")
-        # an empty comment is a line that is left out
+        # an empty comment is missing among the lines
         comment = lines[at + 1][1] if at + 1 < len(lines) and lines[at + 1][0] == line + 1 else ""
         skip = 2 if comment else 1
         rows = [(number, words.split()) for number, words in lines[at + skip : at + skip + count]]
@@ -80,7 +80,7 @@ def _frames(path: Path) -> Iterator[tuple[int, str, _Rows]]:
 def _columns(
     path: Path, line: int, properties: str | None, columns: Sequence[str | int] | None, size: str | float | None
 ) -> tuple[list[int], float]:
-    """Columns of x, y, z and, where there is one, of the size, and its share in a radius."""
+    """Return the columns of x, y, z and of any size, and the factor from size to radius."""
     number_given = size is not None and not isinstance(size, str)
     if columns is not None:
         numbers = [one for one in columns if isinstance(one, int) and not isinstance(one, bool) and 0 <= one < 10_000]
@@ -118,7 +118,7 @@ def _columns(
 def _period(
     path: Path, line: int, said: dict[str, str], periodic: bool | None
 ) -> tuple[Floats | None, str]:
-    """Return the edges of the cell if it is periodic, and the axes of one that is periodic along some only."""
+    """Return the edges of a cell that is periodic along all axes, (3,), or None; and the axes if only some are."""
     borders = [border in _TRUE for border in said.get("pbc", "").lower().split()]
     partly = some_axes(borders) if periodic is not False else ""
     if partly or not (bool(borders) and all(borders) if periodic is None else periodic):

@@ -22,10 +22,9 @@ class BondForces:
     """Forces and moments of bonds on their elements, user's order, global axes; zero for broken bonds.
 
     The force on element i is the opposite of that on j. Moments act on the elements, at their centres. A bond in
-    tension pulls j towards i, so that `force` points against `axis` and the Love-Weber sum of stresses has a minus
-    sign: with the branch vectors l, -Σ f ⊗ l is the moment Σ F ⊗ x of the external forces F at the centres x. It is F
-    times the distance of the loaded from the held centres, which is shorter than the specimen. `bd.element_stress`
-    computes local stresses.
+    tension pulls j towards i, so that `force` points against `axis`. With branch vectors l and external forces F at
+    centres x, the Love–Weber sum is therefore -Σ f ⊗ l = Σ F ⊗ x. In a test this is F times the distance between
+    loaded and fixed centres, which is shorter than the specimen. `bd.element_stress` computes local stresses.
 
     Attributes:
         force: force of the bond on element j [N], shape (m, 3).
@@ -114,7 +113,7 @@ def _of_state(model: Model, state: State) -> BondForces:
 
 
 def _pressed(model: Model, state: State, length: Floats) -> PerBond:
-    """Return the compressive force of beams that soften, without their share by integrity [N], user's order."""
+    """Return the compressive force that softening beams transmit besides that by integrity [N], user's order."""
     push = np.zeros(len(length))
     softening = state.softened[:, SoftColumn.BOND].astype(np.int64)
     softening = softening[state.integrity[softening] > 0.0]

@@ -49,7 +49,7 @@ class BrokenBonds:
 
     @classmethod
     def of(cls, state: State) -> "BrokenBonds":
-        """Return the bonds that broke before a state."""
+        """List the bonds or facets that have broken up to a state."""
         rows = state.broken
         return cls(
             time=rows[:, EventColumn.TIME].copy(),
@@ -67,13 +67,13 @@ class BrokenBonds:
 
 
 def failure_index(model: Model, state: State | SmallMotion) -> PerBond:
-    """Compute the index of the model's criterion for each bond: 1 at failure, 0 for broken bonds.
+    """Compute the index of the failure criterion for each bond or facet: 1 at failure, 0 if broken.
 
-    A static solution comes from the same model without its criterion, `dataclasses.replace(model, failure=None)`.
+    Solve for a static solution without the criterion: by the model `dataclasses.replace(model, failure=None)`.
 
-    Beams and facets that soften have 1. Criteria by which cells crack or yield are evaluated at the stress σ* of
-    `bd.Rankine`. By these a facet in compression has 0, or by `bd.Rankine` the smaller index of σ* and of its
-    traction alone.
+    Softening beams and facets have index 1. Criteria for cracks and yielding of cells are evaluated at the stress σ*
+    of `bd.Rankine`. They give a facet in compression the index 0; `bd.Rankine` gives it the smaller one of the
+    indices of σ* and of its traction alone.
 
     Args:
         model: model with a failure criterion.
@@ -109,7 +109,7 @@ def failure_index(model: Model, state: State | SmallMotion) -> PerBond:
 
 
 def _at_rest(model: Model, solution: SmallMotion) -> State:
-    """Return the state of a static solution.
+    """Return the state at rest in the pose of a static solution.
 
     Raises:
         InputError: The object is no solution, or belongs to another lattice.

@@ -18,7 +18,7 @@ from bondem.observables.facet_loads import loads_on_facets
 
 
 class SmallMotion(Protocol):
-    """A linear solution, such as a `StaticResult`."""
+    """Linear solution, such as a `StaticResult`."""
 
     @property
     def displacement(self) -> PerElement3:
@@ -40,9 +40,9 @@ class CellForces:
     Attributes:
         force: force of each facet on its cell i, tension pointing to j [N], shape (m, 3).
         arm_i, arm_j: arms to the facet [m], shape (m, 3).
-        wall: forces of walls on the facets that they hold [N], shape (g, 3).
+        wall: forces of walls on the facets that they constrain [N], shape (g, 3).
         wall_arm: arms to these facets [m], shape (g, 3).
-        load: forces of loads on the facets on the surface [N], in the order of `cells.free`, shape (k, 3).
+        load: forces of loads on the free facets [N], in the order of `cells.free`, shape (k, 3).
         load_arm: arms to these facets [m], shape (k, 3).
         stress: λ θ of each cell [Pa], shape (n,).
     """
@@ -149,14 +149,14 @@ def _failing(model: Model, state: State) -> CellForces:
 
 
 def _deformed(state: State, owner: Ints, arm: Floats) -> Floats:
-    """Return arms in cells that have yielded."""
+    """Apply the plastic deformation of the owners to arms in their frames [m], (m, 3)."""
     if not state.plastic.any():
         return arm
     return np.einsum("mab,mb->ma", state.plastic_deformation[owner], arm)
 
 
 def _grown(model: Model, state: State) -> CellConstants:
-    """Return the constants with the stress-free strain of a state, user's order."""
+    """Return the cell constants with the wall supports and the stress-free strain of a state, user's order."""
     constants, layout, strain = model.cell_constants, model.layout, state.rest_strain
     if len(state.grips) == len(constants.supports.cell):
         constants = replace(constants, supports=constants.supports.taken(state.grips))
@@ -168,15 +168,15 @@ def _grown(model: Model, state: State) -> CellConstants:
 
 
 def wall_arms(model: Model, state: State) -> Floats:
-    """Return the arms from the centres of mass to the facets that walls hold, in a state [m], shape (g, 3)."""
+    """Return the arms from the centres of mass to the facets that walls constrain, in a state [m], (g, 3)."""
     supports = _grown(model, state).supports
     return turned_vectors(state.orientation[supports.cell], _deformed(state, supports.cell, supports.arm))
 
 
 def wall_places(model: Model, state: State, base: Floats | None = None) -> Floats:
-    """Return the displacement of the walls that hold cells at the time of a state [m], (g, 3).
+    """Return the displacement of the wall of each constrained facet at the time of a state [m], (g, 3).
 
-    Their initial places are `base`, (g, 7), or those of the state.
+    Initial poses of the walls are `base`, (g, 7); None for those of the state.
     """
     base = state.grips if base is None else base
     walls = model.interaction.supports.table(model.layout, model.constraints.row_of, base)

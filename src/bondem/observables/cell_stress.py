@@ -11,17 +11,17 @@ from bondem.model.state import State
 from bondem.observables.cell_forces import CellForces, SmallMotion
 from bondem.observables.element_stress import element_stress
 
-# Where the components of a tensor are in a row xx, yy, zz, xy, yz, zx.
+# Indices of the components of a tensor in a row xx, yy, zz, xy, yz, zx.
 _OF_TENSOR = np.array([[0, 3, 5], [3, 1, 4], [5, 4, 2]])
 
 
 def cell_stress(model: Model, result: SmallMotion | State) -> Floats:
     """Compute the mean stress tensor of every cell, σ = sym Σ b⊗f / V over its facets [Pa], shape (n, 3, 3).
 
-    For spheres joined by beams it is the symmetric part of `bd.element_stress`, which computes their couples too.
+    For spheres joined by beams it is the symmetric part of `bd.element_stress`, which also computes couple stresses.
 
-    f are the forces of neighbours, holding walls and surface loads on the facets. b are the arms to them from the
-    centre of mass of the cell. In equilibrium Σ V σ over all cells is exactly the moment of the forces on the
+    f are the forces of neighbours, constraining walls and surface loads on the facets. b are the arms to them from
+    the centre of mass of the cell. In equilibrium Σ V σ over all cells is exactly the moment of the forces on the
     surface. Tension is positive; axes are global.
 
     Args:
@@ -38,9 +38,9 @@ def cell_stress(model: Model, result: SmallMotion | State) -> Floats:
 
 
 def stress_fields(model: Model, result: SmallMotion | State) -> dict[str, Floats]:
-    """Return the fields of cells by their stress as files have them; none without a law of facets.
+    """Return the fields of cells by name: "stress" [Pa], (n, 9), "dilatation" [-] and "lambda_theta" [Pa], (n,).
 
-    They are the tensors [Pa], (n, 9), the dilatation [-], (n,), and λ θ [Pa], (n,).
+    The result is empty for a model whose law does not act on facets.
     """
     if not model.interaction.on_facets:
         return {}
@@ -51,12 +51,12 @@ def stress_fields(model: Model, result: SmallMotion | State) -> dict[str, Floats
 
 
 def lambda_theta(model: Model, result: SmallMotion | State) -> PerElement:
-    """Return λ θ of each element [Pa], (n,), zeros without a law of facets."""
+    """Return λ θ of each element [Pa], (n,); zeros if the law does not act on facets."""
     return stress_fields(model, result).get("lambda_theta", np.zeros(len(model.lattice.particles)))
 
 
 def mean_stress(model: Model, forces: CellForces) -> Floats:
-    """Compute the mean stress tensor of every cell from known forces [Pa], shape (n, 3, 3)."""
+    """Compute the mean stress tensor of every cell from the forces on its facets [Pa], shape (n, 3, 3)."""
     body, supports = model.lattice, model.interaction.supports
     _, cells = body_of(body)
     i, j = body.pairs.T

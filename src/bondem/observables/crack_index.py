@@ -1,4 +1,4 @@
-"""Indices of crack initiation of facets and of yielding of cells, by the stress of the material."""
+"""Indices of crack initiation of facets and of yielding of cells, from the stress of the cells."""
 
 import numpy as np
 
@@ -16,18 +16,19 @@ from bondem.model.state import State
 from bondem.observables.cell_forces import CellForces, SmallMotion
 from bondem.observables.cell_stress import mean_stress
 
-# Where xx, yy, zz, xy, xz and yz are in the rows of a tensor, one after the other.
+# Indices of xx, yy, zz, xy, xz and yz in a tensor stored row by row.
 _COMPONENTS = [0, 4, 8, 1, 2, 5]
 
 
 def crack_index(
     model: Model, table: SofteningTable, state: State, motion: SmallMotion | State
 ) -> PerBond:
-    """Compute the index of the criterion at σ* (`bd.Rankine`: its largest principal stress over the strength).
+    """Compute the index of the criterion of each facet at the stress σ* (see `bd.Rankine`).
 
-    Broken facets have 0, and facets that soften have 1. A facet in compression has 0, or by `bd.Rankine` the smaller
-    index of σ* and of its traction alone. By `bd.Rankine` the index is at most the opening traction along the present
-    principal directions over the strength along them. Facets of material planes have the index of their traction.
+    Broken facets have index 0, softening ones 1. For `bd.Rankine` the index is the largest principal stress of σ*
+    over the strength. It is at most the opening traction along the principal directions over the strength along
+    them, and in compression at most the index of the traction alone. For other criteria facets in compression have
+    index 0. Facets of material planes have the index of their traction.
 
     Args:
         model: model whose facets may crack.
@@ -47,7 +48,7 @@ def crack_index(
         n = turned_vectors(motion.orientation[i], n)
     order, traction = model.layout.bond_order, forces.force / facets.area[:, None]
     stress = mean_stress(model, forces).reshape(-1, 9)[:, _COMPONENTS]
-    # facets in the order of the strengths
+    # facets in internal order, as the strengths
     loaded = LoadedFacets(
         i[order], j[order], n[order], traction[order], _bending(model, state)[order], np.ascontiguousarray(stress)
     )
@@ -65,10 +66,10 @@ def crack_index(
 
 
 def yield_index(model: Model, state: State) -> PerElement:
-    """Compute (σ1 - σ3)/2 + (σ1 + σ3)/2 sin φ over c cos φ of each cell, with the cohesion c after its slip.
+    """Compute the yield index of each cell, (σ1 - σ3)/2 + (σ1 + σ3)/2 sin φ over c cos φ with its present cohesion c.
 
-    For the cone of Drucker and Prager it is √J2 + α I1 over k, and 0 where the mean stress is tensile. Cells without
-    cohesion have 1. The index is zero if no cell can yield.
+    For the cone of Drucker and Prager the index is √J2 + α I1 over k, and 0 if the mean stress is tensile. Cells that
+    have lost their cohesion have index 1. All indices are 0 if the model has no yielding.
 
     Returns:
         Index [-], user's order, shape (n,).
@@ -89,7 +90,7 @@ def _yield_index(model: Model, state: State, slip: SlipTable) -> PerElement:
 
 
 def _bending(model: Model, state: State) -> PerBond:
-    """Return T_b, the rms of the tractions by bending of facets [Pa], user's order, (m,)."""
+    """Return T_b, the rms of the tractions on each facet by its bending [Pa], user's order, (m,)."""
     facets, _ = body_of(model.lattice)
     constants, turns = model.cell_constants, state.orientation[model.lattice.pairs]
     p, q = turns[:, 0], turns[:, 1]

@@ -52,6 +52,10 @@ class ElementStress:
 
         Args:
             region: elements to average over, weighted with their volumes; `bd.Within(bd.Ball(r).moved(at))`.
+
+        Raises:
+            InputError: `region` is no region.
+            EmptyRegionError: The region has no connected element.
         """
         chosen = as_region("mean", region).select(self.lattice)
         share = self.volume[chosen] / self.volume[chosen].sum()
@@ -60,7 +64,7 @@ class ElementStress:
     def mean_couple(self, region: Region, about: Sequence[float] | None = None) -> Floats:
         """Mean couple stress of the elements of a region about a point [N/m], shape (3, 3).
 
-        It depends on the point: μ = Σ V (μ_p + σ_p × (x_p - X)) / Σ V, the product with the second index of σ_p.
+        The mean is μ = Σ V (μ_p + σ_p × (x_p - X)) / Σ V, with the cross product on the second index of σ_p.
 
         Args:
             region: elements to average over.

@@ -1,4 +1,4 @@
-"""Forces of loads on the facets that cells have on the surface."""
+"""Forces of loads on the free facets of cells."""
 
 from dataclasses import replace
 
@@ -12,10 +12,10 @@ from bondem.model.model import Model
 
 
 def loads_on_facets(model: Model, time: float | None = None, orientation: Floats | None = None) -> Floats:
-    """Return the forces of the loads of a model on the facets on the surface [N], (k, 3), at a time, or at the end.
+    """Return the forces of loads on free facets [N], (k, 3), at a time [s] or, for None, the end of all schedules.
 
-    With the quaternions of the cells, (n, 4), following pressures and the forces of moments rotate with their cells.
-    Without them these forces are in the axes of their cells.
+    Given orientations (n, 4), following pressures and the forces of moments rotate with their cells. Without
+    orientations these forces are in the axes of their cells.
     """
     law, cell = model.interaction, model.lattice.elements.surface
     force = np.zeros((len(cell), 3))

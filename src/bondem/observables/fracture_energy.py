@@ -20,17 +20,17 @@ from bondem.specimen.regions import Region
 class FractureEnergy:
     """Energy that the broken bonds or facets of one criterion have dissipated, over their own area.
 
-    A facet that fractures dissipates G_f per area projected on its crack, at most G_f per area of its own. So
-    `per_area` of a single crack through cells is 0.7 to 0.8 of `entered`. Where it is larger, facets have released
-    stored energy for which there was no more surface: crushing under pressure, or a time step too long for the
-    opening of fast cracks. Facets of cells without cohesion are left out.
+    A facet dissipates G_f per area projected on its crack, at most G_f per own area. For a single crack through cells
+    `per_area` is therefore 0.7 to 0.8 of `entered`. A larger value means that facets have released more stored energy
+    than their surface absorbs: crushing under pressure, or a time step too long for the opening of fast cracks.
+    Facets of cells without cohesion are not counted.
 
     Attributes:
-        region: region or pair of regions of the criterion; None for one criterion of all.
+        region: region or pair of regions of the criterion; None for a criterion of the whole model.
         area: own area of the facets, or of the sections of the beams [m²].
-        dissipated: energy that they have dissipated until the present [J].
-        crushed: energy of it that they released beyond their fracture energy [J].
-        entered: fracture energy that they absorb per own area, their mean [J/m²]; NaN if there is none.
+        dissipated: energy dissipated by these facets or beams [J].
+        crushed: part of `dissipated` beyond the fracture energy [J].
+        entered: mean fracture energy that fracture can absorb per own area [J/m²]; NaN for brittle bonds.
     """
 
     region: Region | tuple[Region, Region] | None
@@ -56,7 +56,7 @@ class FractureEnergy:
 
 
 def areas_of(lattice: Lattice, stiffness: BondStiffness) -> PerBond:
-    """Return the areas of facets in the reference, or of the sections of bonds [m²], user's order, (m,)."""
+    """Return the areas of undeformed facets, or of the sections of bonds [m²], user's order, (m,)."""
     return lattice.elements.bond_area(stiffness.radius)
 
 
@@ -83,9 +83,9 @@ def fracture_energies(state: State) -> tuple[FractureEnergy, ...]:
 
 
 def _broken(model: Model, state: State) -> tuple[Ints, Floats, Floats]:
-    """Return broken bonds in internal order, with the dissipation and the absorbed energy of each [J].
+    """Return internal numbers of broken bonds, their dissipated energy, and the energy that fracture can absorb [J].
 
-    Brittle bonds absorb an infinite energy.
+    Brittle bonds can absorb an infinite energy, so that none of their energy counts as crushing.
     """
     if model.softening is not None:
         rows, absorbed = state.cracks, model.softening.absorbed_by(state.cracks)

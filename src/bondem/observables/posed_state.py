@@ -1,4 +1,4 @@
-"""State of a model that has moved by a static solution."""
+"""States of a model in the pose of a static solution."""
 
 from bondem.boundary.frozen_conditions import frozen_conditions
 from bondem.geometry.rotations import turned_further
@@ -8,7 +8,7 @@ from bondem.observables.cell_forces import SmallMotion
 
 
 def posed(model: Model, motion: SmallMotion) -> State:
-    """Return the state at rest whose elements have moved and turned by a solution.
+    """Return the state at rest in the pose of a static solution.
 
     Args:
         model: model of the state.
@@ -21,9 +21,9 @@ def posed(model: Model, motion: SmallMotion) -> State:
 
 
 def in_equilibrium(model: Model, motion: SmallMotion, factor: float = 1.0) -> State:
-    """Return the state at rest of an equilibrium under a factor of the final conditions of a model.
+    """Return the state at rest in an equilibrium under `factor` times the final conditions of a model.
 
-    The conditions of `state.model` are held there, so that a run of that model begins with the walls, loads and
+    The conditions of `state.model` are constant at these values: a run of that model begins with the walls, loads and
     strains of the equilibrium.
 
     Args:

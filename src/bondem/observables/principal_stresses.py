@@ -11,8 +11,7 @@ def principal_stresses(stress: ArrayLike) -> Floats:
     """Compute the principal stresses σ1 ≥ σ2 ≥ σ3, tension positive [Pa], shape (…, 3).
 
     Args:
-        stress: symmetric stress tensors [Pa], (…, 3, 3), such as `StaticResult.stress` or what `bd.cell_stress`
-            returns.
+        stress: symmetric stress tensors [Pa], (…, 3, 3), such as `StaticResult.stress` or those of `bd.cell_stress`.
 
     Raises:
         InputError: The tensors have another shape, are not symmetric, or are not finite.

@@ -13,8 +13,9 @@ def surface_displacement(
 ) -> Floats:
     """Compute displacements of the centroids of the free facets [m], shape (k, 3), in the order of `cells.free`.
 
-    A facet lies half a cell outside of its element, and that half is strained too. With the stress σ = λ θ of the
-    cell, the facet opens by (d / 2 G)(t - σ m). A facet that a wall holds moves with the wall.
+    The part of a cell between its centre and a free facet deforms, too. With the stress σ = λ θ of the cell, its
+    depth d along the normal m, and the traction t, the facet opens by (d / 2 G)(t - σ m). A facet that a wall
+    constrains moves with the wall.
 
     Args:
         model: a body of cells.

@@ -1,6 +1,4 @@
-"""Pictures of cells as polyhedra in parallel projection, and of plane sections, by the painter's algorithm without a
-graphics driver.
-"""
+"""Pictures of cells in parallel projection, and of plane sections, by the painter's algorithm."""
 
 from dataclasses import dataclass
 
@@ -13,7 +11,7 @@ from bondem.report.spheres import View
 from bondem.specimen.tessellation.polyhedra import Polyhedra
 
 _LIGHT = np.array([-0.45, 0.60, 0.66]) / np.linalg.norm([-0.45, 0.60, 0.66])
-# Shares of light that falls everywhere and from the lamp.
+# Shares of ambient and of directed light.
 _AMBIENT, _LAMP = 0.62, 0.45
 
 
@@ -41,7 +39,7 @@ def draw_cells(
     piece: np.ndarray | None = None,
     scale: float = 1e3,
 ) -> None:
-    """Draw the visible outer polygons of cells, also those next to hidden cells.
+    """Draw the visible outer polygons of cells, including those next to cells that are not drawn.
 
     Args:
         ax: axes to draw on.
@@ -86,19 +84,19 @@ def draw_cells(
 
 
 def light_on(normal: Floats) -> Floats:
-    """Brightness of walls by their unit normals in the picture, (k, 3), (k,)."""
+    """Return the brightness of faces, (k,), from their unit normals in the picture, (k, 3)."""
     return _AMBIENT + _LAMP * np.clip(normal @ _LIGHT, 0.0, None)
 
 
 def _following(start: np.ndarray) -> np.ndarray:
-    """Next corner of the polygon for each corner, (v,)."""
+    """Return the next corner of the same polygon for each corner, (v,)."""
     following = np.arange(1, start[-1] + 1)
     following[start[1:] - 1] = start[:-1]
     return following
 
 
 def outlined(solid: Polyhedra) -> Mask:
-    """True for corners that begin a true edge, not one between two strips of a curved wall, (v,)."""
+    """Return True for corners that start a true edge, False between two strips of a curved surface, (v,)."""
     following, size = _following(solid.start), np.diff(solid.start)
     owner, wall = np.repeat(solid.cell, size), np.repeat(solid.neighbour < 0, size)
     grid = np.rint((solid.vertex + solid.vertex[following]) / (1e-6 * np.ptp(solid.vertex, axis=0).max()))
@@ -115,9 +113,7 @@ def _normals(place: Floats, start: np.ndarray) -> Floats:
 
 
 def section_through(solid: Polyhedra, axis: int, at: float) -> CellSection:
-    """Compute the section of cells by the plane normal to an axis at `at` [m], each as the convex hull of its
-    corners.
-    """
+    """Cut convex cells by the plane normal to an axis, 0 to 2, at the coordinate `at` [m]."""
     following = _following(solid.start)
     owner = np.repeat(solid.cell, np.diff(solid.start))
     a, b = solid.vertex[:, axis] - at, solid.vertex[following, axis] - at
@@ -136,7 +132,7 @@ def section_through(solid: Polyhedra, axis: int, at: float) -> CellSection:
 
 
 def draw_section(ax: Axes, section: CellSection, colour: Floats, *, scale: float = 1e3) -> None:
-    """Draw a section in the colours of its cells, (n, 3)."""
+    """Draw a section in the colours of all cells, (n, 3), on axes in units of a metre over `scale`."""
     face = colour[section.cell]
     ax.add_collection(
         PolyCollection([scale * one for one in section.outline], facecolors=face, edgecolors="white", linewidths=0.35)

@@ -15,12 +15,12 @@ _PREFIXED = ("m", "s", "N", "Pa", "J", "Hz", "m/s", "N·m")
 _PREFIX = {-12: "p", -9: "n", -6: "µ", -3: "m", 3: "k", 6: "M", 9: "G"}
 # Name of an axis of several quantities, by their unit.
 _KIND = {"J": "energy", "m": "displacement", "m/s": "velocity"}
-# Points of a curve that are drawn as such.
+# Least number of points of a curve that is drawn as a line; shorter ones are drawn as points.
 _FEW = 20
 
 
 def draw_columns(ax: Axes, drawn: Mapping[str, Floats]) -> None:
-    """Draw columns over the first one, or the values of a single row as bars."""
+    """Draw columns, named like "load [N]", as curves over the first one, or a single row as bars."""
     names, values = list(drawn), [np.asarray(one, dtype=float) for one in drawn.values()]
     if len(values[0]) == 1:
         label, factor = _scaled(names[0], np.concatenate(values))

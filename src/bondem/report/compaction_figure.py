@@ -16,7 +16,7 @@ from bondem.report.style import BLUE, GREY, INK, ORANGE, SEQUENTIAL, sheet
 
 _VIEW = View(azimuth=math.radians(28.0), elevation=math.radians(20.0))
 _PIXELS = 1500
-# Random close packing of equal spheres, which no wall disturbs.
+# Volume fraction of random close packing of equal spheres far from walls [-].
 _CLOSE = 0.636
 
 
@@ -78,8 +78,7 @@ class Course:
 
 
 def draw_compaction(path: Path, course: Course) -> None:
-    """Draw the grains at three times, coloured by their initial height, and the walls, pressure and density over
-    time.
+    """Draw the grains at three times, coloured by initial height, and walls, pressure and density over time.
 
     Args:
         path: PNG to write.

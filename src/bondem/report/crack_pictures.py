@@ -24,7 +24,7 @@ from bondem.report.style import GREY, SEQUENTIAL
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.tessellation.polyhedra import Polyhedra, polyhedra
 
-# Share of light that falls on a surface seen edge-on.
+# Brightness of a surface seen edge-on [-].
 _AMBIENT = 0.55
 # Largest magnified rotation of a cell [rad].
 _SMALL = 0.7
@@ -33,10 +33,10 @@ _SMALL = 0.7
 def corners_moved(
     solid: Polyhedra, body: Lattice, displacement: Floats, orientation: Floats, reach: float = 1.0
 ) -> Floats:
-    """Displacements of the corners of cells whose motion is magnified by `reach` [m], (v, 3).
+    """Return the displacements of the corners of cells whose motion is magnified by `reach` [m], (v, 3).
 
-    Rotations are magnified too where they stay small, so that intact parts remain whole. Crumbs rotate by large
-    angles, which are drawn as they are.
+    Rotations that remain small are magnified too, so that intact parts show no gaps. Other rotations, such as those of
+    detached cells, are drawn unmagnified.
     """
     owner = np.repeat(solid.cell, np.diff(solid.start))
     arm = solid.vertex - body.centre[owner]
@@ -68,8 +68,13 @@ def draw_elements(
 ) -> None:  # fmt: skip
     """Draw cells as polyhedra, or elements as spheres, on axes in units of a metre over `scale`.
 
-    Colours have shape (n, 3), displacements of the centres as drawn too [m]; `corners` returns those of the corners
-    of the polygons of cells [m], (v, 3). The mask of drawn elements and the fragment of each cell have shape (n,).
+    Args:
+        ax, view: axes to draw on, and direction of view.
+        body: lattice of cells or of bonded spheres.
+        colour, moved: colours of the elements in 0 … 1, and drawn displacements of their centres [m], (n, 3).
+        corners: function that returns the drawn displacements of the corners of polygons of cells [m], (v, 3).
+        shown, piece: mask of drawn elements, and fragment of each cell, (n,); None for all, and for one fragment.
+        scale: units of the axes per metre.
     """
     if body.cells is None:
         draw_spheres(ax, body, colour, view=view, moved=moved, shown=shown, scale=scale)
@@ -88,7 +93,7 @@ def draw_magnified(
 
 
 def piece_colours(pieces: Fragments) -> Floats:
-    """Red, green and blue of each element by its fragment, in 0 … 1, (n, 3)."""
+    """Return red, green and blue of each element by its fragment, in 0 … 1, (n, 3)."""
     return piece_palette(len(pieces))[pieces.label]
 
 

@@ -12,7 +12,7 @@ _ANGLES = ("friction_angle",)
 
 
 def parameter_texts(criterion: Criterion) -> list[tuple[str, str]]:
-    """Names and values of a criterion, without zero and default parameters; angles in degrees."""
+    """Return names and formatted values of the parameters of a criterion, without those that are 0 or None."""
     found: list[tuple[str, str]] = []
     for item in fields(criterion):
         value = getattr(criterion, item.name)

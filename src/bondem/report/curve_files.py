@@ -1,4 +1,4 @@
-"""Every curve and history that a report draws, as CSV files with names and SI units in their first line."""
+"""Export of the curves of a report as CSV files with names and SI units in their first line."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -33,7 +33,7 @@ def write_curves(findings: Findings, out: Path) -> dict[str, list[str]]:
 
 
 def _of_specimen(one: Examined) -> dict[str, _Columns]:
-    """Layering at the walls, and the radial distribution of the centres; none for cells."""
+    """Collect the layering at walls and the radial distribution of centres; empty for cells."""
     found: dict[str, _Columns] = {}
     for face, layers in one.layering.items():
         found[f"layering_{face}"] = {
@@ -46,7 +46,7 @@ def _of_specimen(one: Examined) -> dict[str, _Columns]:
 
 
 def _of_calibration(findings: Findings) -> dict[str, _Columns]:
-    """The calibration curve, and E and ν of each packing in tension."""
+    """Collect the calibration curve, and stress and strains of each packing in tension."""
     found: dict[str, _Columns] = {}
     if findings.fit is not None:
         trials = sorted(findings.chart or findings.fit.table, key=lambda one: one.value)

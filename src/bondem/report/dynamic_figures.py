@@ -19,7 +19,7 @@ _KINDS = (
     ("torsion", "dynamic_torsion", 3, PURPLE),
     ("tension", "dynamic_tension", 0, BLUE),
 )
-# What the velocity of the struck face is of: the wall of a body of cells is held, and the cells behind it are sprung.
+# Elements whose velocity is drawn for the struck face: a wall drives that of cells, so that cells behind it are drawn.
 _STRUCK = {"spheres": "struck face, held", "cells": "cells behind the struck face"}
 _VIEW = View(azimuth=math.radians(28.0), elevation=math.radians(24.0))
 
@@ -40,7 +40,7 @@ def draw_modes(path: Path, specimen: Examined) -> None:
         best, every = _mode(specimen, kind, column)
         shape = every[chosen, :3]
         moved = np.linalg.norm(shape, axis=1)
-        # so far that one sees it: along the bar a share of its length, about it of its radius
+        # largest drawn displacement, as a share of the length, or of the width for torsion
         reach = 0.4 * np.ptp(position[:, 1]) if kind == "torsion" else 0.2 * np.ptp(position[:, 0])
         colour = colormaps["viridis"](moved / moved.max())[:, :3]
         images.append(render(position + reach / moved.max() * shape, radius, colour, view=_VIEW, width=520))
@@ -56,7 +56,7 @@ def draw_modes(path: Path, specimen: Examined) -> None:
 
 
 def _mode(specimen: Examined, kind: str, column: int) -> tuple[int, Floats]:
-    """Number and shape of a mode, (n, 6): of the two bending modes the one that bends upwards, across the view."""
+    """Return number and shape, (n, 6), of the mode with most mass; that of bending is along z and points upwards."""
     frequencies = specimen.frequencies
     assert frequencies is not None
     best = int(np.argmax(frequencies.mass_share[:, 2 if kind == "bending" else column]))
@@ -67,7 +67,7 @@ def _mode(specimen: Examined, kind: str, column: int) -> tuple[int, Floats]:
 
 
 def _draw_cell_modes(path: Path, specimen: Examined) -> None:
-    """Draw the modes of a body of cells, which move and turn as rigid pieces."""
+    """Draw the modes of a body of cells as motions of rigid polyhedra."""
     body, solid = specimen.lattice, polyhedra(specimen.lattice)
     assert specimen.frequencies is not None
     owner = np.repeat(solid.cell, np.diff(solid.start))

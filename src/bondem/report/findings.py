@@ -24,7 +24,7 @@ from bondem.specimen.radial_distribution import RadialDistribution, radial_distr
 
 @dataclass(frozen=True, eq=False)
 class Bonding:
-    """Bonds of the elements of a study.
+    """Bond law and density of the elements of a study.
 
     Attributes:
         law: bond law, calibrated or with E and ν of the material.
@@ -65,7 +65,7 @@ class Examined:
 
     @cached_property
     def layering(self) -> Mapping[str, Layering]:
-        """Effect of each wall on the packing; empty for a periodic cell and for a body of cells."""
+        """Layering of the packing at each wall, by face; empty for a periodic cell and for a body of cells."""
         return {} if self.quality is None else wall_layering(self.lattice.particles)
 
     @cached_property

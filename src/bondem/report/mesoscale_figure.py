@@ -33,7 +33,7 @@ def draw_mesoscale(path: Path, body: Lattice, state: State, stones: Aggregates, 
         path: PNG to write.
         body: lattice of cells.
         state: final state.
-        stones: mask of the cells of aggregates.
+        stones: aggregates of the body.
         curve: elongation [m] and stress [Pa], (k, 2).
     """
     solid, colour = polyhedra(body), _coloured(body, stones)

@@ -1,4 +1,4 @@
-"""Readable numbers."""
+"""Formatting of numbers, units and counts for reports."""
 
 import math
 from collections.abc import Sequence
@@ -7,12 +7,12 @@ from bondem.geometry.elementary_shapes import Ball, Cylinder, Shape
 from bondem.labtests.cracking import Cracking
 
 _PREFIXES = {9: "G", 6: "M", 3: "k", 0: "", -3: "m", -6: "µ", -9: "n"}
-# Units that take a prefix; the others (kg/m³) are printed in powers of ten where need be.
+# Units that take a prefix; values in others, such as kg/m³, are printed with powers of ten if necessary.
 _SCALED = ("Pa", "m", "s", "Hz", "m/s", "N", "J", "rad")
 
 
 def with_unit(value: float | None, unit: str = "", digits: int = 4) -> str:
-    """Format a value with a unit: 72.5e9, "Pa" becomes 72.50 GPa."""
+    """Format a value with a unit: 72.5e9, "Pa" becomes 72.50 GPa; None and nan become a dash."""
     if value is None or not math.isfinite(value):
         return "–"
     if unit in ("-", ""):
@@ -64,7 +64,7 @@ def many(count: int, what: str) -> str:
 
 
 def pieces_and_crumbs(cracking: Cracking) -> str:
-    """Format the numbers of pieces and crumbs of a broken specimen."""
+    """Format the numbers of pieces and crumbs (smaller fragments, see `Cracking`) of a broken specimen."""
     crumbs = f" and {many(cracking.crumbs, 'crumb')}" if cracking.crumbs else ""
     return f"{many(cracking.pieces, 'piece')}{crumbs}"
 

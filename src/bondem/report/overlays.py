@@ -24,12 +24,12 @@ SCALE = 1e3
 
 
 def seen_from(point: Floats, view: View) -> Floats:
-    """Places of points [m] in the picture [mm], and their depth, (k, 3)."""
+    """Project points [m], (k, 3), to horizontal and vertical place and depth in the picture [mm], (k, 3)."""
     return SCALE * np.atleast_2d(point) @ view.axes.T
 
 
 def draw_box(ax: Axes, lower: Floats, upper: Floats, view: View) -> None:
-    """Draw the edges of the box about a body, with its coordinates [mm], and the axes."""
+    """Draw the rear edges of the box about a body, its coordinates [mm], and the directions of the axes."""
     corner = np.array(list(product(*zip(lower, upper, strict=True))))
     pairs = [(a, b) for a in range(8) for b in range(a + 1, 8) if (a ^ b).bit_count() == 1]
     place = seen_from(corner, view)
@@ -53,7 +53,7 @@ def draw_box(ax: Axes, lower: Floats, upper: Floats, view: View) -> None:
 
 
 def draw_walls(ax: Axes, model: Model, state: State | None, lower: Floats, upper: Floats, view: View) -> None:
-    """Draw the walls of a model where they are, with arrows along their motions."""
+    """Draw the walls of a model in a state, or at rest for None, with arrows along their motions."""
     if not model.walls:
         return
     outlines = wall_outlines(model.walls, lower, upper)
@@ -77,7 +77,7 @@ def draw_walls(ax: Axes, model: Model, state: State | None, lower: Floats, upper
 
 
 def _motion_of(wall: Wall) -> Floats | None:
-    """Direction in which a wall moves, or None."""
+    """Return a vector of any length along the motion of a wall, (3,); None for a fixed wall."""
     along = np.zeros(3)
     match wall.motion:
         case Driven(motion=motion):

@@ -59,7 +59,7 @@ _PAGE = 1804
 
 @dataclass(frozen=True)
 class Picture:
-    """Figure of the page.
+    """Figure embedded in the page.
 
     Attributes:
         caption: text below the figure.
@@ -140,7 +140,7 @@ def write_report(
 
 
 def drawings_of(findings: Findings) -> dict[str, Callable[[Path], None]]:
-    """Functions that draw the figures for which a study has data; the first packing represents all."""
+    """Return functions that draw the figures for which a study has data, of the first packing."""
     first = findings.specimens[0]
     drawings: dict[str, Callable[[Path], None]] = {
         "specimen": lambda path: _SPECIMENS[first.lattice.elements.shape_name](path, first.lattice),
@@ -195,7 +195,7 @@ def templates() -> Environment:
 
 
 def page(findings: Findings, pictures: dict[str, Picture], undrawn: Mapping[str, str] | None = None) -> str:
-    """HTML text of the report; `undrawn` are errors of figures by name, which the page states."""
+    """Render the report as HTML text, with `pictures` and the errors of `undrawn` figures by name."""
     rows = rows_of(findings)
     first, shape = findings.specimens[0], findings.specimens[0].lattice.elements.shape_name
     turning = dict.fromkeys(_TURNING) | ({shape: _TURNING[shape](first)} if pictures else {})
@@ -224,7 +224,7 @@ def page(findings: Findings, pictures: dict[str, Picture], undrawn: Mapping[str,
 def _contents(
     findings: Findings, rows: Sequence[Mapping[str, Any]], pictures: Mapping[str, Picture]
 ) -> list[tuple[str, str]]:
-    """Anchors and titles of the sections that the page has."""
+    """Return anchors and titles of the sections for which the page has contents."""
     macro = findings.results["macro"]
     known = (
         ("failure", "Tests to failure", any(row["failing"] for row in rows)),
@@ -239,7 +239,7 @@ def _contents(
 
 
 def rows_of(findings: Findings) -> list[dict[str, Any]]:
-    """Rows of the table of tests: the mean, the other theories and the published error."""
+    """Return the rows of the table of tests: mean results, errors against theories, and published errors."""
     rows = []
     for name, row in findings.results["tests"].items():
         outcomes = [one.outcomes[name] for one in findings.specimens]
@@ -262,7 +262,7 @@ def rows_of(findings: Findings) -> list[dict[str, Any]]:
 
 
 def _peak(name: str, outcomes: Sequence[Outcome], band: tuple[float, float] | None) -> dict[str, Any] | None:
-    """Mean peak of the curves, with the measured range; None without one."""
+    """Compare the mean peak of the curves with a measured range; return None without a range."""
     if band is None:
         return None
     found, style = float(np.mean([one.curves["stress"].max() for one in outcomes])), FAILURE_TESTS[name].figure

@@ -1,11 +1,11 @@
-"""Colours of pieces: one each, however many there are."""
+"""Distinct colours for any number of pieces."""
 
 import numpy as np
 from matplotlib.colors import hsv_to_rgb
 
 from bondem._types import Floats
 
-# Of the heaviest piece, which is most often what is left of the specimen.
+# Colour of the heaviest piece, usually the rest of the specimen.
 _LARGEST = (0.83, 0.86, 0.89)
 # Hues go round by the golden angle, so that neighbours in the order of size differ; so do saturation and value.
 _GOLDEN = 0.61803398875
@@ -13,7 +13,7 @@ _SATURATION, _VALUE = (0.55, 0.80, 0.40, 0.68), (0.92, 0.72, 0.86, 0.78, 0.66)
 
 
 def piece_palette(count: int) -> Floats:
-    """Red, green and blue of pieces in the order of their masses, in 0 … 1.
+    """Return red, green and blue of pieces, in the order of their masses, in 0 … 1.
 
     Args:
         count: number of pieces.
