@@ -130,7 +130,7 @@ _PUBLIC = {
 }
 _MODULES = {"errors": "bondem.errors", "labtests": "bondem.labtests", "materials": "bondem.specimen.materials"}
 _HOME = {name: module for module, names in _PUBLIC.items() for name in names}
-# Functions that objects of lower layers call.
+# Functions of upper layers that objects of lower layers call.
 _OUTLETS = {
     "bondem._progress_bars": ("bars",),
     "bondem.io.csv_table": ("write_csv",),
@@ -140,7 +140,7 @@ _OUTLETS = {
 __all__ = ["__version__", *sorted(_HOME), *_MODULES]
 
 
-# What other packages, and earlier versions of this one, call what is here.
+# Names in other packages and in earlier versions, with their present names.
 _INSTEAD = {
     "solve_dynamic": "bd.solve_explicit", "solve_dynamics": "bd.solve_explicit", "run": "bd.solve_explicit",
     "simulate": "bd.solve_explicit", "solve": "bd.solve_static or bd.solve_explicit", "Sphere": "bd.Ball",

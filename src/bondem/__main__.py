@@ -1,4 +1,4 @@
-"""`python -m bondem` is the command `bondem`."""
+"""Entry point of `python -m bondem`, which runs the command `bondem`."""
 
 from bondem.cli import main
 

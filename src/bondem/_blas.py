@@ -1,13 +1,13 @@
-"""BLAS on one thread within the solvers.
+"""Limit of BLAS to one thread within the solvers.
 
-Their dense algebra is thin (a few vectors, small blocks), so that threads gain nothing; contention with each other
-and with the threads of the core can cost a factor of ten. A sum on one thread also has one order.
+Dense matrices of the solvers are small, so that more threads save no time. Their contention with the threads of the
+core can cost a factor of ten. One thread also fixes the order of sums, and so their bits.
 """
 
 from collections.abc import Callable
 from typing import ParamSpec, TypeVar
 
-import scipy.linalg  # noqa: F401  brings SciPy's BLAS in before libraries are counted
+import scipy.linalg  # noqa: F401  loads SciPy's BLAS before libraries are listed
 from threadpoolctl import ThreadpoolController
 
 P = ParamSpec("P")

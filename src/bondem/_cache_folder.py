@@ -1,4 +1,4 @@
-"""The folder of the cache of this user: packings, and passes compiled for a GPU."""
+"""Folder of the cache of this user: packings, and passes compiled for a GPU."""
 
 import os
 import tempfile
@@ -10,7 +10,7 @@ from platformdirs import user_cache_path
 
 @cache
 def cache_folder() -> Path:
-    """Return the folder bondem/ in BONDEM_CACHE_DIR or where the system keeps caches, else a temporary folder."""
+    """Return the folder bondem/ in BONDEM_CACHE_DIR or in the system's folder of caches, else a temporary folder."""
     asked = os.environ.get("BONDEM_CACHE_DIR")
     try:
         folder = Path(asked, "bondem") if asked else user_cache_path("bondem", appauthor=False)

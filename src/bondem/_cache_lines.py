@@ -1,4 +1,4 @@
-"""Arrays of rows that the core reads as a whole: lines of the cache, and sums without rounding."""
+"""Arrays for the core: rows aligned with cache lines, and exact sums."""
 
 import numpy as np
 
@@ -7,12 +7,12 @@ from bondem._types import Floats, Ints
 
 
 def lines(n: int) -> Floats:
-    """Return zeros, (n, 8), aligned so that a row is one cache line and not the halves of two."""
+    """Return zeros, (n, 8), aligned so that each row fills exactly one cache line."""
     room = np.zeros(8 * n + 8)
     first = -room.ctypes.data % 64 // 8
     return room[first : first + 8 * n].reshape(n, 8)
 
 
 def exact_sums(count: int = 1) -> Ints:
-    """Return empty sums, a row each (`core/exact_sum.hpp`)."""
+    """Return `count` exact sums (`core/exact_sum.hpp`) of value zero, as rows of words."""
     return np.zeros((count, ExactWord.COUNT), dtype=np.int64)

@@ -17,7 +17,7 @@ import numpy as np
 from bondem._types import Floats
 from bondem.errors import BondemError, InputError
 
-# No length, stiffness or force in SI units comes near these; products of such numbers are no numbers any more.
+# Largest magnitude of quantities in SI units, far beyond any physical one; products of larger ones may overflow.
 _LARGEST = 1e100
 
 # Texts with units belong to study files and the command line.
@@ -27,7 +27,7 @@ Kind = TypeVar("Kind")
 
 
 def shown(value: object) -> str:
-    """Format a value for a message as one short line; of objects described in several lines the first."""
+    """Format a value for a message as one line of at most 80 characters; of objects of bondem the first line."""
     if isinstance(value, np.generic):
         value = value.item()
     if isinstance(value, np.ndarray) and value.ndim:
@@ -231,7 +231,7 @@ def require_file(path: Path, what: str, error: type[BondemError] = InputError) -
 
     Args:
         path: the file.
-        what: name of the kind of file, "run file".
+        what: name of the kind of file, such as "run file".
         error: type of the error.
 
     Raises:

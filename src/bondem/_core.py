@@ -1,4 +1,4 @@
-"""Load the core, the compiled passes, and call them with tables.
+"""Loading of the core, a library of compiled passes, and calls of passes with tables.
 
 `core/` contains the C++ sources; installing bondem compiles them (`_core_build.py`). This module loads the library
 for this CPU: the highest level of instructions that the CPU offers, or the one that BONDEM_ISA names ("v2", "v3",
@@ -33,7 +33,7 @@ __all__ = [
     "pass_tables", "room_for", "row_type", "run_pass", "step_pass", "table_fields",
 ]  # fmt: skip
 
-# How long a process waits for what another one compiles [s].
+# Longest delay until another process has compiled the core [s].
 _PATIENCE = 300.0
 # Bytes of a number, of a pointer, and of the length of an axis.
 _WORD = 8
@@ -78,12 +78,12 @@ def _compiled(target: Platform, name: str) -> Path:
         print(f"bondem: compiling its core ({name}), whose sources have changed", file=sys.stderr)
         try:
             return compile_core(target, [name])[0]
-        except (RuntimeError, OSError) as error:  # an OSError where the folder of the sources is not one's own
+        except (RuntimeError, OSError) as error:  # OSError: the folder of the sources is not writable
             raise ImportError(f"bondem's core cannot be compiled: {error}") from None
 
 
 def _level(target: Platform) -> str:
-    """The level of instructions to use: of this CPU, or the one that BONDEM_ISA names.
+    """Return the level of instructions to use: the highest of this CPU, or the one that BONDEM_ISA names.
 
     Raises:
         InputError: BONDEM_ISA names no level, or one that this CPU does not offer.
@@ -128,17 +128,17 @@ class _PassDescription(ctypes.Structure):
 
 @dataclass(frozen=True)
 class _Library:
-    """A loaded library and its descriptions of tables and passes.
+    """Loaded library with its descriptions of tables and passes.
 
     Attributes:
         level: level of its instructions.
         tables: fields of each table.
-        passes: function, tables and endings of each pass.
+        passes: function, names of tables, and names of outcomes of each pass.
         step_passes: address, kind and tables of each pass of a step.
-        columns: columns of elements that each of these reads and writes, as text.
+        columns: columns of elements that each pass of a step reads and writes, as text.
         index_passes: tables of each pass over an index.
-        index_loops: the loop on the CPU of each pass over an index; none in a wheel.
-        lanes: numbers of a register.
+        index_loops: CPU loop of each pass over an index; empty for a wheel.
+        lanes: number of lanes of a vector register.
     """
 
     level: str
@@ -153,7 +153,7 @@ class _Library:
 
 @functools.cache
 def _library() -> _Library:
-    """The library for this CPU.
+    """Load the library for this CPU.
 
     Raises:
         ImportError: No library exists, or its layout of tables differs from that of this module.
@@ -187,7 +187,7 @@ def _library() -> _Library:
 
 
 def _described(function: Any, kind: type[ctypes.Structure]) -> Iterable[Any]:
-    """Read an array of descriptions."""
+    """Read the array of descriptions that a function of the library returns."""
     function.restype = ctypes.POINTER(kind)
     count = ctypes.c_int64()
     first = function(ctypes.byref(count))
@@ -195,7 +195,7 @@ def _described(function: Any, kind: type[ctypes.Structure]) -> Iterable[Any]:
 
 
 def _registered(function: Any) -> Iterator[_PassDescription]:
-    """Follow the list of passes that have registered themselves (`core/registered.hpp`)."""
+    """Yield the passes of the linked list in which they register themselves (`core/registered.hpp`)."""
     function.restype = ctypes.c_void_p
     place = function()
     while place:
@@ -216,25 +216,25 @@ def _check_layout(name: str, fields: tuple[Field, ...], size: int) -> None:
 
 
 def compiled_level() -> str:
-    """The level of instructions of the library in use, such as "x86_64_v3"."""
+    """Return the level of instructions of the library in use, such as "x86_64_v3"."""
     return _library().level
 
 
 def core_lanes() -> int:
-    """Number of lanes of the library in use, which is the least number of rows of a table of bonds."""
+    """Return the number of lanes of the library in use, the least number of rows of a table of bonds."""
     return _library().lanes
 
 
 def table_fields(name: str) -> tuple[str, ...]:
-    """Names of the fields of a table of the core."""
+    """Return the names of the fields of a table of the core."""
     return tuple(field.name for field in _library().tables[name])
 
 
 @functools.cache
 def row_type(name: str) -> np.dtype[Any]:
-    """Type of the rows of a table, with names and places of their numbers as the header declares them.
+    """Return the structured type of the rows of a table, with fields as the header declares them.
 
-    An array of such rows is `numbers.view(row_type(name))[:, 0]`, which shares its numbers.
+    `numbers.view(row_type(name))[:, 0]` is a view of a contiguous array of numbers as such rows.
     """
     fields = _library().tables[name]
     return np.dtype([(field.name, field.dtype, tuple(length for _, length in field.shape)) for field in fields])
@@ -247,11 +247,11 @@ def run_pass(call: Call, *, threads: int = 1) -> str:
     """Run a pass with its tables.
 
     Args:
-        call: the pass.
+        call: pass with its tables.
         threads: number of threads; no result depends on it.
 
     Returns:
-        How it ended, one of the names that the library gives; "" where it can end in one way only.
+        Name of the outcome, as the library declares it; "" for a pass with a single outcome.
 
     Raises:
         InputError: an array of another type, shape or order in memory than declared.
@@ -283,7 +283,7 @@ def bound_pass(call: Call, *, threads: int = 1) -> Callable[[], str]:
 
 
 def fields_of(table: tuple[Any, ...], name: str) -> tuple[Field, ...]:
-    """Return the fields of a table that a pass takes.
+    """Return the fields of a table, after a check that it is the table `name` of a pass.
 
     Raises:
         ImportError: the table has another name, or other fields than the header.
@@ -295,17 +295,17 @@ def fields_of(table: tuple[Any, ...], name: str) -> tuple[Field, ...]:
 
 
 def step_pass(name: str) -> tuple[tuple[int, int], tuple[str, ...]]:
-    """Address and kind of a pass that steps are composed of, and names of its tables."""
+    """Return address and kind of a pass of a step, and the names of its tables."""
     return _library().step_passes[name]
 
 
 def declared_columns(name: str) -> str:
-    """Columns of elements that a pass of a step reads and writes, as `core/registered.hpp` has them."""
+    """Return the columns of elements that a pass of a step reads and writes, as in `core/registered.hpp`."""
     return _library().columns[name]
 
 
 def pass_tables(kind: str) -> dict[str, tuple[str, ...]]:
-    """Names of the tables of all passes of a kind: "calls", "steps" or "kernels"."""
+    """Return the names of the tables of all passes of a kind: "calls", "steps" or "kernels"."""
     library = _library()
     if kind == "kernels":
         return library.index_passes
@@ -313,10 +313,10 @@ def pass_tables(kind: str) -> dict[str, tuple[str, ...]]:
 
 
 def index_loop(name: str) -> Callable[[int, int, int], Any]:
-    """The loop on the CPU of a pass over an index, which simulates a device.
+    """Return the CPU loop of a pass over an index, by which tests simulate a device.
 
     Its arguments are the number of indices, the address of a flag that skips all indices if it is not 0 (or 0 without
-    a     flag), and the address of a list of addresses of tables.
+    a flag), and the address of a list of addresses of tables.
 
     Raises:
         ImportError: bondem was installed from a wheel, which does not contain the loops.
@@ -342,7 +342,7 @@ def checked_fields(kind: type[tuple[Any, ...]]) -> tuple[Field, ...]:
 
 
 def room_for(values: np.ndarray, rows: int) -> np.ndarray:
-    """A longer copy of an array, with room for more rows, (rows, …); added rows are undefined."""
+    """Return a longer copy of an array, (rows, …), whose added rows are undefined."""
     longer = np.empty((rows, *values.shape[1:]), values.dtype)
     longer[: len(values)] = values
     return longer
@@ -350,13 +350,13 @@ def room_for(values: np.ndarray, rows: int) -> np.ndarray:
 
 # ---- memory of the process
 
-# Bonds of a body whose building frees so much memory that a call of some ms is worth it; glibc's M_ARENA_MAX.
+# Least number of bonds for which returning freed memory is worth some milliseconds; M_ARENA_MAX of glibc.
 _MANY_BONDS, _HEAPS = 20_000, -8
 
 
 @functools.cache
 def _of_system(name: str) -> Callable[..., int] | None:
-    """Return a function of the C library; None where it has none of this name."""
+    """Return a function of the C library by name; None if it is missing, or on other systems than Linux."""
     return getattr(ctypes.CDLL(None), name, None) if sys.platform == "linux" else None
 
 
@@ -366,6 +366,6 @@ def return_free_memory(bonds: int) -> None:
         trim(0)
 
 
-# glibc keeps what is free at the end of the heaps of further threads, 10 MB and more: all threads share one.
+# glibc keeps free memory at the end of the heap of each thread, 10 MB and more: let all threads share one heap.
 if "MALLOC_ARENA_MAX" not in os.environ and (_limit := _of_system("mallopt")) is not None:
     _limit(_HEAPS, 1)

@@ -1,9 +1,9 @@
 """Compile the core: one library for each level of instructions, by the compiler that the package `ziglang` contains.
 
-`BONDEM_CXX` names another clang++, as distributions require that compile everything by a compiler of their own.
+`BONDEM_CXX` names another clang++, as required by distributions with their own compiler.
 
-The build hook (`hatch_build.py`) loads this file by its path, before bondem is installed; `_core.py` imports it where
-the sources have changed since. It imports the standard library only.
+The build hook (`hatch_build.py`) loads this file by its path, before bondem is installed. `_core.py` imports it to
+compile changed sources. This file imports the standard library only.
 """
 
 import hashlib
@@ -23,10 +23,10 @@ from pathlib import Path
 #: Sources of the core, and the folder of its libraries among them.
 SOURCES = Path(__file__).parent / "core"
 LIBRARIES = "libraries"
-#: Library that says what a CPU offers; it is small, and compiled for the lowest level.
+#: Small library that returns the level of instructions of a CPU; it is compiled for the lowest level.
 PROBE = "level"
-#: Behind the name of a level: its library with the loops over indices, by which the tests simulate a device. Wheels
-#: do not contain it, since these loops are a third of what is to be compiled.
+#: Suffix of a level, for its library with loops over indices, by which tests simulate a device. Wheels do not contain
+#: it, as these loops take a third of the compilation.
 LOOPS = "_with_loops"
 
 _OTHER = "BONDEM_CXX"
@@ -61,14 +61,14 @@ _ON_WINDOWS = {
     "x86_64_v3": ["-mcpu=x86_64_v2", *_beyond(_V3)],
     "x86_64_v4": ["-mcpu=x86_64_v2", *_beyond(_V4), "-mprefer-vector-width=512"],
 }
-# What `platform` calls them.
+# Names of machines and systems in `platform`, and here.
 _MACHINES = {"amd64": "x86_64", "x86_64": "x86_64", "arm64": "aarch64", "aarch64": "aarch64"}
 _SYSTEMS = {"Linux": "linux", "Darwin": "macos", "Windows": "windows"}
 
 
 @dataclass(frozen=True)
 class Platform:
-    """A kind of machine that libraries are compiled for.
+    """Machine and system for which libraries are compiled.
 
     Attributes:
         machine: "x86_64" or "aarch64".
@@ -122,14 +122,14 @@ class Platform:
         return tuple(_LEVELS[self.machine])
 
     def offered(self, level: int) -> tuple[str, ...]:
-        """Names of the levels up to the one that `bondem_level` of a CPU returns (2, 3 or 4), the lowest first."""
+        """Return the levels up to the one that `bondem_level` of a CPU returns (2, 3 or 4), the lowest first."""
         return self.levels[: level - 1]
 
     def flags(self, level: str) -> list[str]:
-        """Flags of the compiler for a level.
+        """Return the flags of the compiler for a level.
 
-        Another compiler than Zig's is that of its machine, or has its target in `BONDEM_CXX`; it writes the names of
-        levels with hyphens.
+        The compiler of `BONDEM_CXX` compiles for its own machine unless that variable states a target. It expects
+        hyphens in the names of levels.
         """
         if os.environ.get(_OTHER):
             named = level.replace("_", "-")
@@ -138,7 +138,7 @@ class Platform:
         return ["-target", self.triple, *levels[level]]
 
     def made_of(self, library: str, folder: Path) -> tuple[str, list[Path]]:
-        """The level that a library is compiled for, and its sources."""
+        """Return the level for which a library is compiled, and its sources."""
         if library == PROBE:
             return self.levels[0], [folder / f"{PROBE}.cpp"]
         sources = core_sources("*.cpp", folder=folder)
@@ -152,7 +152,7 @@ class Platform:
         if self.system == "windows":
             needed = []
         elif (self.machine, self.system) == ("x86_64", "linux"):
-            # The compiler would make a runtime of its own first, of which the core needs nothing: ten seconds.
+            # Otherwise the compiler first builds its runtime library, which the core does not need (ten seconds).
             needed = ["-nostdlib", "-lc", "-lm", "-lpthread", "-Wl,-z,defs"]
         else:
             needed = ["-lpthread", "-lm"]
@@ -177,8 +177,8 @@ def compiler() -> list[str] | None:
 def compile_core(target: Platform, names: Iterable[str], *, folder: Path = SOURCES) -> list[Path]:
     """Compile libraries that do not exist yet, and remove older ones of the same names.
 
-    Sources are compiled side by side, on all cores. The compiler keeps their objects in the folder `build`, and
-    compiles those again that have changed.
+    Sources are compiled in parallel on all cores. The compiler stores their objects in the folder `build`, and
+    recompiles changed sources only.
 
     Args:
         target: the machine to compile for.
@@ -219,7 +219,7 @@ def compile_core(target: Platform, names: Iterable[str], *, folder: Path = SOURC
                 old.unlink(missing_ok=True)
             shutil.move(made, libraries[name])
 
-        # pip asks a build twice
+        # pip runs a build twice
         lacking = [name for name, library in libraries.items() if not library.is_file()]
         made_of = {name: target.made_of(name, folder) for name in lacking}
         objects = {
@@ -238,7 +238,7 @@ def _run(command: list[str], environment: Mapping[str, str]) -> None:
 
 
 def core_sources(*patterns: str, folder: Path = SOURCES) -> list[Path]:
-    """Sources of the core, without compiled files."""
+    """List the sources of the core that match patterns, without compiled files."""
     inner = {folder / "build", folder / LIBRARIES}
     return sorted(
         path for pattern in patterns for path in folder.rglob(pattern) if not inner & set(path.parents)

@@ -12,7 +12,7 @@ from bondem._core_functions import address_of
 from bondem._types import Ints
 from bondem.errors import InputError
 
-# What a number may be in Python.
+# Types of integers and of real numbers in Python and NumPy.
 INTEGER = (int, np.integer, np.bool_)
 REAL = (float, np.floating, *INTEGER)
 # A word of a table as an integer, and a number as such a word.
@@ -21,13 +21,13 @@ _WORD, _REAL = struct.Struct("=q"), struct.Struct("=d")
 
 @dataclass(frozen=True)
 class Field:
-    """A number or an array of a table, as the header declares it.
+    """Declaration of a number or an array of a table in a header of the core.
 
     Attributes:
         name: name of the field.
         dtype: type of the number, or of the numbers of the array.
-        written: whether passes write to the array; None for a number.
-        shape: for each axis a symbol, or "", and the number added to it.
+        written: True if passes write to the array, False if they only read it; None for a number.
+        shape: for each axis the symbol of its length ("" for none, "*" for any), and the number added to it.
         offset: place in the table [bytes].
     """
 
@@ -39,7 +39,7 @@ class Field:
 
     @classmethod
     def of(cls, description: Any) -> "Field":
-        """Return the field that a description in the library states."""
+        """Create a field from its description in the library."""
         dtype, _, use = description.type.decode().partition(" ")
         axes = []
         for axis in description.shape.decode().split():
@@ -64,16 +64,16 @@ class Field:
 def filled_table(
     name: str, fields: tuple[Field, ...], table: tuple[Any, ...], lengths: dict[str, tuple[int, str]]
 ) -> Ints:
-    """A table in memory in the layout of the core.
+    """Write a table in the layout of the core.
 
     Args:
         name: name of the table.
         fields: fields of the table as the header declares them.
         table: values of the fields.
-        lengths: lengths of axes known so far by their symbols, and of which array; those of this table are added.
+        lengths: known lengths of axes by symbol, each with the array that set it; those of this table are added.
 
     Returns:
-        Its words: numbers, and addresses and lengths of arrays. The arrays must live as long as it is used.
+        Words of the table: numbers, and addresses and lengths of arrays, which must live as long as it is used.
 
     Raises:
         InputError: a value that is not as its field declares it.

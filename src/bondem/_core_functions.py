@@ -1,6 +1,6 @@
-"""Addresses: of arrays, and of functions of users that the core calls, C functions and functions of Python.
+"""Addresses of arrays, and of Python functions of users that the core calls as C functions.
 
-The core calls a function of stresses once a step, on the thread that called the core and only where there are
+The core calls a function of stresses once per step, on the thread that called the core, and only if there are
 stresses to evaluate (`core/passes/damage/stress_criteria.hpp`).
 """
 
@@ -21,10 +21,10 @@ _KIND = ctypes.CFUNCTYPE(
 
 
 class StressCallback:
-    """A Python function of stresses as a C function.
+    """Python function of stresses as a C function.
 
-    The function is called with stresses (k, 3, 3) [Pa] and with each parameter, and returns k indices. Where it
-    raises an error, all later indices are 0 and the function is not called any more; `check` raises the error.
+    The function is called with stresses (k, 3, 3) [Pa] and with each parameter, and returns k indices. After an error
+    in the function all indices are 0, without further calls, until `check` raises the error.
 
     Args:
         function: function of stresses and of the parameters.

@@ -1,7 +1,7 @@
 """Steps of the core: lists of its passes, with the tables that they take.
 
-A run of steps is composed once, in Python, and walked by the core without returning (`core/steps.hpp`): lists of
-passes, each with its tables. A subject that a model lacks has no pass in these lists.
+Python composes these lists once; the core then executes them for many steps without a return to Python
+(`core/steps.hpp`). Physics that a model does not contain has no pass in them.
 """
 
 from collections.abc import Iterable
@@ -25,7 +25,7 @@ class Composer:
     A length that a header names, such as n, is one length in all tables of a composer.
 
     Args:
-        known: composer whose tables this one has too, so that they are not filled again.
+        known: composer whose filled tables are reused.
     """
 
     def __init__(self, known: "Composer | None" = None) -> None:
@@ -33,7 +33,7 @@ class Composer:
         self._filled: dict[int, tuple[Any, np.ndarray, int]] = {} if known is None else known._filled.copy()
 
     def __call__(self, passes: Iterable[StepEntry]) -> np.ndarray:
-        """Entries of a list, int64, (passes, 8).
+        """Return the entries of a list of passes, int64, (passes, 8).
 
         Raises:
             ImportError: other tables than those of the library.

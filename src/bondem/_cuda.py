@@ -1,8 +1,8 @@
-"""A CUDA device: passes over an index are compiled by NVRTC from the sources of the core, and launched.
+"""CUDA device, for which NVRTC compiles passes over an index from the sources of the core.
 
-Loaded for `device="gpu"` only, and the only module that imports NVIDIA's `cuda.core`. Each pass is a
-program of its own, compiled when a run first needs it. Compiled passes are stored in the folder `kernels` of bondem's
-cache, by the sources, the compiler and the architecture.
+This module is loaded for `device="gpu"` only; no other module imports NVIDIA's `cuda.core`. Each pass is a separate
+program, compiled when a run first needs it. Compiled passes are stored in the folder `kernels` of bondem's cache, by
+sources, compiler and architecture.
 """
 
 import hashlib
@@ -33,12 +33,12 @@ core: Any = cuda_core
 nvrtc: Any = cuda_nvrtc
 # Threads of a block.
 _BLOCK = 128
-# Tables of a kernel; before them are how many indices there are, and where it stands whether anything is to be done.
+# Number of tables among the arguments of a kernel, which follow the number of indices and the address of a flag.
 _TABLES = 8
 
 
 def lacks_gpu() -> str | None:
-    """Return a sentence on a requirement of runs on a device that is missing here, or None."""
+    """Return a sentence on a missing requirement of runs on a GPU, or None."""
     try:
         if core.Device.get_all_devices():
             return None
@@ -70,7 +70,7 @@ def compiled_passes(architecture: str, name: str | None = None) -> tuple[bytes, 
 
     Args:
         architecture: architecture of the device, such as "sm_90".
-        name: name of a pass; None for all of them.
+        name: name of a pass; None for all passes.
 
     Returns:
         The compiled passes, and the registers of a thread of each.
@@ -142,17 +142,17 @@ class CudaDevice:
         return str(self._device.name)
 
     def allocate(self, size: int) -> tuple[int, object]:
-        """See `Device`."""
+        """Allocate `size` bytes of zeros; return their address and the object that owns them."""
         memory = self._device.allocate(max(size, 8), stream=self._stream)
         memory.fill(0, stream=self._stream)
         return int(memory.handle), memory
 
     def send(self, array: np.ndarray, to: int) -> None:
-        """See `Device`."""
+        """Copy a contiguous array to an address of the device."""
         self._copy(array.ctypes.data, to, array.nbytes)
 
     def fetch(self, source: int, array: np.ndarray) -> None:
-        """See `Device`."""
+        """Copy from an address of the device into a contiguous array, after all launches so far."""
         self._copy(source, array.ctypes.data, array.nbytes)
 
     def _copy(self, source: int, to: int, size: int) -> None:
@@ -163,7 +163,7 @@ class CudaDevice:
             self._stream.sync()
 
     def prepared(self, one: Kernel, count: int, tables: Sequence[int], halted: int) -> Enqueue:
-        """See `Device`."""
+        """Return a function that launches a pass over 0 … count - 1; arguments are those of `Device.prepared`."""
         kernel, device_stream = self._kernel(one.name), self._stream
         config = core.LaunchConfig(grid=-(-count // _BLOCK), block=_BLOCK)
         arguments = [np.int64(count), np.uint64(halted), *(np.uint64(table) for table in tables)]
@@ -175,7 +175,7 @@ class CudaDevice:
         return enqueue
 
     def compile(self, names: Sequence[str]) -> None:
-        """Compile passes on several threads, or take them from the cache."""
+        """Compile passes by name on several threads, or read them from the cache."""
         lacking = [name for name in dict.fromkeys(names) if name not in self._kernels]
         with ThreadPoolExecutor() as pool:
             made_each = pool.map(lambda name: _cubin(name, self._architecture), lacking)
@@ -187,7 +187,7 @@ class CudaDevice:
         return self._kernels[name]
 
     def recorded(self, work: Sequence[Enqueue]) -> Callable[[], None]:
-        """See `Device`: a CUDA graph, unless BONDEM_CUDA_GRAPHS is "off"."""
+        """Return a function that runs launches as a CUDA graph, or singly if BONDEM_CUDA_GRAPHS is "off"."""
         if os.environ.get("BONDEM_CUDA_GRAPHS") == "off":
 
             def one_by_one() -> None:

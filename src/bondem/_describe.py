@@ -1,7 +1,7 @@
 """Representations of objects on a terminal and in a notebook: at most twelve lines, with units.
 
 `describe` gives public classes a `__repr__` and a `_repr_html_` made from their docstrings: the section "Attributes"
-names the quantities and their units. It imports nothing but the standard library, as `import bondem` does.
+names the quantities and their units. This module imports the standard library only, as `import bondem` does.
 """
 
 import html
@@ -13,9 +13,9 @@ from dataclasses import fields, is_dataclass
 from functools import cache
 from typing import Any
 
-#: Lines of a representation, and characters of a line, at most.
+#: Largest number of lines of a representation, and of characters of a line.
 LINES, WIDTH = 12, 118
-# A value in one line, and the numbers of a tuple that are written out, at most.
+# Largest number of characters of a value, and of numbers of a tuple that are written out.
 _SHORT, _FEW = 96, 6
 _ENTRY = re.compile(r"^    (\w+(?:, \w+)*): (.*)$")
 _UNIT = re.compile(r"\[((?:[^\[\]]*[A-Za-zµΩ°%·/³²-][^\[\]]*))\]")
@@ -27,7 +27,7 @@ def _extent(shape: Any) -> str:
     return f"{a:.4g} × {b:.4g} × {c:.4g} m"
 
 
-# What some objects are, in a few words.
+# Short descriptions of objects of some classes.
 _HEADLINES: dict[str, Callable[[Any], str]] = {
     "Particles": lambda o: f"{len(o)} spheres of mean radius {o.mean_radius:.4g} m" + _in_shape(o),
     "Lattice": lambda o: (
@@ -55,20 +55,20 @@ def describe(public: Mapping[str, Iterable[str]]) -> None:
     """Give a representation to the public classes of all modules imported so far.
 
     Args:
-        public: names by module.
+        public: names of public classes and functions by module.
     """
     for module, names in public.items():
         if module in sys.modules and module not in _done:
             _done.add(module)
             for name in names:
-                _dress(getattr(sys.modules[module], name, None))
+                _represent(getattr(sys.modules[module], name, None))
 
 
 _done: set[str] = set()
 
 
-def _dress(cls: object) -> None:
-    """Describe a class and its subclasses; protocols, exceptions and classes with their own representation stay."""
+def _represent(cls: object) -> None:
+    """Give representations to a class and its subclasses that lack their own; exceptions and protocols get none."""
     if not isinstance(cls, type) or issubclass(cls, BaseException) or getattr(cls, "_is_protocol", False):
         return
     for one in (cls, *cls.__subclasses__()):
@@ -78,7 +78,7 @@ def _dress(cls: object) -> None:
             setattr(one, "__repr__", as_text)  # noqa: B010  a method, for type checkers
         setattr(one, "_repr_html_", as_html)  # noqa: B010
         if one is not cls:
-            _dress(one)
+            _represent(one)
 
 
 def _is_generated(method: object) -> bool:
@@ -88,7 +88,7 @@ def _is_generated(method: object) -> bool:
 
 
 def as_text(thing: object) -> str:
-    """A representation of at most twelve lines: one line for a small object, else one line per quantity."""
+    """Return a representation of at most twelve lines: one line for a small object, else one line per quantity."""
     name, rows = type(thing).__name__, _rows(thing)
     simple = [f"{row.name}={row.value}{row.unit}" for row in rows if row.value != "None"]
     line = f"{name}({', '.join(simple)})"
@@ -102,7 +102,7 @@ def as_text(thing: object) -> str:
 
 
 def as_html(thing: object) -> str:
-    """A table of the quantities, their values and their meaning, for notebooks."""
+    """Return an HTML table of the quantities, their values and their meaning, for notebooks."""
     described = _described(type(thing))
     cells = "".join(
         f"<tr><th style='text-align:left'>{html.escape(row.name)}</th>"
@@ -117,13 +117,13 @@ def as_html(thing: object) -> str:
 
 
 class _Row:
-    """One quantity of an object.
+    """Quantity of an object, as a row of its representation.
 
     Attributes:
         name: name of the attribute.
         value: value as text.
-        unit: with a blank before it, or nothing.
-        simple: whether the value is all there is to it.
+        unit: unit with a blank before it, or an empty text.
+        simple: True if the text is the complete value.
     """
 
     def __init__(self, name: str, value: object, unit: str) -> None:
@@ -180,7 +180,7 @@ def _summary(value: object) -> tuple[str, bool]:
 
 
 def _brief(value: object) -> str:
-    """Return a text as it is, else the first line of the representation, or the class where that is long."""
+    """Return a text unchanged, else the first line of the representation, or the class if that line is long."""
     if isinstance(value, str):
         return value
     text = repr(value).split("\n", 1)[0]
@@ -225,7 +225,7 @@ def _in_shape(particles: Any) -> str:
 
 @cache
 def _described(cls: type) -> dict[str, tuple[str, str]]:
-    """Unit and meaning of each attribute, from the docstrings of a class and its base classes."""
+    """Return unit and meaning of each attribute, from the docstrings of a class and its base classes."""
     found: dict[str, tuple[str, str]] = {}
     for one in cls.__mro__[:-1]:
         for name, text in _entries(inspect.cleandoc(one.__doc__ or "")):
@@ -240,12 +240,12 @@ def _described(cls: type) -> dict[str, tuple[str, str]]:
 
 
 def _attributes(cls: type) -> tuple[str, ...]:
-    """Names of the section "Attributes" of a class and its base classes."""
+    """Return the names in the section "Attributes" of the docstrings of a class and its base classes."""
     return tuple(name for one in cls.__mro__[:-1] for name, _ in _entries(inspect.cleandoc(one.__doc__ or "")))
 
 
 def _entries(doc: str) -> Iterable[tuple[str, str]]:
-    """Names and texts of the section "Attributes" of a docstring."""
+    """Yield names and texts of the section "Attributes" of a docstring."""
     inside, names, text = False, "", ""
     for line in [*doc.split("\n"), ""]:
         entry = _ENTRY.match(line) if inside else None

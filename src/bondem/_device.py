@@ -1,8 +1,7 @@
-"""Passes over an index, and the tables of a run on the device that carries them out.
+"""Passes over an index on a device, and the tables of a run in its memory.
 
-A device is a GPU (`bondem._cuda`), or the CPU itself (`Host`), on which tests run the same passes in a loop. Tables
-are those of the core, named tuples of NumPy arrays. `DeviceTables` checks them, copies their arrays to the device and
-lays the tables out there.
+A device is a GPU (`bondem._cuda`), or the CPU (`Host`), on which tests run the same passes in a loop. Tables are
+those of the core, named tuples of NumPy arrays. `DeviceTables` checks them, and copies arrays and tables to the device.
 """
 
 from collections.abc import Callable, Iterable, Sequence
@@ -16,15 +15,15 @@ from bondem._passes import Kernel
 
 __all__ = ["Device", "DeviceTables", "Enqueue", "Host", "HostCall", "Launch", "passes_of"]
 
-# Bytes of a line of the memory.
+# Size of a line of the memory of a GPU [bytes].
 _LINE = 128
-#: Enqueues one launch to a stream or a graph; None is the stream of the device.
+#: Function that enqueues one launch to a stream or a graph; None is the stream of the device.
 Enqueue = Callable[[Any], None]
 
 
 @dataclass(frozen=True)
 class HostCall:
-    """Work of the CPU between two passes of a step, such as a user's function. It prevents the recording of a graph.
+    """Work of the CPU between two passes of a step, such as a user's function. It excludes a recorded graph.
 
     Attributes:
         work: function that fetches its input from tables of a run, and sends its results.
@@ -33,7 +32,7 @@ class HostCall:
     work: Callable[["DeviceTables"], None]
 
 
-#: A pass with its tables, and how many indices there are; or what the CPU does, once.
+#: Pass with its tables and the number of its indices; or work of the CPU with a positive number.
 Launch = tuple[Kernel | HostCall, int]
 
 
@@ -43,10 +42,10 @@ def passes_of(launches: Iterable[Launch]) -> list[str]:
 
 
 class Device(Protocol):
-    """Memory and launches of a device, in the order of the calls."""
+    """Device with its own memory, whose copies and launches are executed in the order of the calls."""
 
     def allocate(self, size: int) -> tuple[int, object]:
-        """Return the address of memory filled with zeros [bytes], and the object that owns it."""
+        """Allocate `size` bytes of zeros; return their address and the object that owns them."""
         ...
 
     def send(self, array: np.ndarray, to: int) -> None:
@@ -54,11 +53,11 @@ class Device(Protocol):
         ...
 
     def fetch(self, source: int, array: np.ndarray) -> None:
-        """Copy from an address of the device into a contiguous array, when all launches so far are done."""
+        """Copy from an address of the device into a contiguous array, after all launches so far."""
         ...
 
     def compile(self, names: Sequence[str]) -> None:
-        """Compile passes, which `prepared` would compile one by one."""
+        """Compile passes by name together; otherwise `prepared` compiles each one at its first use."""
         ...
 
     def prepared(self, one: Kernel, count: int, tables: Sequence[int], halted: int) -> Enqueue:
@@ -68,7 +67,7 @@ class Device(Protocol):
             one: the pass.
             count: number of indices.
             tables: addresses of the tables.
-            halted: address of a number that is not 0 where the pass is to do nothing, or 0.
+            halted: address of a flag that makes the pass do nothing if it is not 0; 0 for no flag.
         """
         ...
 
@@ -95,7 +94,7 @@ class DeviceTables:
         self._tables: dict[int, tuple[tuple[Any, ...], int, object]] = {}
 
     def work_space(self, *arrays: np.ndarray) -> None:
-        """Name arrays of zeros that the CPU does not read: they are not copied."""
+        """Mark arrays of zeros that the CPU does not read, so that they are not copied."""
         self._unread |= {id(_whole(array)) for array in arrays}
 
     def address(self, array: np.ndarray) -> int:
@@ -103,14 +102,14 @@ class DeviceTables:
         whole = _whole(array)
         if id(whole) not in self._arrays:
             address, memory = self.device.allocate(whole.nbytes + _LINE)
-            address += (whole.ctypes.data - address) % _LINE  # the same place of a line as on the CPU
+            address += (whole.ctypes.data - address) % _LINE  # aligned in a line as on the CPU
             self._arrays[id(whole)] = whole, address, memory
             if id(whole) not in self._unread:
                 self.device.send(whole, address)
         return self._arrays[id(whole)][1] + array.ctypes.data - whole.ctypes.data
 
     def fetch_written(self) -> None:
-        """Copy all arrays from the device that passes write and the CPU may read."""
+        """Copy from the device all arrays that passes write and the CPU may read."""
         self.fetch(*self._written.values())
 
     def fetch(self, *arrays: np.ndarray) -> None:
@@ -126,7 +125,7 @@ class DeviceTables:
                 self.device.send(array, self.address(array))
 
     def forget(self, *tables: tuple[Any, ...]) -> None:
-        """Free the memory of tables, and of the arrays that no other table has; lengths are no longer known."""
+        """Free the memory of tables, and of arrays that no other table contains; known lengths are cleared."""
         self.lengths.clear()
         for table in tables:
             if self._tables.pop(id(table), None) is None:
@@ -139,11 +138,11 @@ class DeviceTables:
                     self._uses.pop(id(whole))
 
     def prepared(self, launches: Iterable[Launch], halted: np.ndarray | None = None) -> list[Enqueue]:
-        """Return functions that enqueue launches; those over no index are left out.
+        """Return functions that enqueue launches, without launches over no index.
 
         Args:
             launches: launches in their order.
-            halted: number that makes launches do nothing where it is not 0, (1,), or None.
+            halted: flag that makes launches do nothing if it is not 0, (1,); None for no flag.
         """
         flag = 0 if halted is None else self.address(halted)
         launches = list(launches)
@@ -179,31 +178,31 @@ class DeviceTables:
 
 
 class Host:
-    """The CPU as a device with memory of its own: passes over an index are loops."""
+    """CPU as a device with separate memory, for tests: passes over an index are loops."""
 
     def allocate(self, size: int) -> tuple[int, object]:
-        """See `Device`."""
+        """Allocate at least `size` bytes of zeros; return their address and the array that owns them."""
         memory = np.zeros(max(size, 8) // 8 + 1)
         return memory.ctypes.data, memory
 
     def send(self, array: np.ndarray, to: int) -> None:
-        """See `Device`."""
+        """Copy a contiguous array to an address."""
         _bytes_at(to, array.nbytes)[:] = array.reshape(-1).view(np.uint8)
 
     def fetch(self, source: int, array: np.ndarray) -> None:
-        """See `Device`."""
+        """Copy from an address into a contiguous array."""
         array.reshape(-1).view(np.uint8)[:] = _bytes_at(source, array.nbytes)
 
     def compile(self, names: Sequence[str]) -> None:
         """Do nothing, because the passes of the CPU are compiled already."""
 
     def prepared(self, one: Kernel, count: int, tables: Sequence[int], halted: int) -> Enqueue:
-        """See `Device`."""
+        """Return a function that runs a pass over 0 … count - 1; arguments are those of `Device.prepared`."""
         addresses, loop = np.array(tables, dtype=np.int64), index_loop(one.name)
         return lambda _: loop(count, halted, addresses.ctypes.data)
 
     def recorded(self, work: Sequence[Enqueue]) -> Callable[[], None]:
-        """See `Device`."""
+        """Return a function that runs several launches in sequence."""
 
         def run() -> None:
             for enqueue in work:
@@ -213,19 +212,19 @@ class Host:
 
 
 def _whole(array: np.ndarray) -> np.ndarray:
-    """Return the array that an array is a view of."""
+    """Return the array that owns the numbers of an array, which may be a view of it."""
     while isinstance(array.base, np.ndarray):
         array = array.base
     return array
 
 
 def _arrays_of(table: tuple[Any, ...]) -> list[np.ndarray]:
-    """Return the arrays that the arrays of a table are views of, as often as they occur, without empty ones."""
+    """Return the owner (`_whole`) of each array of a table that is not empty; owners may repeat."""
     return [_whole(value) for value in table if isinstance(value, np.ndarray) and value.size]
 
 
 class _Memory:
-    """Bytes at an address, as NumPy sees them."""
+    """Array interface by which NumPy accesses the bytes at an address."""
 
     def __init__(self, address: int, size: int) -> None:
         self.__array_interface__ = {"version": 3, "shape": (size,), "typestr": "|u1", "data": (address, False)}

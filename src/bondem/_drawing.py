@@ -1,4 +1,4 @@
-"""Pictures and tables as results declare them, for `bondem.report` to draw and `bondem.io` to write."""
+"""Declaration of pictures and tables by results, which `bondem.report` draws and `bondem.io` writes."""
 
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -9,18 +9,18 @@ from bondem._types import Floats
 
 
 class Coloured(NamedTuple):
-    """A picture of a body whose elements have moved, coloured by numbers."""
+    """Picture of a body with displaced elements, coloured by values of the elements."""
 
     lattice: Any
-    values: Floats  #: a number of each element, (n,)
-    label: str  #: name and unit of the numbers
+    values: Floats  #: one value per element, (n,)
+    label: str  #: name and unit of the values
     moved: Floats  #: displacements [m], (n, 3)
     turned: Floats | None  #: rotation vectors [rad], (n, 3), or quaternions, (n, 4); None if unknown
     title: str = "motion × {:.3g}"  #: title, with the factor on displacements
 
 
 class Present(NamedTuple):
-    """A picture of the body of a state where it is, its pieces if it has broken, and its walls."""
+    """Picture of the body of a state at its current position, by fragments if broken, with its walls."""
 
     state: Any
 
@@ -31,7 +31,7 @@ class _WithState(Protocol):
 
 
 class Plotted:
-    """A result that can be drawn and written as a table."""
+    """Base of results that can be drawn and written as a table."""
 
     @property
     def table(self) -> Mapping[str, Floats]:
@@ -54,11 +54,11 @@ class Plotted:
     def plot(
         self, path: str | Path | None = None, *, reach: float | None = None, view: tuple[float, float] = (28.0, 24.0)
     ) -> Any:
-        """Draw the result: its curve or energies, and the specimen where it is, with walls and coordinates.
+        """Draw the result: its curve or energies, and the specimen in its current pose, with walls and coordinates.
 
         Args:
             path: PNG, PDF or SVG to write; nothing is written when None.
-            reach: factor on displacements [-]; chosen such that they are seen unless given.
+            reach: factor on displacements [-]; None chooses a factor with which they are visible.
             view: azimuth and elevation of the camera [degree].
 
         Returns:
@@ -82,7 +82,7 @@ class Plotted:
 
 
 class PlottedState(Plotted):
-    """A result with a state, whose body is drawn at its current position."""
+    """Base of results with a state, whose body is drawn at its current position."""
 
     @property
     def _pictures(self: _WithState) -> tuple[Present, ...]:
@@ -90,7 +90,7 @@ class PlottedState(Plotted):
 
 
 def columns_of(pattern: str, names: Iterable[str], values: Floats) -> dict[str, Floats]:
-    """Return columns of (n, k) by name, such as "displacement {} [m]" of x, y and z."""
+    """Split values (n, k) into columns named by a pattern, such as "displacement {} [m]" for x, y and z."""
     return {pattern.format(name): column for name, column in zip(names, values.T, strict=True)}
 
 
@@ -102,5 +102,5 @@ def of_one_unit(table: Mapping[str, Floats]) -> dict[str, Floats]:
 
 
 def unit_of(column: str) -> str:
-    """Return the unit in the name of a column, "N" of "load [N]"."""
+    """Return the unit in the name of a column, such as "N" for "load [N]"."""
     return column.rpartition("[")[2].rstrip("]")

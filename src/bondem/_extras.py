@@ -1,4 +1,4 @@
-"""Libraries of the optional extras: loaded where they are used, so that bondem does without them."""
+"""Loading of the libraries of optional extras at their first use; bondem works without them."""
 
 import importlib
 from typing import Any

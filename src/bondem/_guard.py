@@ -1,8 +1,8 @@
-"""The public boundary: calls of public names suggest arguments, and their errors show the line of the user.
+"""Wrappers of public names: their errors suggest arguments and show the line of the user.
 
-Python names a wrong argument only, and the traceback of an error of the input has up to twenty frames, one of which
-the user wrote. `guard` wraps public functions, classes and methods once, when a public name is first used. It imports
-nothing but the standard library, as `import bondem` does.
+Python only names a wrong argument, and the traceback of an input error has up to twenty frames, of which one is the
+user's. `guard` wraps public functions, classes and methods once, when a public name is first used. This module
+imports the standard library only, as `import bondem` does.
 """
 
 import inspect
@@ -18,7 +18,7 @@ from bondem.errors import ArgumentError, BondemError
 
 # With this value of BONDEM_TRACEBACK all frames are shown.
 _FULL = "full"
-# Special methods that refuse what a user gives.
+# Special methods that can reject values of users.
 _SPECIAL = ("__init__", "__and__", "__or__", "__sub__", "__bool__", "__getitem__")
 _done: set[str] = set()
 
@@ -30,7 +30,7 @@ def guard(public: Mapping[str, Iterable[str]]) -> None:
     that defines it, so that it can be pickled.
 
     Args:
-        public: names by module.
+        public: names of public classes and functions by module.
     """
     for home, names in public.items():
         if home not in sys.modules or home in _done:
@@ -48,7 +48,7 @@ def guard(public: Mapping[str, Iterable[str]]) -> None:
 
 
 def _guard_class(cls: type) -> None:
-    """Guard the methods of a class and of its base classes in the package; errors and protocols stay."""
+    """Guard the methods of a class and of its base classes in the package, except exceptions and protocols."""
     if issubclass(cls, BaseException) or getattr(cls, "_is_protocol", False):
         return
     for one in cls.__mro__:

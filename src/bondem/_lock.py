@@ -1,4 +1,4 @@
-"""One process at a time: a lock on a file that processes of one machine share."""
+"""Locks on files, by which processes of one machine exclude each other."""
 
 import errno
 import importlib
@@ -19,9 +19,9 @@ _FAR = 1 << 62
 
 @contextmanager
 def alone(place: Path, *, patience: float) -> Iterator[None]:
-    """Run a block as the only process at a place; after `patience` without the lock, run it without exclusion.
+    """Run a block under an exclusive lock; after `patience` without the lock, run it without exclusion.
 
-    The system takes the lock from a process that dies. Without locks on files the block starts at once.
+    The system releases the lock of a process that ends. On systems without such locks the block starts at once.
 
     Args:
         place: path of the lock, a file that is created and stays empty.
@@ -60,7 +60,7 @@ def claim(descriptor: int) -> bool:
 
 @contextmanager
 def sole(place: Path) -> Iterator[bool]:
-    """Claim a place for the block by a file that is removed with it; False if another process has a claim.
+    """Claim a lock file for the block, and remove it at the end; yield False if another process has a claim.
 
     Args:
         place: path of the file; in a folder that is missing or read-only every claim succeeds.
@@ -75,7 +75,7 @@ def sole(place: Path) -> Iterator[bool]:
                     return
                 with suppress(OSError):
                     if os.fstat(file.fileno()).st_ino == place.stat().st_ino:
-                        break  # and not one that its owner has just taken away
+                        break  # unlike a file that its last owner has just removed
         try:
             yield True
         finally:

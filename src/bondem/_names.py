@@ -1,13 +1,13 @@
-"""Wrong names: messages that suggest the right one, for arguments and attributes of modules and objects.
+"""Messages about wrong names of arguments and attributes, which suggest the right name.
 
-It imports nothing but the standard library, as `import bondem` does.
+This module imports the standard library only, as `import bondem` does.
 """
 
 import difflib
 import sys
 from collections.abc import Collection, Iterable, Mapping
 
-# What other programs and papers call an argument, and what it may be called here.
+# Names of arguments in other programs and papers, with their possible names in bondem.
 _SYNONYMS: dict[str, tuple[str, ...]] = {
     "height": ("length",), "h": ("length",), "l": ("length",), "diameter": ("radius",), "r": ("radius",),
     "radii": ("radius",), "centers": ("position",), "centres": ("position",), "positions": ("position",),
@@ -22,9 +22,9 @@ _SYNONYMS: dict[str, tuple[str, ...]] = {
     "gravity": ("boundary",), "criterion": ("failure",), "strength": ("failure", "tension"),
     "displacements": ("displacement",), "velocities": ("velocity",), "damage": ("integrity", "bond_integrity"),
 }  # fmt: skip
-# Likeness of names from which one is taken for the other misspelt: members are many, and an error needs no guess.
+# Least similarity of a misspelt name to a suggested one: objects have many members, and a wrong guess misleads.
 _CLOSE = 0.75
-# What is evaluated by a function, and no attribute of a run, a state or an equilibrium.
+# Functions for quantities that are no attributes of a run, a state or an equilibrium.
 _OF_OBJECTS = {
     "stress": "bd.cell_stress(model, state) for cells, or bd.element_stress(model, state)",
     "stresses": "bd.cell_stress(model, state) for cells, or bd.element_stress(model, state)",
@@ -37,7 +37,7 @@ _OF_OBJECTS = {
 
 
 def meant(name: str, known: Iterable[str]) -> str:
-    """Return the known name nearest to a wrong one, as the end of a message: "; did you mean 'length'?", or ""."""
+    """Suggest the known name nearest to a wrong one, as the end of a message: "; did you mean 'length'?", or ""."""
     if name.startswith("_"):  # tools ask every module for such names, and the search takes a millisecond
         return ""
     names = [one for one in known if not one.startswith("_")]
@@ -52,7 +52,7 @@ def no_attribute(module: str, name: str, known: Iterable[str], instead: Mapping[
     """Return the message for a name that a module does not have.
 
     Args:
-        module: name of the module as users write it, "bd.materials".
+        module: name of the module as users write it, such as "bd.materials".
         name: requested name.
         known: names of the module.
         instead: replacements of names of other packages.
@@ -63,7 +63,7 @@ def no_attribute(module: str, name: str, known: Iterable[str], instead: Mapping[
 
 
 def no_member(thing: object, name: str) -> str:
-    """Return the message for a missing attribute. It suggests one of a member, a function or a similar name."""
+    """Return the message for a missing attribute, with the same name in a member, a function or a similar name."""
     message = f"{type(thing).__name__} has no attribute '{name}'"
     if name.startswith("_"):
         return message
@@ -99,5 +99,5 @@ def users_line() -> int:
 
 
 def is_internal(module: str) -> bool:
-    """Return True if code belongs to the package, or to its wrappers of public names."""
+    """Return True for modules of bondem, and of libraries whose frames lie between it and the user."""
     return module.partition(".")[0] in ("bondem", "contextlib", "functools", "numpy", "scipy")

@@ -1,11 +1,11 @@
-"""Functions of upper layers that objects of lower ones call; `bondem/__init__.py` fills them in."""
+"""Functions of upper layers that objects of lower layers call; `bondem/__init__.py` sets them."""
 
 from collections.abc import Callable
 from typing import Any
 
 
 class Outlets:
-    """Functions that draw and write, which the package enters; each loads its module at the first call."""
+    """Functions that draw and write, as attributes; each loads its module at the first call."""
 
     bars: Callable[..., Any]
     draw_lattice: Callable[..., Any]

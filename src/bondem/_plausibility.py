@@ -37,7 +37,7 @@ _USUAL: dict[str, tuple[float, float]] = {
 }
 # Materials of these kinds contain any amount of air or water and may be a million times softer and lighter.
 _SOFT = ("aerogel", "foam", "gel", "hydrogel", "powder", "porous", "rubber", "wool")
-# Three orders of magnitude, less what materials of one name differ by.
+# Least factor of a wrong unit: 10³ over the differences between materials of one name.
 _FAR = 300.0
 
 
@@ -49,8 +49,8 @@ class _Range:
         unit: SI unit.
         advice: advice on a value that is not positive.
         low, high: lowest and highest plausible value; any solid of the field is within.
-        slips: units of data sheets in which a value beyond the range may be, and their size in SI units, the more
-            likely one first.
+        slips: units of data sheets in which a value beyond the range may have been given, and their sizes in SI
+            units, the more likely one first.
     """
 
     unit: str
@@ -62,8 +62,8 @@ class _Range:
     def doubt(self, name: str, value: float, *, explained: bool = True) -> str:
         """Return a sentence about an implausible value, or "".
 
-        The value 1 is a unit of one's own, and so are values that no unit of data sheets explains; these give a
-        sentence with `explained=False`.
+        The value 1 is taken for a dimensionless model. Values that no unit of data sheets explains are so, too,
+        unless `explained` is False.
         """
         meant = self.meant(value)
         if self.low <= value <= self.high or value == 1.0 or (explained and not meant):
@@ -87,18 +87,18 @@ class _Range:
 
 
 _STRESS = ("GPa", 1e9), ("MPa", 1e6)
-# Rubber to diamond; gels and foams have their names, and contacts may be softer for larger time steps. Foams to
-# osmium. Strengths of weak joints, without an upper limit, as a huge one is never to be reached; fracture energies of
-# cleavage. Specimens up to a metre.
+# Moduli from rubber to diamond, of contacts also less for larger time steps; densities from foam to osmium; strengths
+# from weak joints, without an upper limit, as users prevent failure by huge ones; fracture energies from cleavage;
+# largest extent of a specimen.
 _MODULUS = _Range("Pa", "a positive Young's modulus in Pa", 1e6, 1e13, _STRESS)
 _CONTACT = _Range("Pa", "a positive modulus of the contact in Pa", 1e3, 1e13, _STRESS)
 _DENSITY = _Range("kg/m³", "a positive density in kg/m³", 25.0, 3e4, (("g/cm³", 1e3), ("t/mm³", 1e12)))
 _STRENGTH = _Range("Pa", "a positive strength in Pa", 1e3, math.inf, _STRESS[1:])
 _ENERGY = _Range("J/m²", "a positive energy in J/m²", 0.25, math.inf, (("N/mm", 1e3),))
 _LONG = 1.0  # [m]
-# Of aerogels and gels, which have their names.
+# Ranges of materials named by one of the words for soft materials.
 _SOFT_MODULUS, _SOFT_DENSITY = replace(_MODULUS, low=1e3), replace(_DENSITY, low=0.1)
-# Speed √(E/ρ) of a wave in a rod, in which a wrong unit of either shows [m/s].
+# Range of the wave speed √(E/ρ) of a rod, which reveals a wrong unit of E or ρ [m/s].
 _SPEED = 0.3, 5e4
 #: Quantities by the usual name of their argument; "contact" is the E of a contact law.
 _RANGES: dict[str, _Range] = {
@@ -111,13 +111,13 @@ _RANGES: dict[str, _Range] = {
 _MAKING = ("physical", "check_crack", "check_energies", "check_slip", "__post_init__", "__init__", "make", "guarded")
 _COPYING = ("copy", "dataclasses")
 
-# Radius of a bond over the mean radius of the elements.
+# Range of the radius of a bond over the mean radius of the elements [-].
 _BOND_RADIUS = (1e-3, 30.0)
 
-# Stone, glass, ceramics, concrete: stiffer than this [Pa] and lighter than that [kg/m³]; and what they take at most
-# to part, with a margin of three [J/m²].
+# Stone, glass, ceramics and concrete: least modulus [Pa], largest density [kg/m³], and largest fracture energy with
+# a margin of three [J/m²].
 _STIFF, _LIGHT, _TOUGH = 1e10, 5e3, 1e3
-# Strength over E: a tenth of it tears atoms apart; what is beyond the other is meant never to break.
+# Strength over E [-]: that of perfect crystals, and the least one by which users prevent failure.
 _IDEAL, _NEVER = 0.1, 10.0
 
 
@@ -149,7 +149,7 @@ def question(owner: str, name: str, value: float, *, quantity: str = "") -> None
 
 
 def _by_user() -> bool:
-    """Return True if the user makes the object under construction, whose values are then not those of a trial."""
+    """Return True if the user creates the object under construction, False if a trial within bondem does."""
     frame = sys._getframe(1)
     while frame.f_back is not None and (
         frame.f_code.co_name in _MAKING or frame.f_globals.get("__name__") in _COPYING
@@ -224,7 +224,7 @@ def question_strength(strength: float, E: float, density: float, energy: float) 
 
 
 def strength_doubts(strength: float, E: float, density: float, energy: float) -> list[str]:
-    """Return doubts about strength and fracture energy, one sentence each; none for soft or heavy materials."""
+    """Return a sentence per doubt about strength [Pa] or fracture energy [J/m²]; none for soft or heavy materials."""
     if E < _STIFF or density > _LIGHT or strength > _NEVER * E:
         return []
     if strength > _IDEAL * E:

@@ -25,12 +25,12 @@ R = TypeVar("R")
 #: Records the beginning and the end of stages at level INFO.
 LOG = logging.getLogger("bondem")
 _MODES = ("auto", "bars", "lines", "off")
-# A call is shown once it has taken this long, and a line says how far it is this often [s].
+# Duration of a call from which on it is shown, and interval of lines about its progress [s].
 _DELAY, _EVERY = 1.0, 30.0
 
 
 class _Chosen:
-    """Present display: the mode, the board of the outermost call, and how many callers show progress themselves."""
+    """Present display: the mode, the board of the outermost call, and the number of open `quiet` blocks."""
 
     mode = os.environ.get("BONDEM_PROGRESS", "auto")
     board: "Board | None" = None
@@ -65,7 +65,7 @@ def span(seconds: float) -> str:
 
 
 def staged(title: str, *, shares: bool = True) -> Callable[[Callable[P, R]], Callable[P, R]]:
-    """Show a function as a stage while it is the outermost one.
+    """Decorate a function to be shown as a stage while it is the outermost call.
 
     Args:
         title: name of the stage.
@@ -101,10 +101,10 @@ def staged(title: str, *, shares: bool = True) -> Callable[[Callable[P, R]], Cal
 
 @contextmanager
 def stages(*, at_once: bool = False) -> Iterator[Callable[[str, float], None]]:
-    """Show stages by name; yields a function of a stage and its completed share.
+    """Show stages by name; yield a function of the name of a stage and its completed share, 0 … 1.
 
     Args:
-        at_once: show the first stage at once, as commands do; else only calls longer than a second.
+        at_once: True to show the first stage at once, as commands do; False to show it after a second.
     """
     if _Chosen.board is not None or _Chosen.hidden:
         yield lambda stage, share: None
@@ -120,7 +120,7 @@ def stages(*, at_once: bool = False) -> Iterator[Callable[[str, float], None]]:
 
 @contextmanager
 def reported(progress: Callable[[str, float], None] | None) -> Iterator[Callable[[str, float], None]]:
-    """Report stages to a function if there is one, else show them; yields a function of a stage and a share."""
+    """Report stages to `progress`, or show them for None; yield a function of a stage and its share, 0 … 1."""
     if progress is None:
         with stages() as show:
             yield show
@@ -165,7 +165,7 @@ def _kind() -> str:
 
 
 class Board:
-    """The stages of one call.
+    """Display of the stages of one call.
 
     Args:
         delay: time until the first stage is shown [s].
@@ -232,7 +232,7 @@ class Board:
 
 
 class _Lines:
-    """One line per stage on stderr, and one at intervals in a long stage."""
+    """Display of one line per stage on stderr, and of further lines at intervals in a long stage."""
 
     def __init__(self, board: Board) -> None:
         self._board, self._seen, self._stage, self._share = board, set[str](), "", 0.0

@@ -10,12 +10,12 @@ from rich.text import Text
 
 
 def bars(note: Callable[[], str]) -> "Bars":
-    """Return a bar per stage; `note` is a function that returns the remark beside the current stage."""
+    """Return a display of bars; `note` is a function that returns the remark beside the current stage."""
     return Bars(note)
 
 
 class Bars:
-    """A bar per stage."""
+    """Display of one bar per stage."""
 
     def __init__(self, note: Callable[[], str]) -> None:
         columns = SpinnerColumn(), TextColumn("{task.description:<28}"), BarColumn(), TimeElapsedColumn()
@@ -38,7 +38,7 @@ class Bars:
 
 
 class _Noted(Progress):
-    """Bars with a line on the present activity."""
+    """Bars of rich, followed by a line with the remark beside the current stage."""
 
     def __init__(self, note: Callable[[], str], columns: tuple[Any, ...]) -> None:
         self._note = note

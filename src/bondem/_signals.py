@@ -8,7 +8,7 @@ from types import FrameType
 
 from bondem.errors import RunInterrupted
 
-#: Of a run that nobody stops.
+#: Function that returns the number of the signal that is to stop a run, or None.
 Halt = Callable[[], int | None]
 
 
@@ -17,8 +17,8 @@ def noticing() -> Iterator[Halt]:
     """Record SIGINT (Ctrl-C) and SIGTERM within the block; a second signal stops at once.
 
     Yields:
-        A function that returns the signal received, or None. In other threads than the main one no signal is
-        recorded.
+        A function that returns the number of the received signal, or None. In other threads than the main one no
+        signal is recorded.
     """
     if threading.current_thread() is not threading.main_thread():
         yield lambda: None
@@ -39,7 +39,7 @@ def noticing() -> Iterator[Halt]:
 
 
 def stop_by(number: int, message: str, result: object) -> None:
-    """Stop as the signal would have: KeyboardInterrupt for SIGINT, SystemExit with status 143 for SIGTERM.
+    """Raise the exception of a signal: RunInterrupted for SIGINT, SystemExit with status 143 for SIGTERM.
 
     Args:
         number: number of the signal.

@@ -1,4 +1,4 @@
-"""The number of threads on which solvers run."""
+"""Number of threads on which solvers run."""
 
 import os
 from collections.abc import Iterator
@@ -55,7 +55,7 @@ def set_threads(count: int) -> None:
         count: number of threads, from 1 to the number at the start of the process.
 
     Raises:
-        InputError: no whole number, or more threads than there are.
+        InputError: not a whole number of at least 1, or more threads than that number.
     """
     most = most_threads()
     wanted = whole_number("set_threads", "count", count, least=1, advice=f"a whole number from 1 to {most}")

@@ -18,7 +18,7 @@ _NONE: _Dimension = (0, 0, 0, 0)
 _PREFIXES = {
     "": 0, "n": -9, "u": -6, "µ": -6, "μ": -6, "m": -3, "c": -2, "d": -1, "h": 2, "k": 3, "M": 6, "G": 9, "T": 12,
 }  # fmt: skip
-# Size in SI units and dimension.
+# Size in SI units, and dimension, of units with and without prefixes.
 _PREFIXED: dict[str, tuple[Fraction, _Dimension]] = {
     "m": (Fraction(1), (0, 1, 0, 0)),
     "g": (Fraction(1, 1000), (1, 0, 0, 0)),
@@ -40,7 +40,7 @@ _PLAIN: dict[str, tuple[Fraction, _Dimension]] = {
     "psi": (_POUND / Fraction(254, 10_000) ** 2, (1, -1, -2, 0)),
     "ksi": (1000 * _POUND / Fraction(254, 10_000) ** 2, (1, -1, -2, 0)),
     "bar": (Fraction(100_000), (1, -1, -2, 0)),
-    # of half a turn: π comes in at the very end, as it is no fraction
+    # share of half a turn: the factor π, which is no fraction, is applied last
     "deg": (Fraction(1, 180), (0, 0, 0, 1)),
     "°": (Fraction(1, 180), (0, 0, 0, 1)),
     "%": (Fraction(1, 100), _NONE),
@@ -141,7 +141,7 @@ def _unit(text: str) -> _Unit | None:
                 return None
             power = int(found["power"] or 1)
             whole = whole.times(known, -power if place else power)
-    # half a turn may stand for itself only
+    # degrees cannot be part of a compound unit
     return None if whole.degrees and whole.dimension != (0, 0, 0, 1) else whole
 
 

@@ -65,11 +65,11 @@ class NotQuasistaticWarning(UserWarning):
 
 
 class FaceWarning(UserWarning):
-    """Warning of a face without a shape with few of the elements near it, or of a patch that facets do not cover."""
+    """Warning of a bounding-box face with few of the elements near it, or of a patch that facets do not match."""
 
 
 class StageWarning(UserWarning):
-    """Warning of a schedule that begins before its run, whose time continues from that of its initial state."""
+    """Warning of a schedule that began before its run, or of loads other than those of the initial equilibrium."""
 
 
 class PrestressWarning(UserWarning):
@@ -105,7 +105,7 @@ class RaggedInterfaceWarning(UserWarning):
 
 
 class FractureEnergyWarning(UserWarning):
-    """Warning of a test whose work per section is not a fracture energy, as it feeds more than one crack."""
+    """Warning of a test whose work per section is not a fracture energy, as several cracks dissipate the work."""
 
 
 class UnresolvedOpeningWarning(FractureEnergyWarning):

@@ -71,35 +71,34 @@ def solve_explicit(
         scheme: time integration scheme; velocity Verlet by default.
         damping: damping of elements or bonds, one kind or several in a tuple; none by default.
         gauges: quantities to record, by name: `bd.Gauge`, `bd.WallGauge`.
-        every: steps between records, the last of which is the end of the run in any case; 0 for none.
+        every: steps between records, besides one at the end of the run; 0 for no records.
         save_every: steps between checkpoints into `out`; 0 for the last state only.
         snapshot_every: steps between snapshots into `out`, which ParaView 6 shows while the run continues; 0 for
             none.
         until: one event or several that end the run early.
         safety: share of the critical step to use if dt is None [-].
         imbalance: limits of the error of the energy balance [-], as shares of the largest energy so far (work,
-        losses,
-            stored energies). Beyond the first limit the run gives a warning. Beyond the second it stops with the
+            losses, stored energies). Beyond the first limit the run gives a warning. Beyond the second it stops with
             status IMBALANCED. None disables the check, and `math.inf` disables one limit. The balance is checked with
             each record, or at intervals if `every` is 0. There is no check with `bd.TchamwaWielgosz`, whose
             dissipation is not in the balance.
         state: initial state, such as the end of another run of the same elements and bonds, or an equilibrium of
             `solve_static` or `solve_quasistatic`; it is not changed. Its time continues, also for all schedules:
             those of a second stage begin at `state.time`.
-        device: "cpu", or "gpu" for a CUDA device (extra `gpu`). The GPU runs every model that the
-            CPU runs, of fewer than 2³¹ bonds, or 2³⁰ facets that may crack.
+        device: "cpu", or "gpu" for a CUDA device (extra `gpu`). The GPU runs every model that the CPU runs, of fewer
+            than 2³¹ bonds, or 2³⁰ facets that may crack.
         out: run file (HDF5) to write; None for no file. SIGINT (Ctrl-C) and SIGTERM stop the run, with a file after
             a checkpoint, from which `resume` continues; a second signal stops it at once.
-        resume: True to continue the run in the file `out` if it holds this very run (same model, options and initial
-            state), so that the same call completes a run that was killed, or returns the result of a complete one. A
-            file of another run raises an error. False to replace the file.
+        resume: True to continue the run in the file `out`, if the file has the same model, options and initial state.
+            A repeated call then completes a killed run, or returns the result of a complete one. A file of another
+            run raises an error. False to replace the file.
         progress: function called repeatedly with the completed share, 0 … 1.
         callback: function called as callback(state, record) with each record, a `History` of one. It must not change
             the state, and ends the run by returning True.
 
     Returns:
-        Status, state, history, dt, steps and a message. The status of a run that became unstable says so, and its
-        state is the last good one. A run that lost its energy balance returns the present state and all records.
+        Status, state, history, dt, steps and a message. A run that became unstable has the status UNSTABLE and its
+        last valid state. A run that lost its energy balance returns the present state and all records.
 
     Warns:
         StepWarning: The given dt is above 0.9 of the critical step; the message of the result repeats this.
@@ -108,13 +107,13 @@ def solve_explicit(
             from which the run begins.
         NotQuasistaticWarning: The run looks quasi-static (a servo wall; two ends, one of them driven, with damping or
             slowly), but its kinetic energy, the difference of the forces at both ends or the force of a servo wall
-            says that it is not; `result.quasistatic` has the numbers.
+            shows that it is not; `result.quasistatic` has the numbers.
         UnresolvedOpeningWarning: Cracks of cells open in so few steps that the fracture energy may be off by more
             than 15 %; `result.events.opening_steps` has the numbers.
 
     Raises:
         UnstableStepError: dt exceeds the critical step.
-        InputError: A value is invalid, the state belongs to another model, or the output file cannot be written. Or a
+        InputError: A value is invalid, the state belongs to another model, the output file cannot be written, or a
             prescribed displacement does not begin where the elements are.
         RunInterrupted: Ctrl-C was pressed; the exception, a `KeyboardInterrupt`, contains the `.result` so far.
     """
@@ -162,7 +161,7 @@ def solve_explicit(
 
 
 def _unless(stopped: int | None, result: ExplicitResult, sink: RunFile | None) -> ExplicitResult:
-    """Return the result, unless a signal stopped the run before its end."""
+    """Return the result with its warnings; raise the exception of a signal that stopped the run before its end."""
     if stopped is not None and result.message.startswith("interrupted"):
         on = "" if sink is None else f"; bd.resume('{sink.path}') continues from there"
         stop_by(stopped, f"{result.message}, step {result.steps}{on}", result)
@@ -172,7 +171,7 @@ def _unless(stopped: int | None, result: ExplicitResult, sink: RunFile | None) -
 
 
 def _warn(result: ExplicitResult) -> None:
-    """Issue the warnings of a run that is over."""
+    """Issue the warnings of a finished run."""
     result.quasistatic.warn()
     warn_of_openings(result.state, result.dt)
 
@@ -180,10 +179,10 @@ def _warn(result: ExplicitResult) -> None:
 def _file_of_run(
     out: str | Path | None, model: Model, plan: Plan, initial: State, callback: Callback | None
 ) -> str | Path | None:
-    """Return the path of a run file if it holds this very run, None if there is no file.
+    """Return the path of a run file that contains this run, or None if there is no file.
 
     Raises:
-        InputError: There is no path, the run has a callback, or the file holds anything else.
+        InputError: There is no path, the run has a callback, or the file contains anything else.
     """
     if out is None:
         raise InputError("solve_explicit: resume = True, but out = None; give the path of a run file")
@@ -212,7 +211,7 @@ def resume(
 ) -> ExplicitResult:
     """Resume a run from the last checkpoint in its run file; the result is bit-identical to an uninterrupted run.
 
-    Further checkpoints are written into the same file. For a finished run its result is returned.
+    Further checkpoints are written into the same file. A finished run only returns its result.
 
     Args:
         path: run file, from `solve_explicit(..., out=path, save_every=...)`.
@@ -221,7 +220,7 @@ def resume(
         progress: function called repeatedly with the completed share, 0 … 1.
 
     Raises:
-        RunFileError: The file does not exist, is not a run file, is damaged or of a newer bondem, or holds another
+        RunFileError: The file does not exist, is not a run file, is damaged or of a newer bondem, or has another
             criterion.
         InputError: The file cannot be written.
     """
@@ -231,7 +230,7 @@ def resume(
 def _going_on(
     path: str | Path, saved: Checkpoint, device: str, progress: Callable[[float], None] | None
 ) -> ExplicitResult:
-    """Continue a run from its checkpoint, or return its result if it is over already."""
+    """Continue a run from its checkpoint, or return the result of a finished run."""
     over = _over(saved)
     if over is not None:
         _warn(over)
@@ -248,7 +247,7 @@ def _going_on(
 
 
 def _over(saved: Checkpoint) -> ExplicitResult | None:
-    """Return the result of a run that is over at its checkpoint, None for another run."""
+    """Return the result of a run that is finished at its checkpoint, or None."""
     state, plan = saved.state, saved.plan
     if state.step and any(event.happened(state, saved.history) for event in plan.events):
         status, message = Status.STOPPED, f"had been stopped by an event at t = {state.time:.6g} s"

@@ -162,10 +162,7 @@ class SurfaceCorrection:
         """Correction with the coefficients measured by `python -m validation surface`.
 
         Args:
-            law: bond law; its modulus does not matter.
-
-        Raises:
-            InputError: not a bond law.
+            law: bond law; its modulus does not matter. Another object raises InputError.
         """
         if not isinstance(law, BondLaw):
             raise InputError(f"law = {law!r}: not a bond law; give one, such as calibrate(...).law")

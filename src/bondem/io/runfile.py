@@ -9,8 +9,8 @@
     /VTKHDF          any snapshots for ParaView, see `bondem.io.snapshots`
 
 Derived data (order, stiffnesses) are not stored but computed again by the same code. The file grows by commits of
-`bondem.io.journal`: after a kill at any moment the previous checkpoint and snapshots are valid. Digests cover all data
-for a restart: a file with a changed bit is rejected.
+`bondem.io.journal`: after a kill at any moment the previous checkpoint and snapshots are valid. Digests cover all
+data for a restart: a file with a changed bit is rejected.
 """
 
 import json

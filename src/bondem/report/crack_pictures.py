@@ -35,8 +35,8 @@ def corners_moved(
 ) -> Floats:
     """Return the displacements of the corners of cells whose motion is magnified by `reach` [m], (v, 3).
 
-    Rotations that remain small are magnified too, so that intact parts show no gaps. Other rotations, such as those of
-    detached cells, are drawn unmagnified.
+    Rotations that remain small are magnified too, so that intact parts show no gaps. Other rotations, such as those
+    of detached cells, are drawn unmagnified.
     """
     owner = np.repeat(solid.cell, np.diff(solid.start))
     arm = solid.vertex - body.centre[owner]
@@ -68,13 +68,8 @@ def draw_elements(
 ) -> None:  # fmt: skip
     """Draw cells as polyhedra, or elements as spheres, on axes in units of a metre over `scale`.
 
-    Args:
-        ax, view: axes to draw on, and direction of view.
-        body: lattice of cells or of bonded spheres.
-        colour, moved: colours of the elements in 0 … 1, and drawn displacements of their centres [m], (n, 3).
-        corners: function that returns the drawn displacements of the corners of polygons of cells [m], (v, 3).
-        shown, piece: mask of drawn elements, and fragment of each cell, (n,); None for all, and for one fragment.
-        scale: units of the axes per metre.
+    Colours and drawn displacements of the centres [m] have shape (n, 3), the mask `shown` and the fragment `piece` of
+    each element (n,). `corners` returns the drawn displacements of the corners of the polygons of cells [m], (v, 3).
     """
     if body.cells is None:
         draw_spheres(ax, body, colour, view=view, moved=moved, shown=shown, scale=scale)

@@ -19,7 +19,7 @@ _KINDS = (
     ("torsion", "dynamic_torsion", 3, PURPLE),
     ("tension", "dynamic_tension", 0, BLUE),
 )
-# Elements whose velocity is drawn for the struck face: a wall drives that of cells, so that cells behind it are drawn.
+# Elements whose velocity is drawn for the struck face: a wall drives the face of cells, and the cells behind follow.
 _STRUCK = {"spheres": "struck face, held", "cells": "cells behind the struck face"}
 _VIEW = View(azimuth=math.radians(28.0), elevation=math.radians(24.0))
 

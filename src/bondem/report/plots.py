@@ -45,7 +45,7 @@ _ENDINGS = (".png", ".pdf", ".svg")
 
 
 class Drawing(Figure):
-    """A figure that Jupyter shows, and that opens a window where there is a display."""
+    """Figure that Jupyter displays, and that opens a window if a display is available."""
 
     def _repr_png_(self) -> bytes:
         stream = BytesIO()
@@ -70,7 +70,7 @@ class Drawing(Figure):
 def draw_lattice(
     lattice: Lattice, path: Any, *, values: ArrayLike | None, label: str, view: tuple[float, float]
 ) -> Drawing:  # fmt: skip
-    """Draw a lattice for `Lattice.plot`."""
+    """Draw a lattice, coloured by `values` (n,), by body, or by size, for `Lattice.plot`."""
     eye, sides, bodies = _view("Lattice.plot", view), _bounds(lattice), len(lattice.names)
     with _figure("Lattice.plot", path, 1) as (figure, (ax,)):
         if values is None and bodies > 1:
@@ -94,7 +94,7 @@ def _given(lattice: Lattice, values: ArrayLike) -> Floats:
 
 
 def draw_surface(surface: Surface, path: Any, *, view: tuple[float, float]) -> Drawing:
-    """Draw a surface for `Surface.plot`."""
+    """Draw a surface in a view and from the opposite side, for `Surface.plot`."""
     eye = _view("Surface.plot", view)
     opposite = View(azimuth=eye.azimuth + math.pi, elevation=-eye.elevation)
     with _figure("Surface.plot", path, 2) as (figure, axes):
@@ -107,7 +107,7 @@ def draw_surface(surface: Surface, path: Any, *, view: tuple[float, float]) -> D
 def draw_model(
     model: Model, path: Any, *, solution: Any, reach: float | None, view: tuple[float, float]
 ) -> Drawing:  # fmt: skip
-    """Draw a model for `Model.plot`."""
+    """Draw a model with its conditions, or in the pose of a solution, for `Model.plot`."""
     eye, sides, lattice = _view("Model.plot", view), _bounds(model.lattice), model.lattice
     state, moved, turned = _motion(model, solution)
     with _figure("Model.plot", path, 1) as (figure, (ax,)):
@@ -127,7 +127,7 @@ def draw_model(
 
 
 def draw_result(result: Plotted, path: Any, *, reach: float | None, view: tuple[float, float]) -> Drawing:
-    """Draw a result for `Plotted.plot`."""
+    """Draw the columns and the bodies of a result, for `Plotted.plot`."""
     who = f"{type(result).__name__}.plot"
     eye, drawn, pictures = _view(who, view), result.drawn, result._pictures
     with _figure(who, path, bool(drawn) + len(pictures)) as (figure, axes):
@@ -140,7 +140,7 @@ def draw_result(result: Plotted, path: Any, *, reach: float | None, view: tuple[
 
 
 def _draw_picture(figure: Figure, ax: Axes, picture: Coloured | Present, reach: float | None, view: View) -> None:
-    """Draw a body as a result declares it."""
+    """Draw a body of a result: coloured by values, by its pieces if broken, or by displacement."""
     if isinstance(picture, Coloured):
         _coloured_body(figure, ax, picture, reach, view)
         return
@@ -156,7 +156,7 @@ def _draw_picture(figure: Figure, ax: Axes, picture: Coloured | Present, reach: 
 
 
 def _motion(model: Model, solution: Any) -> tuple[State | None, Floats | None, Floats | None]:
-    """State, displacements, and quaternions or rotation vectors of a solution.
+    """Return state, displacements (n, 3), and quaternions or rotation vectors of a solution; None for missing ones.
 
     Raises:
         InputError: The solution is not one of this model.
@@ -176,7 +176,7 @@ def _motion(model: Model, solution: Any) -> tuple[State | None, Floats | None, F
 
 
 def _supports(model: Model) -> tuple[Floats, list[Patch]]:
-    """Colours of the elements by their supports, drives and loads, and the meaning of each colour."""
+    """Return colours of the elements, (n, 3), by supports, drives and loads, and the legend of the colours."""
     colour = np.tile(to_rgb(_PLAIN), (len(model.lattice.particles), 1))
     handles: dict[str, Patch] = {}
     for condition in model.boundary:
@@ -210,7 +210,7 @@ def _effect(condition: Any) -> tuple[str, str] | None:
 
 
 def _arrows(lattice: Lattice, condition: Any) -> list[tuple[Floats, Floats, str]]:
-    """Foot, direction and colour of the arrows of a condition."""
+    """Return foot [m], direction and colour of each arrow of a condition."""
     match condition:
         case Load() if any(condition.force):
             return [(condition.region.anchor(lattice), np.array(condition.force), ORANGE)]
@@ -229,13 +229,13 @@ def _arrows(lattice: Lattice, condition: Any) -> list[tuple[Floats, Floats, str]
 def _moved_body(
     figure: Figure, ax: Axes, lattice: Lattice, moved: Floats, turned: Floats | None, reach: float | None, view: View
 ) -> None:  # fmt: skip
-    """Draw a body where it is, coloured by how far its elements have moved."""
+    """Draw a displaced body, coloured by the displacements of its elements."""
     far = np.linalg.norm(moved, axis=1)
     _coloured_body(figure, ax, Coloured(lattice, far, "displacement [m]", moved, turned), reach, view)
 
 
 def _coloured_body(figure: Figure, ax: Axes, body: Coloured, reach: float | None, view: View) -> None:
-    """Draw a body where it is, coloured by values of its elements."""
+    """Draw a displaced body, coloured by values of its elements."""
     reach = _reach(body.lattice, body.moved, reach)
     scale = Normalize(0.0, float(body.values.max()) or 1.0)
     colour = colormaps[SEQUENTIAL](scale(body.values))[:, :3]
@@ -245,7 +245,7 @@ def _coloured_body(figure: Figure, ax: Axes, body: Coloured, reach: float | None
 
 
 def _broken_body(ax: Axes, state: State, pieces: Any, reach: float | None, view: View) -> None:
-    """Draw a broken body, each piece in a colour of its own."""
+    """Draw a displaced, broken body, each piece in its own colour."""
     lattice, moved = state.model.lattice, state.displacement
     reach = _reach(lattice, moved, reach)
     colour = piece_palette(len(pieces))[pieces.label]
@@ -263,7 +263,7 @@ def _body(
     ax: Axes, lattice: Lattice, colour: Floats, view: View, *, moved: Floats | None = None,
     turned: Floats | None = None, reach: float = 1.0, piece: np.ndarray | None = None,
 ) -> None:  # fmt: skip
-    """Draw a body where its elements are, with magnified motion."""
+    """Draw the elements of a body, with displacements magnified by `reach`."""
     shift = np.zeros_like(lattice.centre) if moved is None else reach * moved
 
     def corners(solid: Polyhedra) -> Floats:
@@ -271,7 +271,7 @@ def _body(
         arm = solid.vertex - lattice.centre[owner]
         if turned is not None and turned.shape[1] == 4:
             return shift[owner] + turned_vectors(turned[owner], arm) - arm
-        # small rotations grow with displacements
+        # rotation vectors are small, and magnified like displacements
         return shift[owner] if turned is None else shift[owner] + reach * np.cross(turned[owner], arm)
 
     draw_elements(ax, lattice, colour, shift, corners, view=view, piece=piece, scale=SCALE)
@@ -289,10 +289,10 @@ def _bar(figure: Figure, ax: Axes, scale: Normalize, label: str) -> None:
 
 
 def _view(who: str, view: Any) -> View:
-    """A camera from azimuth and elevation in degrees.
+    """Convert azimuth and elevation in degrees to a direction of view.
 
     Raises:
-        InputError: no two angles.
+        InputError: not two angles, or an elevation beyond ± 90 degrees.
     """
     try:
         azimuth, elevation = (float(angle) for angle in view)
@@ -305,7 +305,7 @@ def _view(who: str, view: Any) -> View:
 
 @contextmanager
 def _figure(who: str, path: Any, count: int) -> Iterator[tuple[Drawing, list[Axes]]]:
-    """A figure of one or two panels, written to a file after the block where there is one."""
+    """Yield a figure and its panels in a row; write it to any `path` at the end of the block."""
     file = None if path is None else place(f"{who}: path", path)
     if file is not None:
         require_writable(file, "picture")

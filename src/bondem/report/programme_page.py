@@ -14,7 +14,7 @@ from bondem.report.programme_figure import draw_targets
 from bondem.report.style import narrow
 from bondem.specimen.material import Material
 
-#: Figures of a specimen's own report that this one shows, in order.
+#: Figures of the reports of specimens that the report of the programme repeats, in order.
 SHOWN = ("strength", "broken", "pieces", "cut_open", "energies")
 _TARGETS = """How far each test is off its target [%], and off what the entered strengths imply [%], where that has a
     closed form."""
@@ -61,7 +61,7 @@ def write_programme(
         rows: rows of the table, measured values with their targets.
         chapters: sections of the specimens, in folders within `out`.
         out: existing folder.
-        figures: True to draw, and to show the figures of the specimens.
+        figures: True to draw the summary and to include the figures of the specimens.
         origin: version, commit, command, date and machine of the run.
         source: name and text of the study file, or None.
     """

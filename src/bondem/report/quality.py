@@ -14,7 +14,7 @@ from bondem.specimen.fabric import LIMITS, Fabric
 
 @dataclass(frozen=True)
 class QualityRow:
-    """Row of a measure.
+    """Row of the table: one measure of all packings.
 
     Attributes:
         name: name of the measure.
@@ -32,7 +32,7 @@ class QualityRow:
 
 
 def quality_rows(specimens: Sequence[Examined]) -> list[QualityRow]:
-    """Rows of the measures of all packings of spheres, with the first packing shown separately; none for cells."""
+    """Return the rows of the table for all packings of spheres; empty for cells."""
     known = [one.quality for one in specimens if one.quality is not None]
     return [] if not known else [
         _row(known, name, measure, write, LIMITS.get(limit), meaning)

@@ -32,9 +32,9 @@ _UNITS = {
 }  # fmt: skip
 # Units of coordinates, the finest first.
 _LENGTHS = ((1e6, "µm"), (1e3, "mm"), (1.0, "m"))
-# Sides of the spheres that stand for elements, in a picture of few and of many of them.
+# Sides of drawn spheres for few and for many elements, and the largest number of few elements.
 _FINE, _COARSE, _MANY = 24, 10, 20_000
-# Azimuth and elevation of the cameras that have names [degree].
+# Azimuth and elevation of named cameras [degree].
 _CAMERAS = {
     "iso": (45.0, 30.0), "x": (0.0, 0.0), "-x": (180.0, 0.0), "y": (90.0, 0.0), "-y": (-90.0, 0.0),
     "z": (-90.0, 90.0),
@@ -43,7 +43,7 @@ _CAMERAS = {
 
 
 class Scene:
-    """A run file to be drawn, snapshot by snapshot.
+    """Pictures of the snapshots of a run file, with one camera.
 
     Args:
         run_file: run file with snapshots.
@@ -73,7 +73,7 @@ class Scene:
         self._placed = False
 
     def number(self, snapshot: int) -> int:
-        """Index of a snapshot, counted from either end.
+        """Convert the number of a snapshot, negative from the end, to an index from 0.
 
         Raises:
             InputError: there is no such snapshot.
@@ -86,7 +86,7 @@ class Scene:
         return snapshot % self.count
 
     def draw(self, plotter: Any, number: int) -> None:
-        """Draw one snapshot."""
+        """Draw the snapshot of an index from 0 in a pyvista plotter."""
         pieces = self._pieces(number)
         body = self._body(pieces)
         if body is not None:
@@ -123,7 +123,7 @@ class Scene:
         )  # fmt: skip
 
     def _place(self, plotter: Any, pieces: dict[str, Any], number: int) -> None:
-        """Set the camera once, so that it sees the first and the last snapshot, and this one."""
+        """Set the camera, at the first call only, so that the first, the last and this snapshot are visible."""
         if self._placed:
             return
         self._placed = True
@@ -162,18 +162,18 @@ class Scene:
         return mesh
 
     def _corners(self, mesh: Any, elements: Any) -> Floats:
-        """Corners of the cells, turned, with magnified displacements."""
+        """Return the corners of rotated cells with magnified displacements [m]."""
         moved = mesh.cell_data["displacement"]
         start = vtk_to_numpy(mesh.GetCells().GetOffsetsArray())
         cell = np.repeat(np.arange(mesh.n_cells), np.diff(start))
         if "orientation" in mesh.cell_data:
             return mesh.points + (self._warp - 1.0) * moved[cell]
-        centre = (elements.points - elements.point_data["displacement"])[cell].astype(float)  # of an older file
+        centre = (elements.points - elements.point_data["displacement"])[cell].astype(float)  # older files
         turn = elements.point_data["orientation"][cell].astype(float)
         return centre + turned_vectors(turn, mesh.points - centre) + self._warp * moved[cell]
 
     def _coloured(self, mesh: Any) -> str | None:
-        """Array that colours a mesh; vectors are coloured by their magnitude.
+        """Return the name of the array that colours a mesh; vectors are replaced by their magnitude.
 
         Raises:
             InputError: there is no such field.

@@ -24,7 +24,7 @@ def render_run(
     section: str | None = None, warp: float = 1.0, size: Sequence[int] = (1200, 800), camera: str = "iso",
     walls: bool = True, axes: bool = True,
 ) -> Path:  # fmt: skip
-    """Draw one snapshot of a run file into a PNG, or all snapshots into an MP4 or GIF.
+    """Draw one snapshot of a run file into a PNG, or all snapshots into an MP4 or GIF, and return the path.
 
     Args:
         run_file: run file with snapshots.
@@ -59,7 +59,7 @@ def render_run(
         else:
             scene.draw(plotter, scene.number(snapshot))
             plotter.screenshot(aside)
-        plotter.close()  # a film is complete then
+        plotter.close()  # completes a film
     return out
 
 
@@ -79,7 +79,7 @@ def view_run(
     run_file: Path, *, field: str | None = None, show: str = "auto", snapshot: int = -1, warp: float = 1.0,
     camera: str = "iso",
 ) -> None:  # fmt: skip
-    """Open a window with a slider for the snapshots.
+    """Open a window with a slider for the snapshots; arguments are those of `render_run`.
 
     Raises:
         InputError: no display, or no such field, snapshot or camera.
@@ -93,7 +93,7 @@ def view_run(
     plotter.set_background(_BACKGROUND)
     if "OSOpenGL" in plotter.render_window.GetClassName() or "EGL" in plotter.render_window.GetClassName():
         plotter.close()
-        raise _no_display(run_file)  # the display that was named does not answer
+        raise _no_display(run_file)  # the display of the environment does not respond
 
     def go(value: float) -> None:
         plotter.clear_actors()

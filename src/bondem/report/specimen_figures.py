@@ -71,7 +71,7 @@ def draw_contacts(path: Path, lattice: Lattice) -> None:
 
 
 def draw_geode(path: Path, quality: Fabric) -> None:
-    """Draw bond directions on the faces of the geode, from the side and along the axis, and their histogram."""
+    """Draw bond directions on the 320 faces of a geodesic sphere, from the side and along x, and their histogram."""
     sphere = direction_sphere()
     density = quality.face_density
     spread = max(0.05, float(np.abs(density - 1.0).max()))
@@ -100,7 +100,7 @@ def draw_geode(path: Path, quality: Fabric) -> None:
         bar.set_label("bonds over those of an isotropic fabric [-]")
         bar.outline.set_visible(False)
         axes[2].hist(density, bins=20, color=BLUE, label="faces of the geode")
-        # a bond counts on a face and on the opposite one, so counts scatter by the root of their mean
+        # a bond counts on a face and on its opposite, so that counts scatter by the root of their mean
         chance = math.sqrt(len(density) / quality.face_counts.sum())
         axes[2].axvline(1.0, color=INK, linewidth=1.0)
         for side in (-1.0, 1.0):

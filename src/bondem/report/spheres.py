@@ -44,20 +44,20 @@ def render(position: Floats, radius: Floats, colour: Floats, *, view: View, widt
     """Draw spheres into an array of pixels.
 
     Args:
-        position: centres, (n, 3).
-        radius: radii, (n,).
+        position: centres in any unit of length, (n, 3).
+        radius: radii in the same unit, (n,).
         colour: red, green, blue in 0 … 1, (n, 3).
         view: direction of view.
         width: width of the picture [pixels].
 
     Returns:
-        Red, green, blue and opacity in 0 … 1, (height, width, 4), not to be written to.
+        Red, green, blue and opacity in 0 … 1, (height, width, 4), read-only.
     """
     arrays = (np.ascontiguousarray(one, dtype=float).tobytes() for one in (position, radius, colour))
     return _rendered(*arrays, view, width)
 
 
-# Each figure of a report is drawn twice, wide and for phones, with the same pictures of spheres, at most three.
+# Each figure of a report is drawn twice, wide and for phones, with the same pictures of spheres: at most three each.
 @lru_cache(maxsize=3)
 def _rendered(positions: bytes, radii: bytes, colours: bytes, view: View, width: int) -> Floats:
     position, radius = np.frombuffer(positions).reshape(-1, 3), np.frombuffer(radii)
@@ -99,7 +99,7 @@ def tubes(start: Floats, end: Floats, radius: float) -> tuple[Floats, Ints]:
 def _covered(
     centre: Floats, size: Floats, columns: int, rows: int
 ) -> Iterator[tuple[Ints, Ints, Floats]]:
-    """Batches of (sphere, pixel, depth) over all pixels covered by spheres."""
+    """Yield batches of (sphere, pixel, depth) over all pixels covered by spheres."""
     order = np.argsort(size, kind="stable")
     first = 0
     while first < len(order):
@@ -128,7 +128,7 @@ def _shaded(depth: Floats, owner: Ints, centre: Floats, size: Floats, colour: Fl
     place = np.column_stack([column + 0.5, row + 0.5, depth[drawn]])
     normal = (place - centre[who]) / size[who, None]
     facing = np.clip(normal @ (_LIGHT / np.linalg.norm(_LIGHT)), 0.0, None)
-    # darker where the surroundings stand in front: the depth less its blurred self (Luft et al. 2006)
+    # shadow where neighbours are nearer to the viewer: blurred depth less depth (Luft et al. 2006)
     coarse = float(size.max())
     height = np.where(drawn, depth, 0.0)
     hidden = np.zeros(len(who))

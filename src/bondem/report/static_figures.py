@@ -90,7 +90,7 @@ def _draw_displacement(ax: Axes, specimen: Examined, name: str) -> None:
 
 
 def draw_profiles(path: Path, specimen: Examined) -> None:
-    """Draw the motion of the cross-sections in the three static tests over the theoretical motion of the end."""
+    """Draw the motion of cross-sections in the three static tests, relative to the theoretical motion of the end."""
     wanted = (
         ("static_tension", "tension", "elongation", BLUE, lambda s: s),
         ("static_bending", "bending", "deflection", GREEN, lambda s: 0.5 * s**2 * (3.0 - s)),

@@ -21,7 +21,7 @@ from bondem.report.spheres import View
 from bondem.report.style import BLUE, GREY, INK, ORANGE, SEQUENTIAL, for_phones, legend_columns, sheet
 from bondem.specimen.lattice import Lattice
 
-# Largest opening drawn, over the length of the specimen, and the steps of magnifications in a decade.
+# Largest drawn displacement over the size of the specimen, and magnifications per decade.
 _EXAGGERATED, _STEPS = 0.08, (1.0, 2.0, 5.0)
 # Figures in a row.
 _COLUMNS = 3
@@ -41,7 +41,7 @@ def draw_curves(path: Path, findings: Findings) -> None:
                 outcome = one.outcomes[name]
                 x, y = across * outcome.curves["strain"], up * outcome.curves["stress"]
                 label = "each specimen" if n == 0 and len(findings.specimens) > 1 else None
-                if (np.diff(x) < 0.0).any():  # a path of events that turns back
+                if (np.diff(x) < 0.0).any():  # a quasi-static path with snap-back
                     every = "every failure event" if n == 0 else None
                     ax.plot(x, y, color=BLUE, alpha=0.3, linewidth=0.6, label=every)
                     outer = enveloping(y)
@@ -63,7 +63,7 @@ def draw_curves(path: Path, findings: Findings) -> None:
 
 
 def enveloping(load: Floats) -> Mask:
-    """Return True for the points of a path whose load no later point exceeds, or before the peak no earlier one."""
+    """Return True for the points on the envelope of a path: no earlier point, or no later one, has a larger load."""
     rising, falling = np.maximum.accumulate(load), np.maximum.accumulate(load[::-1])[::-1]
     return load >= np.minimum(rising, falling)
 
@@ -109,7 +109,7 @@ def draw_failed(figure: Figure, ax: Axes, body: Lattice, curves: Mapping[str, Fl
 
 
 def magnified(reach: float) -> str:
-    """Format the magnification of a picture."""
+    """Format the magnification of motion in a picture."""
     return "true motion" if reach == 1.0 else f"motion × {reach:g}"
 
 
@@ -119,7 +119,7 @@ def view_of(style: TestFigure) -> View:
 
 
 def reach_of(body: Lattice, moved: Floats) -> float:
-    """Magnification of motion in pictures: 1, 2, 5, 10, … [-].
+    """Choose the magnification of motion in pictures: 1, 2, 5, 10, … [-].
 
     Args:
         body: the specimen.
@@ -134,19 +134,19 @@ def reach_of(body: Lattice, moved: Floats) -> float:
 
 
 def broken_in(specimen: Examined) -> list[str]:
-    """Tests to failure of a specimen, in the order of figures."""
+    """Return the names of the tests to failure of a specimen, in the order of figures."""
     return [name for name in FAILURE_TESTS if name in specimen.outcomes]
 
 
 def arranged(count: int) -> tuple[int, int]:
-    """Numbers of rows and columns for a number of panels; one column on phones."""
+    """Return the numbers of rows and columns for a number of panels; one column for phones."""
     if for_phones():
         return count, 1
     return math.ceil(count / _COLUMNS), min(count, _COLUMNS)
 
 
 def panels(axes: np.ndarray, count: int) -> list[Axes]:
-    """Iterate over as many axes as there are tests; the others stay empty."""
+    """Return the first `count` axes of a grid, and hide the others."""
     every = axes.ravel().tolist()
     for ax in every[count:]:
         ax.axis("off")

@@ -61,7 +61,7 @@ SETTINGS: Any = {
     "mathtext.fontset": "dejavusans",
 }
 _DOTS_PER_INCH = 220
-# Empty rows that stay above and below a figure [pixels].
+# Empty rows above and below a figure [pixels].
 _MARGIN = 12
 # Width of a figure for a phone, and the least height of its panels [inch].
 _NARROW, _LOW = 4.2, 3.4
@@ -70,7 +70,7 @@ _for_phones: ContextVar[bool] = ContextVar("for_phones", default=False)
 
 @contextmanager
 def narrow() -> Iterator[None]:
-    """Draw the figures of this block for phones: their panels below each other."""
+    """Draw the figures of this block for phones, with their panels in one column."""
     token = _for_phones.set(True)
     try:
         yield
@@ -84,7 +84,7 @@ def for_phones() -> bool:
 
 
 def legend_columns(wide: int, phone: int = 1) -> int:
-    """Columns of a legend below a figure."""
+    """Return the number of columns of a legend below a figure: `phone` for phones, else `wide`."""
     return phone if for_phones() else wide
 
 
@@ -94,7 +94,7 @@ def sheet(
 ) -> Iterator[tuple[Figure, Any]]:
     """Create a figure in the common style and save it to `path` at the end of the block, without global state.
 
-    Within `narrow()` it is 4.2 inches wide, its panels are in one column, and the axes have the same shape.
+    Within `narrow()` it is 4.2 inches wide, with its panels in one column; the array of axes keeps its shape.
 
     Args:
         path: PNG to write.
@@ -122,10 +122,10 @@ def sheet(
 
 
 class _PlainNumbers(ScalarFormatter):
-    """Numbers of an axis as plain text, whose factor alone is a formula.
+    """Formatter of the numbers of an axis as plain text, where only their common factor is a formula.
 
-    With `axes.formatter.use_mathtext` every number is a formula, and parsing these takes a third of the time of a
-    figure; they look the same.
+    With `axes.formatter.use_mathtext` every number is a formula that looks the same. Parsing formulas takes a third
+    of the time of a figure.
     """
 
     def __call__(self, x: float, pos: int | None = None) -> str:
@@ -143,7 +143,7 @@ def _set_plain_ticks(figure: Figure) -> None:
 
 
 def _trimmed(image: Image.Image) -> Image.Image:
-    """Remove empty rows at the top and the bottom of a figure; bodies in perspective leave many."""
+    """Remove the empty rows at the top and the bottom of a figure, which wide bodies leave."""
     drawn = ImageChops.difference(image, Image.new("RGB", image.size, "white")).getbbox()
     if drawn is None:
         return image
@@ -152,7 +152,7 @@ def _trimmed(image: Image.Image) -> Image.Image:
 
 
 def _column(figure: Figure, rows: int, columns: int, options: dict[str, Any]) -> Any:
-    """The axes of a grid, below each other."""
+    """Create the axes of a grid in one column; the result has the shape of the grid."""
     passed = {key: value for key, value in options.items() if key not in ("squeeze", "width_ratios", "height_ratios")}
     if columns == 1 and "height_ratios" in options:
         passed["height_ratios"] = options["height_ratios"]

@@ -16,13 +16,13 @@ from bondem.report.piece_colours import piece_palette
 from bondem.report.spheres import View
 from bondem.report.style import INK
 
-# Pixels along the longer side, patches with a name in the picture at most, and pixels from its middle to its edge
-# that a patch has at least if its name is written.
+# Pixels along the longer side, largest number of names, and least distance of a name from the edge of its patch
+# [pixels].
 _PIXELS, _NAMED, _ROOM = 1000, 60, 5.0
 
 
 class _Raster(NamedTuple):
-    """Visible triangle of each pixel, or -1, and the sides of the picture [mm]."""
+    """Visible triangle of each pixel, or -1, and the left, right, lower and upper side of the picture [mm]."""
 
     triangle: Ints
     extent: tuple[float, float, float, float]
@@ -31,10 +31,10 @@ class _Raster(NamedTuple):
 def draw_patches(ax: Axes, surface: Surface, view: View) -> str:
     """Draw a surface in the colours of its patches, with their names where they are seen.
 
-    Parts that the file names are drawn if there are any, else the numbered patches.
+    Patches are the parts that the file of the surface names, or else the numbered smooth parts.
 
     Returns:
-        How many of the patches this view names.
+        Text with the number of names in this view, such as "5 of 8 patches".
     """
     patches = surface.patches[: len(surface.named)] or surface.patches
     label = np.full(len(surface.triangles), len(patches))
@@ -59,7 +59,7 @@ def draw_patches(ax: Axes, surface: Surface, view: View) -> str:
 
 
 def _raster(corner: Floats, normal: Floats) -> _Raster:
-    """Find the nearest triangle of each pixel, of corners in the picture and their depth (t, 3, 3) [mm]."""
+    """Find the nearest triangle of each pixel from places and depths of corners in the picture, (t, 3, 3) [mm]."""
     lower, upper = corner.min(axis=(0, 1)), corner.max(axis=(0, 1))
     pixel = float((upper - lower)[:2].max()) / _PIXELS
     low = lower[:2] - 2.0 * pixel
@@ -101,7 +101,7 @@ def _write_names(ax: Axes, patches: tuple[Patch, ...], patch: Ints, extent: tupl
         if not len(rows):
             continue
         low = np.array([rows.min(), columns.min()])
-        own = np.zeros((np.ptp(rows) + 3, np.ptp(columns) + 3), dtype=bool)  # with a margin that is not of it
+        own = np.zeros((np.ptp(rows) + 3, np.ptp(columns) + 3), dtype=bool)  # with an empty margin
         own[rows - low[0] + 1, columns - low[1] + 1] = True
         room = distance_transform_edt(own)
         if room.max() < _ROOM:

@@ -1,4 +1,4 @@
-"""Rotatable picture of the specimen in a report, with few bytes."""
+"""Data of a rotatable picture of spheres in the page of a report, in few bytes."""
 
 import base64
 from dataclasses import dataclass
@@ -12,11 +12,11 @@ from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.report.findings import Examined
 from bondem.report.style import SEQUENTIAL
 
-# More than these are not drawn smoothly: of larger specimens only those near the surface are.
+# Largest number of elements that are all drawn; of larger specimens only those near the surface are drawn.
 _MOST = 6000
-# How far below the surface these reach, over the mean radius.
+# Largest depth of drawn elements of larger specimens below the surface, in mean radii.
 _DEEP = 2.2
-# Colours, and the share of the specimen's size that the farthest element is moved by.
+# Number of colours, and largest drawn displacement over the size of the specimen.
 _COLOURS, _MOVED = 24, 0.08
 
 
@@ -42,7 +42,7 @@ class Turning:
 
 
 def turning_of(one: Examined) -> Turning:
-    """Data of the elements at rest, coloured by radius, or after a test to failure, coloured by displacement."""
+    """Return data of the elements at rest, coloured by radius, or after the first test, coloured by displacement."""
     particles = one.lattice.particles
     centre, radius = particles.position, particles.radius
     chosen = np.arange(len(radius))

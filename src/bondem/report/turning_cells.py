@@ -1,4 +1,4 @@
-"""A body of cells that one can turn in the browser: the polygons that are seen from outside, and those of cracks."""
+"""Data of a rotatable picture of cells in the page of a report: outer polygons, and those between fragments."""
 
 import base64
 from dataclasses import dataclass
@@ -24,14 +24,14 @@ _AZIMUTH, _ELEVATION = np.radians(28.0), np.radians(24.0)
 
 @dataclass(frozen=True)
 class TurningCells:
-    """Cells that the page draws.
+    """Data of the rotatable picture of cells.
 
     Attributes:
-        corner: corners of the polygons from -1 to 1 as 16-bit integers, three a corner, base64.
+        corner: corners of the polygons from -1 to 1 as 16-bit integers, three per corner, base64.
         size: corners of each polygon as bytes, base64.
-        edge: whether the edge that begins at each corner is drawn, as bytes, base64.
+        edge: 1 for each corner that begins a drawn edge, else 0, as bytes, base64.
         colour: red, green and blue of each polygon as bytes, base64.
-        axes: directions of the picture's right, up and viewer at first, (3, 3).
+        axes: initial directions to the right, upwards and to the viewer, (3, 3).
         caption: caption of the figure.
     """
 
@@ -44,7 +44,7 @@ class TurningCells:
 
 
 def turning_cells_of(one: Examined) -> TurningCells:
-    """Cells at rest, coloured by size; after a test to failure where they are, each piece in a colour of its own."""
+    """Return data of cells at rest, coloured by size, or displaced by the first test to failure, by fragment."""
     body, solid = one.lattice, polyhedra(one.lattice)
     broken = [name for name in FAILURE_TESTS if name in one.outcomes and one.outcomes[name].cracking is not None]
     if broken:
@@ -79,7 +79,7 @@ def turning_cells_of(one: Examined) -> TurningCells:
 
 
 def _clearest(place: Floats, solid: Polyhedra, seen: Ints, label: Ints) -> View:
-    """View from the side that shows most of all pieces but the two heaviest; the usual one of a body in two parts."""
+    """Return the one of eight views that shows the largest area of all fragments but the two heaviest."""
     start = solid.start[seen]
     a, b, c = (place[start + k] for k in range(3))
     area = np.cross(b - a, c - a)  # of the first triangle of each polygon
@@ -89,7 +89,7 @@ def _clearest(place: Floats, solid: Polyhedra, seen: Ints, label: Ints) -> View:
 
 
 def _seen(solid: Polyhedra, label: Ints) -> Ints:
-    """Polygons on walls and between two pieces."""
+    """Return the polygons on the boundary and between two fragments."""
     other = np.maximum(solid.neighbour, 0)
     return np.flatnonzero((solid.neighbour < 0) | (label[solid.cell] != label[other]))
 
