@@ -1,7 +1,7 @@
 """Passes over an index on a device, and the tables of a run in its memory.
 
 A device is a GPU (`bondem._cuda`), or the CPU (`Host`), on which tests run the same passes in a loop. Tables are
-those of the core, named tuples of NumPy arrays. `DeviceTables` checks them, and copies arrays and tables to the device.
+those of the core, named tuples of NumPy arrays. `DeviceTables` checks them and copies them to the device.
 """
 
 from collections.abc import Callable, Iterable, Sequence
@@ -23,7 +23,9 @@ Enqueue = Callable[[Any], None]
 
 @dataclass(frozen=True)
 class HostCall:
-    """Work of the CPU between two passes of a step, such as a user's function. It excludes a recorded graph.
+    """Work of the CPU between two passes of a step, such as a user's function.
+
+    Steps with such work are not recorded as a graph.
 
     Attributes:
         work: function that fetches its input from tables of a run, and sends its results.

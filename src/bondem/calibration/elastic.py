@@ -167,7 +167,7 @@ class Calibration:
             level: probability that the interval contains the value [-].
 
         Raises:
-            InputError: a single packing, an unknown quantity, or a precision not positive or out of reach.
+            InputError: a single packing, an unknown quantity, or a precision that is not positive or out of reach.
         """
         return self.sample(quantity).packings_for(precision, level=level)
 

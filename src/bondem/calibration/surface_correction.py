@@ -1,17 +1,16 @@
 """Surface correction: the moduli of a bond law, calibrated in the bulk, in a body with walls.
 
-Spheres at a wall have fewer neighbours. In a packing with a prescribed mean number of contacts the interior
-compensates with more contacts, and thin bodies are stiffer. At the onset of jamming, or in a body cut from a larger
-packing, the skin is not compensated, and thin bodies are softer. The prediction uses the lattice itself: the affine
-estimate, a sum over its bonds, times a factor for the relaxation of the elements,
+Spheres at a wall have fewer neighbours. With a prescribed mean number of contacts the interior compensates with
+more contacts, and thin bodies are stiffer. At the onset of jamming, or in a body cut from a larger packing, thin
+bodies are softer. The prediction is the affine estimate of the lattice, a sum over its bonds, times a factor for the
+relaxation of the elements,
 
     ln(E / E_affine) = Σ_jk c_jk f_j g_k,    ν - ν_affine = Σ_jk d_jk f_j g_k,
     f = 1, ln p, ln² p, ln(12 q / p),    p = Σ ks L² / Σ kn L²,  q = Σ kb / Σ kn L²      (the law),
     g = 1, ln v, w, w ln v, ln z,     v = ⟨1/z_i + 1/z_j⟩,  z = ⟨z_i + z_j⟩ / 2,  w = R̄ S / V   (the lattice),
 
 with coefficients measured by `python -m validation surface`; v and z are relative to fixed reference values. The sum
-over bonds is far cheaper than an equilibrium, and as accurate as the scatter of single packings. A higher accuracy
-requires a test of the specimen.
+over bonds is as accurate as the scatter of single packings. A higher accuracy requires a test of the specimen.
 """
 
 import json

@@ -28,8 +28,7 @@ def target_of(path: Path) -> Path:
 def replacing(path: Path) -> Iterator[Path]:
     """Yield a temporary path with the suffix of `path`, which replaces `path` by one move at the end of the block.
 
-    A process killed at any moment leaves the old file or the new one, never a partial one. The new file has the
-    permissions of the old one.
+    A kill at any moment leaves the old file or the new one, never a partial one. Permissions of an old file remain.
 
     Raises:
         InputError: The path names something other than a file.

@@ -54,8 +54,7 @@ class ElementStress:
             region: elements to average over, weighted with their volumes; `bd.Within(bd.Ball(r).moved(at))`.
 
         Raises:
-            InputError: `region` is no region.
-            EmptyRegionError: The region has no connected element.
+            InputError: `region` is no region, or has no connected element.
         """
         chosen = as_region("mean", region).select(self.lattice)
         share = self.volume[chosen] / self.volume[chosen].sum()
