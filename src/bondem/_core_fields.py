@@ -51,7 +51,7 @@ class Field:
 
     @property
     def words(self) -> int:
-        """Words of the field in the table: a pointer and the lengths of the axes, or its numbers."""
+        """Number of words of the field in the table: a pointer and the lengths of the axes, or its numbers."""
         return math.prod(length for _, length in self.shape) if self.written is None else 1 + len(self.shape)
 
     def __str__(self) -> str:

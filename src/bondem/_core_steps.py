@@ -22,7 +22,7 @@ _WORDS = 8
 class Composer:
     """Composer of lists of passes, which fills each table once and must live as long as its lists.
 
-    A length that a header names, such as n, is one length in all tables of a composer.
+    A length that a header names, such as n, has one value in all tables of a composer.
 
     Args:
         known: composer whose filled tables are reused.

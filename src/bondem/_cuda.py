@@ -127,7 +127,7 @@ def _cubin(name: str, architecture: str) -> bytes:
 
 
 class CudaDevice:
-    """The first CUDA device, with a stream of its own; see `bondem._device.Device`."""
+    """First CUDA device, with its own stream; see `bondem._device.Device`."""
 
     def __init__(self) -> None:
         self._device = core.Device()

@@ -45,7 +45,7 @@ def alone(place: Path, *, patience: float) -> Iterator[None]:
 def claim(descriptor: int) -> bool:
     """Claim an open file for writing until it is closed; False if another process or open file has a claim.
 
-    Readers are not excluded, as HDF5's own locks would do. On systems without such locks every claim succeeds.
+    Readers are not excluded, unlike by HDF5's own locks. On systems without such locks every claim succeeds.
     """
     if _POSIX is None or not hasattr(_POSIX, "F_OFD_SETLK"):
         return True

@@ -48,7 +48,7 @@ class _Range:
     Attributes:
         unit: SI unit.
         advice: advice on a value that is not positive.
-        low, high: lowest and highest plausible value; any solid of the field is within.
+        low, high: lowest and highest plausible value; those of all usual solids are between.
         slips: units of data sheets in which a value beyond the range may have been given, and their sizes in SI
             units, the more likely one first.
     """
@@ -62,8 +62,8 @@ class _Range:
     def doubt(self, name: str, value: float, *, explained: bool = True) -> str:
         """Return a sentence about an implausible value, or "".
 
-        The value 1 is taken for a dimensionless model. Values that no unit of data sheets explains are so, too,
-        unless `explained` is False.
+        The value 1 raises no doubt, as dimensionless models have it. Values that no unit of data sheets explains
+        raise doubt only with `explained=False`.
         """
         meant = self.meant(value)
         if self.low <= value <= self.high or value == 1.0 or (explained and not meant):
@@ -159,7 +159,7 @@ def _by_user() -> bool:
 
 
 def question_material(name: str, E: float, rho: float) -> None:
-    """Warn about a modulus [Pa] or density [kg/m³] that no solid has, or off by 10³ for the named material."""
+    """Warn about a modulus [Pa] or density [kg/m³] of no solid, or some 10³ times that of the named material."""
     words = re.findall(r"[a-z]+", name.lower())
     named = [word for word in words if word in _USUAL]
     soft = any(word in _SOFT for word in words)

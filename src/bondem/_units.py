@@ -1,6 +1,6 @@
 """Quantities with units as text, such as "72.5 GPa", "5 mm", "2.2 g/cm^3", "35 deg" or "25 %".
 
-They are read exactly, as fractions, and rounded once: "72.5 GPa" is the float 72.5e9, "5 mm" the float 5e-3.
+Quantities are read exactly, as fractions, and rounded once: "72.5 GPa" is the float 72.5e9, "5 mm" the float 5e-3.
 """
 
 import math

@@ -61,7 +61,7 @@ class ImbalanceWarning(UserWarning):
 
 
 class NotQuasistaticWarning(UserWarning):
-    """Warning of a run that is meant to be quasi-static, but whose forces contain inertia or are not reached."""
+    """Warning of a run meant to be quasi-static, with inertia in its forces or an unreached force of a servo wall."""
 
 
 class FaceWarning(UserWarning):
@@ -85,7 +85,7 @@ class StrengthWarning(UserWarning):
 
 
 class FillingWarning(UserWarning):
-    """Warning of particles that do not fill their shape, or stick out of it."""
+    """Warning of particles that do not fill their shape, or extend beyond it."""
 
 
 class StressFreeWarning(UserWarning):

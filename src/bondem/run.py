@@ -70,11 +70,10 @@ def solve_explicit(
         dt: time step [s]; None for `safety` times the critical step of the assembled lattice.
         scheme: time integration scheme; velocity Verlet by default.
         damping: damping of elements or bonds, one kind or several in a tuple; none by default.
-        gauges: quantities to record, by name: `bd.Gauge`, `bd.WallGauge`.
+        gauges: quantities to record, by name: `bd.Gauge`, `bd.StrainGauge` or `bd.WallGauge`.
         every: steps between records, besides one at the end of the run; 0 for no records.
         save_every: steps between checkpoints into `out`; 0 for the last state only.
-        snapshot_every: steps between snapshots into `out`, which ParaView 6 shows while the run continues; 0 for
-            none.
+        snapshot_every: steps between snapshots into `out`, which ParaView 6 shows during the run; 0 for none.
         until: one event or several that end the run early.
         safety: share of the critical step to use if dt is None [-].
         imbalance: limits of the error of the energy balance [-], as shares of the largest energy so far (work,
@@ -220,9 +219,8 @@ def resume(
         progress: function called repeatedly with the completed share, 0 … 1.
 
     Raises:
-        RunFileError: The file does not exist, is not a run file, is damaged or of a newer bondem, or has another
-            criterion.
-        InputError: The file cannot be written.
+        RunFileError: The file is missing, no run file, damaged, of a newer bondem, or of another criterion.
+        InputError: The file cannot be written, or the device is unknown or missing.
     """
     return _going_on(path, read_run(path, failure=failure), device, progress)
 

@@ -49,7 +49,7 @@ class AffineEstimate:
 
 
 def is_bar(lattice: Lattice) -> bool:
-    """True if the section of a shape is constant along x, so that its middle half is a gauge for tension."""
+    """Return True if the section of the shape is constant along x, so that its middle half can gauge tension."""
     shape = lattice.particles.envelope
     return bool(shape.faces) and abs(shape.section() * shape.extent / shape.volume - 1.0) <= _PRISM
 

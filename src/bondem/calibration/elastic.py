@@ -61,7 +61,7 @@ class Calibration:
         parameter: name of the parameter calibrated for ν, which the law declares free.
         table: all evaluations, in ascending order of the parameter.
         responses: E and ν of each calibrating lattice with the calibrated law.
-        slopes: derivatives of each lattice with respect to the parameter.
+        slopes: derivatives of ln E and ν of each lattice with respect to the parameter.
         reason: reason for the recommended law; empty for a chosen law.
         strength: calibrated tensile strength and cohesion of the bonds, with their intervals; None without targets.
         friction_angle: friction angle of these bonds [rad].
@@ -202,6 +202,9 @@ class Calibration:
             lattice: the specimen.
             balanced: False for one density, by eq (19) of André et al. (2012); True for one per element, (n,), which
                 also gives the centre of mass and the inertia of the shape, see `balanced_density`.
+
+        Raises:
+            InputError: several bodies; if `balanced`, also a periodic cell or no positive densities.
         """
         if balanced:
             return balanced_density(lattice, self.material.rho)

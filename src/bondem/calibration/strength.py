@@ -198,8 +198,7 @@ def calibrate_strength(
         bounds: lowest and highest value of some parameters.
         most: largest number of runs; a run is all tests at one set of parameters.
         out: folder of the runs; None stores nothing.
-        about: description of the tests (body, law, version of a rig); stored runs with another description are
-            rejected.
+        about: description of the tests (body, law, version of a rig); runs stored with another one are rejected.
         progress: callback, called with one line of text before each test.
         executor: executor for all tests of a run in parallel, lists function by function: a
             `concurrent.futures.ProcessPoolExecutor`, or `Client.get_executor()` of a Dask cluster. Functions are sent

@@ -91,7 +91,7 @@ class Runs:
         self.stored.extend(rows)
 
     def run(self, number: int, parameters: Mapping[str, float]) -> StrengthRun:
-        """Run all tests at given parameters, except those with stored results.
+        """Run all tests at given parameters, except those with stored results; `number` is for messages.
 
         Raises:
             InputError: a test returned something other than positive numbers.

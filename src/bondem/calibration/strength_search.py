@@ -77,7 +77,7 @@ class StrengthSearch:
 
     @property
     def message(self) -> str:
-        """Reason for the end, in one line."""
+        """Success or failure, strengths of the best run, and reason for the end, in one line."""
         best = self.runs[self.best - 1]
         found = ", ".join(
             f"{test} {best.mean(test) / 1e6:.4g} MPa for {target / 1e6:.4g} ± {tolerance / 1e6:.4g}"

@@ -109,7 +109,7 @@ class SurfaceModel:
         return estimate.E * math.exp(float(f @ self.E @ g)), estimate.nu + float(f @ self.nu @ g)
 
     def bulk(self, law: BondLaw, mean_radius: float) -> AffineEstimate:
-        """Isotropic affine estimate of a large periodic cell: 6.2 contacts per sphere, mean radius [m]."""
+        """Isotropic affine estimate of a law in a large periodic cell: 6.2 contacts per sphere, mean radius [m]."""
         # two lengths of this mean and standard deviation represent all bonds
         length = mean_radius * (self.length[0] + self.length[1] * np.array([-1.0, 1.0]))
         half = 0.5 * length
@@ -118,7 +118,7 @@ class SurfaceModel:
         return self._isotropic(k, length, volume)
 
     def _isotropic(self, k: BondStiffness, length: Floats, volume: float) -> AffineEstimate:
-        """Estimate of bonds with uniformly distributed directions."""
+        """Affine estimate of bonds with uniformly distributed directions in a volume [m³]."""
         normal, shear = float(k.kn @ length**2), float(k.ks @ length**2)
         mean = Isotropic(K=normal / (9.0 * volume), G=(normal / 15.0 + shear / 10.0) / volume)
         stiffness = np.diag([2.0 * mean.G] * 3 + [mean.G] * 3)
@@ -144,7 +144,7 @@ def _default() -> SurfaceModel:
 class SurfaceCorrection:
     """E and ν of a specimen relative to those of the bulk, for one bond law.
 
-    The bulk is a large periodic cell of default packing (6.2 contacts per sphere, κ = 25 %), as measured by
+    The bulk is a large periodic cell of default packing (6.2 contacts per sphere, radii R̄ ± 12.5 %), measured by
     `bd.bulk_moduli`. The ratio of two lattices, `E(other) / E(calibrated)`, does not depend on this reference. The
     prediction for a bar is that of `labtests.static_tension` along x, for other shapes that of the whole body.
 

@@ -69,7 +69,7 @@ class Sample:
             level: probability that the interval contains the mean [-].
 
         Raises:
-            InputError: fewer than two packings, or a precision that is not positive or needs more than 100 000.
+            InputError: fewer than two packings, or a precision that is not positive or needs over 100 000.
         """
         if not precision > 0.0:
             raise InputError(f"precision = {precision}: not positive; give a positive share, such as 0.01")

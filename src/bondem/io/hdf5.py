@@ -26,7 +26,7 @@ _MOST_COMPRESSED, _LITTLE = 1100, 1 << 20
 
 @dataclass(frozen=True)
 class Kind:
-    """Kind of file, as its errors describe it.
+    """Kind of HDF5 file, with the texts and the type of its errors.
 
     Attributes:
         name: name of the kind.

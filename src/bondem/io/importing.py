@@ -104,7 +104,7 @@ def read_lattice(
     """Read spheres and their bonds from a file of bondem, a LAMMPS data file with bonds, or VTKHDF with lines.
 
     Bonds are at rest at the lengths that they have in the file. Bodies of cells can only be read from files of
-    bondem, which store facets and cells to the bit.
+    bondem, which store facets and cells bit for bit.
 
     Args:
         path: the file.

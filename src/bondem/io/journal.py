@@ -254,7 +254,7 @@ class RecoveredFile(io.BytesIO):
 
 
 def committed(path: Path) -> Path | RecoveredFile:
-    """Source of the committed contents of a file: the file itself, or the result of its complete journal."""
+    """Return the source of the committed contents: the file itself, or the result of its complete journal."""
     found = _read_journal(journal_of(path))
     if found is None:
         return path
@@ -283,7 +283,7 @@ def journal_of(path: Path) -> Path:
 
 
 def _pages_of(at: int, count: int) -> Iterator[tuple[int, int, int]]:
-    """Yield number, first byte and end of the part in each page that `count` bytes from offset `at` on overlap."""
+    """Split `count` bytes from offset `at` by pages; yield the number of each page, begin and end of its bytes."""
     for number in range(at // _PAGE, -(-(at + count) // _PAGE) if count else at // _PAGE):
         yield number, max(at, number * _PAGE), min(at + count, (number + 1) * _PAGE)
 
@@ -305,7 +305,7 @@ def _write_journal(journal: Path, length: int, pages: dict[int, bytearray]) -> N
 
 
 def _read_journal(journal: Path) -> tuple[int, list[tuple[int, bytes]]] | None:
-    """Length after the commit, and pages with their offsets; None without a complete journal."""
+    """Read the length of the file after a commit, and pages with offsets; None without a complete journal."""
     try:
         data = journal.read_bytes()
     except OSError:

@@ -73,7 +73,7 @@ def read_lammps(path: Path, *, periodic: bool = False) -> RawSpheres:
 
 
 def _require_counts(path: Path, head: _Lines, found: dict[str, int]) -> None:
-    """Compare the numbers of the header, "2187 atoms", with those of the sections."""
+    """Reject a file whose sections do not have the numbers of its header, such as "2187 atoms"."""
     for line, text in head:
         count, _, what = text.partition(" ")
         if what.strip() in found:
@@ -93,7 +93,7 @@ def _strained(path: Path, title: str, velocities: Iterable[tuple[int, str]]) -> 
 
 
 def _sections(path: Path) -> tuple[str, _Lines, dict[str, tuple[int, str, _Lines]]]:
-    """First line and header of the file, and by section its line number, its comment and its lines."""
+    """Split a file into first line, header, and sections by name: line number, comment and lines of each."""
     title = ""
     head: _Lines = []
     sections: dict[str, tuple[int, str, _Lines]] = {}

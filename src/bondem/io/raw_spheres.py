@@ -76,7 +76,7 @@ def floats(path: Path, line: int, words: Sequence[str]) -> list[float]:
 
 
 def snapshot_number(path: Path, frame: int, count: int) -> int:
-    """Return the number of a snapshot from 0; negative ones count from the end.
+    """Convert the number of a snapshot, negative from the end, to an index from 0.
 
     Raises:
         InputError: the file has no such snapshot.

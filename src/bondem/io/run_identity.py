@@ -28,7 +28,7 @@ def text_of_model(model: Model) -> str:
 
 
 def identity_of(model: Model, plan: Plan, initial: State) -> str:
-    """Return the digest of a run.
+    """Compute the digest that identifies a run, as 64 hexadecimal digits.
 
     Args:
         model: model of the run.

@@ -98,7 +98,7 @@ class RunFile:
     """Writer of checkpoints and snapshots of a run (a `Sink`).
 
     Args:
-        path: the file; an existing file is replaced at the first checkpoint.
+        path: the file; an existing file is replaced at the first checkpoint or snapshot.
         model: model of the run.
         plan: options of the run with the resolved time step, so that a restart does not compute it again.
         cracks: function of crack outlines for snapshots; None for snapshots without cracks.
@@ -261,8 +261,7 @@ def read_run(path: str | Path, *, failure: Criterion | None = None) -> Checkpoin
 
     Args:
         path: path of the file.
-        failure: criterion of the run if it is a `bd.StressCriterion`, whose function cannot be stored; otherwise
-            None.
+        failure: criterion of the run if it is a `bd.StressCriterion`, whose function cannot be stored; else None.
 
     Raises:
         RunFileError: The file does not exist, is no run file, is damaged, has a newer or too old format, or belongs
@@ -302,7 +301,7 @@ def reading_run(path: Path) -> Iterator[h5py.File]:
 
 
 def head_of(file: h5py.File, path: Path) -> dict[str, Any]:
-    """Read the header of a run file.
+    """Read the attributes of a run file by name, such as schema and version of bondem.
 
     Raises:
         RunFileError: another kind of file, or a damaged one.

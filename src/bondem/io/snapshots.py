@@ -52,7 +52,7 @@ class Snapshots:
 
     Attributes:
         pieces: pieces by name.
-        cracks: function of the crack outlines of a state; None for a model without failure.
+        cracks: function of the crack outlines of a state; None for a file without cracks.
         drawn: numbers of the shown bonds, which do not cross the border of a periodic cell.
         corners: corners of the cells if the file stores their motion; else None.
         walls: outlines of all walls of the model, as one item; empty for a file without walls.

@@ -29,7 +29,7 @@ def write_vtkhdf(
     """Write a lattice as VTKHDF PolyData, which ParaView 5.11 and later opens (glyph by `radius`).
 
     A body of cells is written as polyhedra (ParaView 6.0 and later), with `elements` as fields of the cells. For a
-    state under `CellBond`, the file also has the mean stress of each cell, its dilatation and λ θ.
+    state under `CellBond`, the file also has the mean stress of each cell, its dilatation θ and λ θ (λ of Lamé).
 
     A static solution adds displacement, rotation, reaction and reaction_moment, and the stress of each element with
     its principal_stresses (σ1, σ2, σ3) and von_mises_stress. Elements are at their displaced positions.
@@ -45,7 +45,7 @@ def write_vtkhdf(
         bonds: further fields of the bonds by name, each (m,) or (m, k).
 
     Raises:
-        InputError: the file cannot be written, or a field has the wrong length or a name that is taken.
+        InputError: the file cannot be written, or a field has the wrong length or a name that is in use.
     """
     path = place("write_vtkhdf: path", path)
     instance("write_vtkhdf", "lattice", lattice, Lattice, "a lattice")

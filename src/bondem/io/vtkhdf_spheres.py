@@ -78,7 +78,7 @@ class _Step:
         return cls(offsets, number, first, points[first : first + count])
 
     def rows(self, data: Any, offset: str) -> np.ndarray:
-        """Return the rows of an array that belong to the points of the step, first row by the array `offset`.
+        """Return the rows of an array for the points of the step; `offset` names the first rows of all steps.
 
         Raises:
             ValueError: the array has fewer rows than the file announces.
@@ -90,7 +90,7 @@ class _Step:
         return found
 
     def pairs(self, lines: Any) -> Pairs | None:
-        """Return the ends of the lines, (m, 2), or None without lines or if a line has not two points."""
+        """Return the ends of the lines, (m, 2); None without lines, or if a line has more than two points."""
         cells = array_at(lines, "NumberOfCells")[self.first :][: len(self.points)].astype(np.int64)
         # the offsets of each piece have one entry more than its lines
         begin = self._begin("CellOffsets", _LINES) + self.first

@@ -1,1 +1,1 @@
-"""Quantities evaluated for a model and its state, which they never change."""
+"""Quantities evaluated for a model and its state, without a change of either."""

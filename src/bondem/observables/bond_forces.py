@@ -23,7 +23,7 @@ class BondForces:
 
     The force on element i is the opposite of that on j. Moments act on the elements, at their centres. A bond in
     tension pulls j towards i, so that `force` points against `axis`. With branch vectors l and external forces F at
-    centres x, the Love–Weber sum is therefore -Σ f ⊗ l = Σ F ⊗ x. In a test this is F times the distance between
+    centres x, the Love–Weber sum is therefore -Σ f ⊗ l = Σ F ⊗ x. In a test it contains the distance between
     loaded and fixed centres, which is shorter than the specimen. `bd.element_stress` computes local stresses.
 
     Attributes:
@@ -72,8 +72,7 @@ def bond_forces(model: Model, result: SmallMotion | State) -> BondForces:
         Forces and moments, user's order.
 
     Raises:
-        InputError: The model has cells, the result belongs to another model, or is a static solution of the non-local
-            law.
+        InputError: The model has cells, the result is of another model, or a static solution of the non-local law.
     """
     instance("bond_forces", "model", model, Model, "bd.Model(...)")
     if isinstance(result, State):
@@ -113,7 +112,7 @@ def _of_state(model: Model, state: State) -> BondForces:
 
 
 def _pressed(model: Model, state: State, length: Floats) -> PerBond:
-    """Return the compressive force that softening beams transmit besides that by integrity [N], user's order."""
+    """Return (1 - integrity) times the elastic compressive force of softening beams [N], user's order, (m,)."""
     push = np.zeros(len(length))
     softening = state.softened[:, SoftColumn.BOND].astype(np.int64)
     softening = softening[state.integrity[softening] > 0.0]

@@ -69,7 +69,7 @@ class BrokenBonds:
 def failure_index(model: Model, state: State | SmallMotion) -> PerBond:
     """Compute the index of the failure criterion for each bond or facet: 1 at failure, 0 if broken.
 
-    Solve for a static solution without the criterion: by the model `dataclasses.replace(model, failure=None)`.
+    Static solutions are those of the model without its criterion, `dataclasses.replace(model, failure=None)`.
 
     Softening beams and facets have index 1. Criteria for cracks and yielding of cells are evaluated at the stress σ*
     of `bd.Rankine`. They give a facet in compression the index 0; `bd.Rankine` gives it the smaller one of the

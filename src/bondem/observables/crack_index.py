@@ -90,7 +90,7 @@ def _yield_index(model: Model, state: State, slip: SlipTable) -> PerElement:
 
 
 def _bending(model: Model, state: State) -> PerBond:
-    """Return T_b, the rms of the tractions on each facet by its bending [Pa], user's order, (m,)."""
+    """Return T_b, the rms of the tractions that bending causes on each facet [Pa], user's order, (m,)."""
     facets, _ = body_of(model.lattice)
     constants, turns = model.cell_constants, state.orientation[model.lattice.pairs]
     p, q = turns[:, 0], turns[:, 1]

@@ -12,7 +12,7 @@ from bondem.model.model import Model
 
 
 def loads_on_facets(model: Model, time: float | None = None, orientation: Floats | None = None) -> Floats:
-    """Return the forces of loads on free facets [N], (k, 3), at a time [s] or, for None, the end of all schedules.
+    """Return the forces of loads on free facets [N], (k, 3), at `time` [s]; None means the end of all schedules.
 
     Given orientations (n, 4), following pressures and the forces of moments rotate with their cells. Without
     orientations these forces are in the axes of their cells.

@@ -48,7 +48,7 @@ def _draw_test(figure: Figure, left: Axes, right: Axes, body: Lattice, outcome: 
 def draw_energies(path: Path, specimen: Examined) -> None:
     """Draw the energy balance of each test over its strain: the parts into which the work is converted.
 
-    On a path that turns back, only points beyond all previous strains are drawn.
+    On a path with snap-back, only points beyond all previous strains are drawn.
     """
     names = [name for name in broken_in(specimen) if specimen.outcomes[name].energy]
     rows, columns = arranged(len(names))

@@ -56,7 +56,7 @@ def draw_modes(path: Path, specimen: Examined) -> None:
 
 
 def _mode(specimen: Examined, kind: str, column: int) -> tuple[int, Floats]:
-    """Return number and shape, (n, 6), of the mode with most mass; that of bending is along z and points upwards."""
+    """Return number and shape, (n, 6), of the mode with the largest share of mass; bending is along z, upwards."""
     frequencies = specimen.frequencies
     assert frequencies is not None
     best = int(np.argmax(frequencies.mass_share[:, 2 if kind == "bending" else column]))

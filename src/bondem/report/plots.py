@@ -305,7 +305,7 @@ def _view(who: str, view: Any) -> View:
 
 @contextmanager
 def _figure(who: str, path: Any, count: int) -> Iterator[tuple[Drawing, list[Axes]]]:
-    """Yield a figure and its panels in a row; write it to any `path` at the end of the block."""
+    """Yield a figure and its panels in a row; unless `path` is None, write the figure at the end of the block."""
     file = None if path is None else place(f"{who}: path", path)
     if file is not None:
         require_writable(file, "picture")

@@ -1,7 +1,7 @@
 """Spheres and tubes in parallel projection, with soft shadows between close neighbours.
 
 A sphere in parallel projection is a disc of known depth. A depth buffer in NumPy therefore draws ten thousand spheres
-in a second, without a graphics driver or window system, and equally on every machine.
+in a second, without a graphics driver or window system, and identically on every machine.
 """
 
 import math
