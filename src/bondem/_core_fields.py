@@ -15,7 +15,7 @@ from bondem.errors import InputError
 # Types of integers and of real numbers in Python and NumPy.
 INTEGER = (int, np.integer, np.bool_)
 REAL = (float, np.floating, *INTEGER)
-# A word of a table as an integer, and a number as such a word.
+# Formats of a word of a table, and of a real number in a word.
 _WORD, _REAL = struct.Struct("=q"), struct.Struct("=d")
 
 

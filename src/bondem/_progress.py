@@ -22,7 +22,7 @@ from bondem.errors import InputError
 P = ParamSpec("P")
 R = TypeVar("R")
 
-#: Records the beginning and the end of stages at level INFO.
+#: Logger that records the beginning and the end of stages at level INFO.
 LOG = logging.getLogger("bondem")
 _MODES = ("auto", "bars", "lines", "off")
 # Duration of a call from which on it is shown, and interval of lines about its progress [s].
@@ -251,7 +251,7 @@ class _Lines:
         """Do nothing, because nothing is open."""
 
     def _write(self, words: str) -> None:
-        if sys.stderr is None:  # print would take stdout
+        if sys.stderr is None:  # print would write to stdout
             return
         with suppress(OSError):  # a disk that is full need not end the call
             print(f"bondem: {span(self._board.seconds):>8}  {words}", file=sys.stderr, flush=True)

@@ -9,7 +9,7 @@ from functools import cache
 from bondem._checks import count as whole_number
 from bondem.errors import InputError
 
-# Number within a block of `threads`, in the thread of Python that runs the block.
+# Number of threads within a block of `threads`, in the Python thread that runs the block.
 _WITHIN: ContextVar[int | None] = ContextVar("bondem_threads", default=None)
 
 

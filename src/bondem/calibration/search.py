@@ -85,7 +85,7 @@ class Search:
             guess = _through(*best)
         seen = {point.x for point in points}
         if not low < guess < high:
-            # an end of the search that was not tried yet, else the middle
+            # an end of the range that was not evaluated yet, else the middle
             end = low if guess <= low else high
             return end if end in ends and end not in seen else 0.5 * (low + high)
         return guess

@@ -145,7 +145,7 @@ class PackingCache:
             return make()
         cached = self.get(name)
         if cached is not None:
-            # the shape of the user may have cached measures of its surface
+            # the shape of the user may already have cached measures of its surface
             return filled(cached, request["shape"])
         particles = make()
         self.put(name, particles, provenance=provenance)

@@ -118,7 +118,7 @@ def _columns(
 def _period(
     path: Path, line: int, said: dict[str, str], periodic: bool | None
 ) -> tuple[Floats | None, str]:
-    """Return the edges of a fully periodic cell, (3,), or None, and the names of the axes of a partly periodic one."""
+    """Return the edges of a fully periodic cell, (3,), or None, and the periodic axes of a partly periodic one."""
     borders = [border in _TRUE for border in said.get("pbc", "").lower().split()]
     partly = some_axes(borders) if periodic is not False else ""
     if partly or not (bool(borders) and all(borders) if periodic is None else periodic):

@@ -48,7 +48,7 @@ def crack_index(
         n = turned_vectors(motion.orientation[i], n)
     order, traction = model.layout.bond_order, forces.force / facets.area[:, None]
     stress = mean_stress(model, forces).reshape(-1, 9)[:, _COMPONENTS]
-    # facets in internal order, as the strengths
+    # facets in internal order, which is that of the strengths
     loaded = LoadedFacets(
         i[order], j[order], n[order], traction[order], _bending(model, state)[order], np.ascontiguousarray(stress)
     )

@@ -45,7 +45,7 @@ CAPTIONS = {
         scatter.""",
 }
 
-#: Captions of the same figures where these say something else of a body of cells.
+#: Captions of the same figures where they differ for a body of cells.
 OF_CELLS = {
     "specimen": """The specimen: its cells, coloured by size over mean size [-]; one half is cut open along the
         axis.""",

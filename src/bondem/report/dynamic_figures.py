@@ -19,7 +19,7 @@ _KINDS = (
     ("torsion", "dynamic_torsion", 3, PURPLE),
     ("tension", "dynamic_tension", 0, BLUE),
 )
-# Elements whose velocity is drawn for the struck face: a wall drives the face of cells, and the cells behind follow.
+# Labels of the curve of the struck face: a body of cells is driven by a wall, and its cells lie behind the face.
 _STRUCK = {"spheres": "struck face, held", "cells": "cells behind the struck face"}
 _VIEW = View(azimuth=math.radians(28.0), elevation=math.radians(24.0))
 

@@ -7,7 +7,7 @@ from bondem._types import Floats
 
 # Colour of the heaviest piece, usually the rest of the specimen.
 _LARGEST = (0.83, 0.86, 0.89)
-# Hues go round by the golden angle, so that neighbours in the order of size differ; so do saturation and value.
+# Hues advance by the golden ratio, so that neighbours in the order of size differ; saturation and value alternate.
 _GOLDEN = 0.61803398875
 _SATURATION, _VALUE = (0.55, 0.80, 0.40, 0.68), (0.92, 0.72, 0.86, 0.78, 0.66)
 

@@ -57,7 +57,7 @@ def render(position: Floats, radius: Floats, colour: Floats, *, view: View, widt
     return _rendered(*arrays, view, width)
 
 
-# Each figure of a report is drawn twice, wide and for phones, with the same pictures of spheres: at most three each.
+# Each figure of a report is drawn twice, wide and for phones, from the same pictures of spheres, three at most.
 @lru_cache(maxsize=3)
 def _rendered(positions: bytes, radii: bytes, colours: bytes, view: View, width: int) -> Floats:
     position, radius = np.frombuffer(positions).reshape(-1, 3), np.frombuffer(radii)

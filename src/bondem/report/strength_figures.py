@@ -23,7 +23,7 @@ from bondem.specimen.lattice import Lattice
 
 # Largest drawn displacement over the size of the specimen, and magnifications per decade.
 _EXAGGERATED, _STEPS = 0.08, (1.0, 2.0, 5.0)
-# Figures in a row.
+# Largest number of panels in a row.
 _COLUMNS = 3
 
 
