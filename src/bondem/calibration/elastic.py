@@ -260,7 +260,7 @@ def calibrate(
         UnreachableTargetError: the law cannot give this ν on this lattice; the message states its range.
         InputError: no lattice, one of several bodies, a specimen too short for a tension test along x or without
             ends to pull, an unknown parameter, a parameter that calibration sets, or one strength without the other.
-        ConvergenceError: ν is not within the tolerance after 30 evaluations.
+        ConvergenceError: ν is not within the tolerance after more than 30 evaluations.
         UnstableRunError: a strength test failed at the start.
     """
     if (ucs is None) != (tension is None):

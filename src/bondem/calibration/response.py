@@ -46,13 +46,14 @@ class Slope:
 class Response:
     """E and ν of one lattice with one law: bulk moduli of a periodic cell, otherwise a tension test along x.
 
+    Iterations start from `guess`, a Response of the same lattice to similar bonds, if given.
+
     Attributes:
         lattice: the specimen.
         law: bond law.
         E: Young's modulus [Pa].
         nu: Poisson's ratio [-].
-        tension: tension test; None for a periodic cell.
-        moduli: bulk moduli of a periodic cell; None for other shapes.
+        tension, moduli: tension test, or bulk moduli for a periodic cell; the other one is None.
     """
 
     def __init__(self, lattice: Lattice, law: BondLaw, *, guess: "Response | None" = None) -> None:

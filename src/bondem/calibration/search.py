@@ -43,7 +43,7 @@ class Search:
 
         Raises:
             UnreachableTargetError: ν does not reach the target between `low` and `high`.
-            ConvergenceError: ν is not within the tolerance after 30 evaluations.
+            ConvergenceError: ν is not within the tolerance after more than 30 evaluations.
         """
         points: list[_Point] = []
         ends = math.log(self.low), math.log(self.high)

@@ -12,7 +12,7 @@ from bondem._types import Floats
 from bondem.errors import InputError
 
 Kind = Literal["confidence", "prediction"]
-# Largest number of packings that `packings_for` returns.
+# Upper limit of the numbers of packings that `packings_for` tries by doubling.
 _MOST = 100_000
 
 
@@ -69,7 +69,7 @@ class Sample:
             level: probability that the interval contains the mean [-].
 
         Raises:
-            InputError: fewer than two packings, or a precision that is not positive or needs over 100 000.
+            InputError: fewer than two packings, or a precision that is not positive or needs more than 65 536.
         """
         if not precision > 0.0:
             raise InputError(f"precision = {precision}: not positive; give a positive share, such as 0.01")

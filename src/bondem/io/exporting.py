@@ -182,7 +182,7 @@ def _write_data(path: Path, frame: _Frame, suffix: str) -> None:
         strained = f", {STRAINED}" if frame.state is not None and np.any(frame.state.displacement) else ""
         file.write(f"LAMMPS data file of bondem: units si, atom_style bpm/sphere{strained}\n\n")
         file.write(f"{len(diameter)} atoms\n{len(pairs)} bonds\n1 atom types\n1 bond types\n")
-        # room in LAMMPS for the largest number of bonds of an element, and for as many special neighbours
+        # room in LAMMPS for the bonds of the element with most bonds, and for one more special neighbour than that
         most = int(np.bincount(pairs.ravel(), minlength=1).max()) if len(pairs) else 0
         file.write(f"{most} extra bond per atom\n{most + 1} extra special per atom\n\n")
         for axis, low, high in zip("xyz", *frame.bounds, strict=True):
