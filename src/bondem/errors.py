@@ -105,7 +105,7 @@ class RaggedInterfaceWarning(UserWarning):
 
 
 class FractureEnergyWarning(UserWarning):
-    """Warning of a test whose work per section is not a fracture energy, as several cracks dissipate the work."""
+    """Warning of work that is not a fracture energy: of several cracks, or of cracks beside a pressure."""
 
 
 class UnresolvedOpeningWarning(FractureEnergyWarning):

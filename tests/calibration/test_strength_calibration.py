@@ -235,7 +235,7 @@ def test_one_run_says_what_is_found_with_nothing_calibrated():
     assert len(fit.runs) == 1
     assert fit.runs[0].mean("ucs") == pytest.approx(2.5 * 7e6**0.9 * 4e6**0.1)
     assert fit.sensitivities is None
-    with pytest.raises(InputError, match="single run has no slopes"):
+    with pytest.raises(InputError, match="these runs have no slopes"):
         fit.tolerated("tension")
 
 

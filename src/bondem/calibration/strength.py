@@ -142,7 +142,7 @@ class StrengthCalibration:
 
     def _inverse(self) -> Floats:
         if self.sensitivities is None:
-            raise InputError("a single run has no slopes; start farther from the targets, or allow more runs")
+            raise InputError("these runs have no slopes; start farther from the targets, or allow more runs")
         slopes = np.array([list(row.values()) for row in self.sensitivities.values()])
         size = np.array([target / tolerance for target, tolerance in self.targets.values()])
         zero = np.zeros(len(size))

@@ -13,7 +13,7 @@ from bondem.errors import InputError
 
 Kind = Literal["confidence", "prediction"]
 # Upper limit of the numbers of packings that `packings_for` tries by doubling.
-_MOST = 100_000
+_MOST = 2**16
 
 
 def half_width(n: int, *, kind: Kind, level: float) -> float:

@@ -8,14 +8,7 @@ import numpy as np
 
 from bondem._types import Pairs
 from bondem.errors import InputError
-from bondem.io.raw_spheres import (
-    LAMMPS_UNITS,
-    RawSpheres,
-    announced_count,
-    floats,
-    numbered_lines,
-    require_count,
-)
+from bondem.io.raw_spheres import LAMMPS_UNITS, RawSpheres, announced_count, floats, numbered_lines, require_count
 
 # Columns of the diameter and of x by atom style; three image flags may follow z.
 _STYLES = {"sphere": (2, 4), "bpm/sphere": (3, 5)}

@@ -56,7 +56,7 @@ def read_xyz(
         table.append(floats(path, number, [words[k] for k in chosen]))
     numbers = np.array(table)
     one = size if size is not None and not isinstance(size, str) else None
-    share *= 0.5 if diameters else 1.0
+    share = 0.5 if diameters else share
     radius = np.full(len(numbers), float(one)) if one is not None else share * numbers[:, 3]
     period, partly = _period(path, line, said, periodic)
     return RawSpheres(numbers[:, :3], radius, period, partly=partly)

@@ -23,14 +23,7 @@ from bondem.labtests.bonded_platens import BondedSpecimen, as_cells, is_cells
 from bondem.labtests.bonded_splitting import split_bonded
 from bondem.labtests.disc import WIDEST, Disc, centre_stress, flattened, middle_of_disc, require_disc, stamped
 from bondem.labtests.one_test import OfOneTest
-from bondem.labtests.quasi_static_rig import (
-    DENSITY,
-    Rig,
-    RunOptions,
-    require_cells,
-    run_to_failure,
-    softenings_of,
-)
+from bondem.labtests.quasi_static_rig import DENSITY, Rig, RunOptions, require_cells, run_to_failure, softenings_of
 from bondem.model.model import Model
 from bondem.observables.cell_stress import cell_stress
 from bondem.specimen.lattice import Lattice

@@ -21,6 +21,7 @@ from bondem.statics.quasistatic.damaged_body import DamagedBody, Loaded
 from bondem.statics.quasistatic.equilibrium import Eliminated, Equilibrium, Iterated
 from bondem.statics.quasistatic.load_response import PointGauges, Reading
 from bondem.statics.quasistatic.onset import FacetOnset, StressOnset, TractionOnset
+from bondem.statics.quasistatic.pressed_cracks import PressedCracks
 from bondem.statics.quasistatic.sawtooth import Teeth
 
 # Relative difference of load factors below which facets fail in the user's order.
@@ -147,6 +148,9 @@ def solve_quasistatic(
         ConvergenceError: The supports do not hold the body.
         RunInterrupted: Ctrl-C was pressed; its `.result` is the path so far.
 
+    Warns:
+        FractureEnergyWarning: The pressure along the cracks exceeds 1.5 times the tension across them.
+
     Reference: sequentially linear analysis, Rots (2001); DeJong, Hendriks and Rots (2008).
     """
     instance("solve_quasistatic", "drive", drive, Region, "a region, such as bd.Face('x_max')")
@@ -177,7 +181,7 @@ def _followed(
     band, close, share, limit = limits
     body, equilibrium, onset = _begin(model)
     reading, gauge = Reading(body, drive), PointGauges(model, pairs)
-    path = _Path(model)
+    path, pressed = _Path(model), PressedCracks(body)
     softening: dict[int, tuple[Teeth, int]] = {}
     following = np.full(len(body.integrity), np.inf)
     motion, before = body.motion.copy(), (body.integrity, body.closed)
@@ -210,6 +214,7 @@ def _followed(
             end = "folded"
             break
         left: list[float] = []
+        pressed.add(found, factor, failing[body.integrity[failing] == 1.0])
         for k in failing.tolist():
             if k not in softening:
                 softening[k] = onset.teeth(found, k, factor, band), 0
@@ -230,6 +235,7 @@ def _followed(
             progress(reported)
     if progress is not None:
         progress(1.0)
+    pressed.warn()
     return path.result(body, before, end, equilibrium)
 
 
