@@ -219,6 +219,23 @@ def test_a_run_in_a_thread_takes_no_signals(tmp_path: Path) -> None:
     assert found[0].steps == 20
 
 
+@pytest.mark.parametrize("changed", ["label", "names"])
+def test_bodies_of_a_scene_are_in_the_digest(tmp_path: Path, changed: str) -> None:
+    one = bd.connect(bd.pack(bd.Box((2e-3,) * 3), count=30, method="even", seed=1), method="laguerre")
+    scene = bd.join(one, one.moved((0.0, 0.0, 2.1e-3)), names=("lower", "upper"))
+    place, contact = tmp_path / "run.h5", bd.LinearContact(E=70e9)
+    model = bd.Model(scene, bd.CellBond(E=70e9, nu=0.2), 2500.0, contact=contact)
+    bd.solve_explicit(model, duration=1e-7, out=place)
+    assert bd.read_run(place).model.lattice.names == ("lower", "upper")
+    with h5py.File(place, "a") as file:
+        if changed == "label":
+            file["bodies/label"][0] = 1
+        else:
+            file["bodies"].attrs["names"] = '["lower", "uppar"]'
+    with pytest.raises(RunFileError, match="damaged"):
+        bd.read_run(place)
+
+
 def test_a_flipped_bit_is_never_taken_for_the_run(tmp_path: Path) -> None:
     """Whatever bit of the file is flipped: it is refused, or reads the same."""
     model = cells()

@@ -1,12 +1,13 @@
 """The run file: output and restart in one HDF5 file.
 
     /                attributes format, schema, bondem_version, identity, digest; texts plan, model, provenance (JSON)
-    /elements        position (n, 3) [m], radius (n,) [m], density [kg/m³], any period (3,) [m]
+    /elements        position (n, 3) [m], radius (n,) [m], density [kg/m³]; period (3,) [m] of a periodic cell
     /bonds           pairs (m, 2)
-    /facets, /cells  of a body, see `bondem.io.bodies`
+    /facets, /cells  of a body of cells, see `bondem.io.bodies`
+    /bodies          label (n,) of the bodies of a scene, their names and shapes (JSON)
     /state           the arrays of `State` in internal order; attributes step, time [s], stale, seconds, digest
     /history         records (s, 15 + 3 g); attribute gauges
-    /VTKHDF          any snapshots for ParaView, see `bondem.io.snapshots`
+    /VTKHDF          snapshots for ParaView, if the run stores any, see `bondem.io.snapshots`
 
 Derived data (order, stiffnesses) are not stored but computed again by the same code. The file grows by commits of
 `bondem.io.journal`: after a kill at any moment the previous checkpoint and snapshots are valid. Digests cover all
@@ -51,13 +52,13 @@ from bondem.model.state import State
 from bondem.specimen.particles import Particles, filled
 
 FORMAT = "bondem run"
-SCHEMA = 11
+SCHEMA = 12
 # Oldest schema that is read, first one with digests, first one with shares. New contents by schema: 2 contacts, walls
 # and friction; 3 stresses, non-local work and cells; 4 failure criteria and events; 5 softening facets and yielding
 # cells; 6 softening beams; 7 digests, snapshots and provenance; 8 grips that continue from an earlier stage, and
 # cracks compared with the strength of their facet; 9 shares of facets; 10 steps of initiation, crushing, and the
-# held slip of yielding cells; 11 rotating walls and rolling resistance.
-_OLDEST, _DIGESTED, _SHARED = 2, 7, 9
+# held slip of yielding cells; 11 rotating walls and rolling resistance; 12 a digest of bodies as well.
+_OLDEST, _DIGESTED, _SHARED, _BODIES = 2, 7, 9, 12
 # First schema that has an array of the state.
 _SINCE = {
     "stress": 3, "broken": 4, "released": 4, "cracks": 5, "plastic": 5, "facet_force": 5, "softened": 6, "grips": 8,
@@ -251,8 +252,11 @@ def _digest_of_state(state: State, history: History, schema: int = SCHEMA) -> st
 
 
 def _digest_of_rest(file: h5py.File) -> str:
-    stored = {name: file[name] for name in _STATIC if name in file}
-    head = json.dumps([text_of(file.attrs["format"]), int(_attributes(file)["schema"])])
+    schema = int(_attributes(file)["schema"])
+    parts = (*_STATIC, "bodies") if schema >= _BODIES else _STATIC
+    stored = {name: file[name] for name in parts if name in file}
+    bodies = stored["bodies"].attrs if "bodies" in stored else {}
+    head = json.dumps([text_of(file.attrs["format"]), schema, *(text_of(bodies[name]) for name in sorted(bodies))])
     return digest_of([*arrays_of(stored), ("head", head)])
 
 
