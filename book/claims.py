@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from book.chapter import Chapter
 from book.errors import BookError
 from book.questions import CRACKS, PACKINGS, STIFFNESS, STRENGTH, TRUST, WAVES
-from book.row import Row, Verdict
+from book.row import Row
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class Claim:
     measured: str
 
     def rows(self, chapters: Sequence[Chapter]) -> list[Row]:
-        """The rows that decide, which have verdicts.
+        """The rows that decide.
 
         Raises:
             BookError: no row or section of this name, or more than one.
@@ -38,7 +38,7 @@ class Claim:
         rows = [(row,) for one in mine for row in one.rows if row.case == self.place]
         if len(found := [*sections, *rows]) != 1:
             raise BookError(f"'{self.says}': {len(found)} times '{self.place}' in '{self.chapter}', not once")
-        return [row for row in found[0] if row.verdict is not Verdict.NO_PAPER]
+        return list(found[0])
 
 
 _SILICA = "static tests on five packings of 10 000 spheres, bonds calibrated on the first"

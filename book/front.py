@@ -108,18 +108,16 @@ def _failed(chapters: Sequence[Chapter]) -> str:
     """What failed, in plain words, by chapter."""
     rows = [row for chapter in chapters for row in chapter.rows]
     found = tally(rows)
-    compared = len(rows) - found[Verdict.NO_PAPER]
     number = sum(row.verdict.is_miss for row in rows)
     if not number:
         return ""
     lines = [
         "## What failed",
-        f"Of {compared} comparisons {number} are missed; the cause of {found[Verdict.EXPLAINED]} is known and stated."
-        "\n[The list of all misses](#all-misses) links each of them.",
+        f"Of {len(rows)} comparisons {number} are missed; the cause of {found[Verdict.EXPLAINED]} is known and"
+        " stated.\n[The list of all misses](#all-misses) links each of them.",
     ]
     lines.append("\n".join(
-        f"- {_reference(chapter)}, {many} of {sum(row.verdict is not Verdict.NO_PAPER for row in chapter.rows)}:"
-        f" {chapter.misses}"
+        f"- {_reference(chapter)}, {many} of {len(list(chapter.rows))}: {' '.join(chapter.misses.splitlines())}"
         for some in by_question(chapters).values() for chapter in some if (many := len(list(missed(chapter))))
     ))  # fmt: skip
     return "\n\n".join(lines)
@@ -147,7 +145,7 @@ def _line(title: str, rows: Sequence[Row]) -> str:
                                           found[Verdict.EXPLAINED])]  # fmt: skip
     if number:
         cells[2] = f"**{number}**"
-    return f"| {title} | {len(rows) - found[Verdict.NO_PAPER]} | {' | '.join(cells)} |"
+    return f"| {title} | {len(rows)} | {' | '.join(cells)} |"
 
 
 def _misses(chapters: Sequence[Chapter]) -> list[str]:

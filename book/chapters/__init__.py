@@ -1,8 +1,6 @@
 """The chapters, a file each, in the order of the book."""
 
-from typing import cast
-
-from book.chapter import ChapterFile
+from book.chapter_file import ChapterFile
 from book.chapters import (
     andre_tables,
     any_specimen,
@@ -35,4 +33,4 @@ _FILES = (
     strength, concrete, celigueta, laws, predictions, fracture, rapid_fracture, packings, parameters, dynamic_tests,
     surface, formulations, dynamics, cost, runs,
 )  # fmt: skip
-FILES = tuple(cast(ChapterFile, file) for file in _FILES)
+FILES = tuple(map(ChapterFile, _FILES))
