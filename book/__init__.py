@@ -15,6 +15,7 @@ values and tolerances only.
 A verdict is computed; a missing number is an error. Rows that are met for one requirement share a line
 (`book/shown.py`).
 
-A page of prose is a text in `book/texts` with the path of its page. In it `{{ subject.name }}` is a number that a
-file of `book/quoted` reads from a record, and `{{ 30 }}` one that was not measured. A test finds all others.
+The first page is `book/front.md`. A page of prose is a text in `book/texts` with the path of its page. In it
+`{{ subject.name }}` is a number that a file of `book/quoted` reads from a record, and `{{ 30 }}` one that was not
+measured. A test finds all others.
 """
