@@ -21,7 +21,7 @@ TEXTS = Path(__file__).parent / "texts"
 _FRONT_MATTER = re.compile(r"---\n.*?\n---\n", re.DOTALL)
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True)
 class Quoted:
     """A number that a page of prose quotes.
 
@@ -31,8 +31,8 @@ class Quoted:
         size: size of what was measured: elements, packings, steps.
         record: measurement whose results hold the number.
         values: the number, or several of one kind.
-        scatter: standard deviation over packings.
         form: how it is printed.
+        scatter: standard deviation over packings.
     """
 
     name: str
@@ -40,8 +40,8 @@ class Quoted:
     size: str
     record: Measurement
     values: tuple[float, ...]
-    scatter: float | None = None
     form: Form = PLAIN
+    scatter: float | None = None
 
     @property
     def text(self) -> str:
