@@ -1,10 +1,9 @@
 """Packings: time, density, contacts, overlap and peak memory by number of spheres, and time against spheropack.
 
     pip install spheropack && python benchmarks/packing.py
-    python benchmarks/packing.py --million          # 1 000 000 spheres alone, some ten minutes
     python benchmarks/packing.py --methods          # jamming by growth and by compression and 20 000 spheres, minutes
 
-Results are left in benchmarks/results/packing.json; with an option in packing_million.json, packing_methods.json.
+Results are left in benchmarks/results/packing.json; with --methods in packing_methods.json.
 
 Every packing is made in a process of its own, which compiles first, so that peak memory is that of one packing.
 spheropack (PyPI; event-driven Lubachevsky-Stillinger in C++) takes turns with ours on the same request.
@@ -123,7 +122,6 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--elements", type=int, nargs="+", default=[10_000, 100_000])
     parser.add_argument("--repeat", type=int, default=3, help="packings a row, seeds 1, 2, ... [3]")
-    parser.add_argument("--million", action="store_true", help="1 000 000 spheres alone, once")
     said = "jamming by growth and compression and a cylinder of 20 000, once, and nothing else"
     parser.add_argument("--methods", action="store_true", help=said)
     parser.add_argument("--against", type=int, default=2000, help="spheres in the comparison with spheropack [2000]")
@@ -149,8 +147,6 @@ def main() -> None:
 
 def _plan(options: argparse.Namespace) -> tuple[str, list[tuple[dict, int]], bool]:
     """Name of the results, requests with their repeats, and whether spheropack is compared."""
-    if options.million:
-        return "packing_million", [(asked("cylinder", 1_000_000, 0.25, {}), 1)], False
     jammed = asked("cell", 10_000, 0.0, {"jamming": True})
     if options.methods:
         plan = [({**jammed, "method": method}, 1) for method in ("growth", "compression")]

@@ -25,15 +25,12 @@ class Lammps:
         " neither can be left out",
     )
 
-    def __init__(self, *, contacts: bool = False) -> None:
-        self.contacts = contacts
-
     def missing(self) -> str:
         return _why_not([executable(), "-h"], _environment())
 
     def run(self, specimen: Specimen, folder: Path, check: int, steps: int) -> Outcome:
         write_data(folder / "specimen.data", specimen)
-        ran(folder, script(specimen, check, steps, contacts=self.contacts))
+        ran(folder, script(specimen, check, steps))
         return read(folder)
 
 
@@ -103,8 +100,8 @@ def write_data(path: Path, specimen: Specimen) -> None:
     path.write_text("\n".join(lines) + "\n")
 
 
-def script(specimen: Specimen, check: int, steps: int, *, contacts: bool = False) -> str:
-    """Elastic bonds and no output in the loop; pair forces of those that no bond joins where wanted."""
+def script(specimen: Specimen, check: int, steps: int) -> str:
+    """Elastic bonds, no pair forces and no output in the loop."""
     _, length = classes(specimen)
     # products with powers of L are the same for all bonds
     L = specimen.length
@@ -116,22 +113,18 @@ def script(specimen: Specimen, check: int, steps: int, *, contacts: bool = False
         for t, l in enumerate(length, start=1)
     )
     reach = 2.2 * specimen.radius.max()
-    special, pair, overlay = "lj/coul 1 1 1", "pair_style none", "yes"
-    if contacts:
-        special, overlay = "lj 0 1 1 coul 1 1 1", "no"
-        pair = f"pair_style gran/hooke/history {specimen.kn.mean():.17g} NULL 0 NULL 0 1\npair_coeff * *"
     return f"""units si
 dimension 3
 boundary f f f
 atom_style bpm/sphere
 newton on off
-special_bonds {special}
+special_bonds lj/coul 1 1 1
 comm_modify vel yes cutoff {reach:.17g}
 # without a pair style atoms are sorted only where a bin size is given
 atom_modify sort 100 {reach:.17g} map array
 read_data specimen.data
-{pair}
-bond_style bpm/rotational overlay/pair {overlay} smooth no break no
+pair_style none
+bond_style bpm/rotational overlay/pair yes smooth no break no
 {coefficients}
 neighbor {0.1 * specimen.radius.max():.17g} bin
 neigh_modify every 1 delay 0 check yes

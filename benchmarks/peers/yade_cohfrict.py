@@ -21,8 +21,7 @@ class Yade:
         "bonds compute their strength, which is never reached",
     )
 
-    def __init__(self, *, contacts: bool = False) -> None:
-        self.contacts = contacts
+    def __init__(self) -> None:
         self.executable = os.environ.get("YADE", "yade")
 
     def missing(self) -> str:
@@ -37,7 +36,6 @@ class Yade:
         answer = folder / "outcome.npz"
         answer.unlink(missing_ok=True)
         command = [self.executable, "-n", "-x", "-j1", str(_SCRIPT), str(folder), str(check), str(steps)]
-        command.append(str(int(self.contacts)))
         environment = {**os.environ, "PYTHONPATH": str(_SCRIPT.parent), "OMP_NUM_THREADS": "1"}
         done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True)
         # its exit status says nothing of errors in the script
