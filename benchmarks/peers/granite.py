@@ -1,6 +1,6 @@
 """Granite of parallel bonds in uniaxial compression, in bondem and in LAMMPS.
 
-    LAMMPS=lammps/bin/lmp python benchmarks/peers/granite.py [--seeds 1 2] [--out FILE]
+    LAMMPS=lammps/bin/lmp python benchmarks/peers/granite.py [--seeds 1,2] [--out FILE]
 
 Packings, bonds, platens and strength of `validation/studies/bonded_granite.py`: cylinders of 600 spheres between
 platens with a friction of 0.3, local damping of 0.7. Both codes have the same spheres, four stiffnesses of every bond
@@ -19,7 +19,6 @@ E         slope of stress over the mean strain of the middle half between a tent
 ucs       largest stress [Pa]; "broken" bonds at that peak
 """
 
-import argparse
 import json
 import math
 import sys
@@ -38,7 +37,7 @@ from lammps_bpm import counts, ran
 import bondem as bd
 from bondem.interactions.beams.bond_law import BondGeometry, BondStiffness
 from bondem.labtests.gauge_length import AffineField, middle_half
-from kept import RESULTS, Record, command
+from kept import RESULTS, Record, run
 from validation.studies import bonded_granite
 from validation.studies.bonded_granite import FRICTION, GRANITE, PIN, criterion
 
@@ -240,17 +239,13 @@ run {self.steps}
         }  # fmt: skip
 
 
-def main(arguments: list[str] | None = None) -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2])
-    parser.add_argument("--out", type=Path, default=RESULTS / "granite_peers.json")
-    given = parser.parse_args(arguments)
-    record, granite = Record(given.out, command()), Granite()
-    for seed in given.seeds:
+def measure(record: Record, *, seeds: tuple[int, ...] = (1, 2)) -> None:
+    granite = Granite()
+    for seed in seeds:
         record.add(lambda seed=seed: granite.measure(seed), "compression", seed=seed)
     for row in record.rows("compression"):
         print(row)
 
 
 if __name__ == "__main__":
-    main()
+    run("granite_peers")

@@ -14,7 +14,6 @@ time, for several disturbances of the lattice. The dashpots are those of the inp
 beside it are of a shear dashpot ten times as strong: theirs are in the result as `log`.
 """
 
-import argparse
 import dataclasses
 import re
 import sys
@@ -29,7 +28,7 @@ from alike import Alike
 from lammps_bpm import ran
 
 import bondem as bd
-from kept import RESULTS, keep, origin
+from kept import Record, run
 
 SEEDS = (134598738, 1)  # the first is that of the example
 DT, STEPS, EVERY = 0.05, 2500, 100
@@ -195,15 +194,11 @@ def shared(one: np.ndarray, other: np.ndarray) -> float:
     return len(first & second) / max(len(first | second), 1)
 
 
-def main(arguments: list[str] | None = None) -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--out", type=Path, default=RESULTS / "impact.json")
-    parser.add_argument("--seeds", type=int, nargs="+", default=list(SEEDS))
-    chosen = parser.parse_args(arguments)
-    report = origin() | {"dt": DT, "steps": STEPS, "every": EVERY, "log": LOG, "runs": []}
-    for seed in chosen.seeds:
+def measure(record: Record, *, seeds: tuple[int, ...] = SEEDS) -> None:
+    runs: list[dict] = []
+    for seed in seeds:
         found = {}
-        for variant in VARIANTS if seed == chosen.seeds[0] else ("published", "matched"):
+        for variant in VARIANTS if seed == seeds[0] else ("published", "matched"):
             with tempfile.TemporaryDirectory() as folder:
                 found[variant] = lammps(seed, variant, Path(folder))
                 specimen = Specimen.read(Path(folder) / "start.data")
@@ -213,16 +208,16 @@ def main(arguments: list[str] | None = None) -> None:
         print(seed, "bondem", ours["lost"][::5], f"{ours['wall']:.1f} s", f"{ours['missed']:.1e}", flush=True)
         common = {name: shared(ours["pairs"], run["pairs"]) for name, run in found.items() if name != "bondem"}
         common["published in matched"] = shared(found["published"]["pairs"], found["matched"]["pairs"])
-        report["lammps"] = found["published"].pop("version")
-        for run in found.values():
-            run.pop("pairs")
-            run.pop("version", None)
-        report["runs"].append({
+        version = found["published"].pop("version")
+        for one in found.values():
+            one.pop("pairs")
+            one.pop("version", None)
+        runs.append({
             "seed": seed, "elements": len(specimen.position), "bonds": len(specimen.pairs), "broken in both": common,
             **found,
         })  # fmt: skip
-        keep(chosen.out, report)
+        record.keep(dt=DT, steps=STEPS, every=EVERY, log=LOG, runs=runs, lammps=version)
 
 
 if __name__ == "__main__":
-    main()
+    run()
