@@ -31,9 +31,11 @@ from pathlib import Path
 from time import process_time
 from typing import Annotated, Any
 
+import numpy as np
+
 sys.path.insert(0, str(Path(__file__).parent.parent))
 from agglomerate_scenes import DENSITY, FRICTION, GRAVITY, RADIUS, Drum, Fall, Scene, model_of
-from lammps_bpm import counts, ran
+from lammps_bpm import BREAKING, EXTRA, counts, data, ran
 
 import bondem as bd
 from kept import Record, alone, run, variant
@@ -79,13 +81,7 @@ def script(scene: Scene, model: bd.Model, bond: dict[str, float], steps: int, dt
     pair = f"{kn:.17g} {soft * kn:.17g} {rate:.17g} {math.sqrt(soft) * rate:.17g} {FRICTION} 1 limit_damping"
     # a sphere at a wall has half the length of two, kn = E π R² / R
     walls = scene.fixes(*(wall_spring(2.0 * kn, soft, rate, friction) for friction in (FRICTION, 0.0)))
-    return f"""units si
-dimension 3
-boundary f f f
-atom_style bpm/sphere
-newton on off
-special_bonds lj 0 1 1 coul 1 1 1
-comm_modify vel yes cutoff {0.8 * RADIUS:.17g}
+    return f"""{BREAKING}comm_modify vel yes cutoff {0.8 * RADIUS:.17g}
 read_data start.data
 pair_style gran/hooke/history {pair}
 pair_coeff * *
@@ -104,31 +100,19 @@ run {steps}
 """
 
 
-def data(model: bd.Model, state: bd.State) -> str:
+def start_of(model: bd.Model, state: bd.State) -> str:
     """Spheres, velocities and bonds as a data file."""
     particles, pairs = model.lattice.particles, model.lattice.pairs
-    low, high = particles.position.min(axis=0) - 3.0 * RADIUS, particles.position.max(axis=0) + 3.0 * RADIUS
-    lines = ["agglomerates", "", f"{len(particles)} atoms", "1 atom types", f"{len(pairs)} bonds", "1 bond types"]
-    lines += ["30 extra bond per atom", "60 extra special per atom"]
-    lines += [f"{a:.17g} {b:.17g} {c}lo {c}hi" for a, b, c in zip(low, high, "xyz", strict=True)]
-    spheres = zip(particles.radius, particles.position, strict=True)
-    lines += ["", "Atoms # bpm/sphere", ""]
-    lines += [
-        f"{k} 1 1 {2.0 * r:.17g} {DENSITY:.17g} {x:.17g} {y:.17g} {z:.17g}"
-        for k, (r, (x, y, z)) in enumerate(spheres, start=1)
-    ]
-    lines += ["", "Velocities", ""]
-    lines += [f"{k} {u:.17g} {v:.17g} {w:.17g} 0 0 0" for k, (u, v, w) in enumerate(state.velocity, start=1)]
-    lines += ["", "Bonds", ""]
-    lines += [f"{k} 1 {i + 1} {j + 1}" for k, (i, j) in enumerate(pairs, start=1)]
-    return "\n".join(lines) + "\n"
+    box = particles.position.min(axis=0) - 3.0 * RADIUS, particles.position.max(axis=0) + 3.0 * RADIUS
+    spheres = particles.position, particles.radius, np.full(len(particles), DENSITY)
+    return data("agglomerates", spheres, pairs, np.ones(len(pairs), int), box, extra=EXTRA, velocity=state.velocity)
 
 
 def lammps(scene: Scene, steps: int, dt: float) -> dict[str, Any]:
     """The same run in LAMMPS."""
     model, state, bond = model_of(scene)
     with tempfile.TemporaryDirectory() as folder:
-        (Path(folder) / "start.data").write_text(data(model, state))
+        (Path(folder) / "start.data").write_text(start_of(model, state))
         log, memory = ran(Path(folder), script(scene, model, bond, steps, dt))
     wall, share = re.findall(r"Loop time of (\S+) on", log)[-1], re.findall(r"(\S+)% CPU use", log)[-1]
     return {

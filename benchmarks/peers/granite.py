@@ -32,7 +32,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent.parent))
 from agglomerates import wall_spring
-from lammps_bpm import counts, ran
+from lammps_bpm import BREAKING, EXTRA, counts, data, ran
 
 import bondem as bd
 from bondem.interactions.beams.bond_law import BondGeometry, BondStiffness
@@ -167,13 +167,7 @@ class Lammps:
         )
 
         at, wall = f"{far.point[0]:.17g}", wall_spring(2.0 * self.kn, 0.5, 0.0, FRICTION)
-        return f"""units si
-dimension 3
-boundary f f f
-atom_style bpm/sphere
-newton on off
-special_bonds lj 0 1 1 coul 1 1 1
-comm_modify vel yes cutoff {8.0 * self.body.particles.radius.max():.17g}
+        return f"""{BREAKING}comm_modify vel yes cutoff {8.0 * self.body.particles.radius.max():.17g}
 read_data start.data
 pair_style gran/hooke/history {self.kn:.17g} {0.5 * self.kn:.17g} 0 NULL {RUBS} 1
 pair_coeff * *
@@ -202,21 +196,10 @@ run {self.steps}
 
     def data(self) -> str:
         """Spheres and bonds, each bond of its own type."""
-        particles, pairs = self.body.particles, self.body.pairs
-        wide = 3.0 * bonded_granite.LENGTH
-        volume = particles.volume
-        lines = ["granite", "", f"{len(particles)} atoms", "1 atom types", f"{len(pairs)} bonds"]
-        lines += [f"{len(pairs)} bond types", "30 extra bond per atom", "60 extra special per atom"]
-        lines += [f"{-wide:.17g} {wide:.17g} {c}lo {c}hi" for c in "xyz"]
-        lines += ["", "Atoms # bpm/sphere", ""]
-        spheres = zip(particles.radius, self.mass / volume, particles.position, strict=True)
-        lines += [
-            f"{k} 1 1 {2.0 * r:.17g} {rho:.17g} {x:.17g} {y:.17g} {z:.17g}"
-            for k, (r, rho, (x, y, z)) in enumerate(spheres, start=1)
-        ]
-        lines += ["", "Bonds", ""]
-        lines += [f"{k} {k} {i + 1} {j + 1}" for k, (i, j) in enumerate(pairs, start=1)]
-        return "\n".join(lines) + "\n"
+        particles, wide = self.body.particles, np.full(3, 3.0 * bonded_granite.LENGTH)
+        spheres = particles.position, particles.radius, self.mass / particles.volume
+        kinds = np.arange(1, len(self.body.pairs) + 1)
+        return data("granite", spheres, self.body.pairs, kinds, (-wide, wide), extra=EXTRA)
 
     def run(self) -> dict[str, np.ndarray]:
         """Stress, strain of the middle half and broken bonds of each record."""

@@ -9,6 +9,10 @@ import numpy as np
 from outcome import Outcome
 from specimen import DENSITY, Specimen
 
+#: The beginning of an input in SI units, and what both granite and agglomerates have next.
+HEAD = "units si\ndimension 3\nboundary f f f\natom_style bpm/sphere\nnewton on off\n"
+BREAKING = f"{HEAD}special_bonds lj 0 1 1 coul 1 1 1\n"
+EXTRA = ("30 extra bond per atom", "60 extra special per atom")
 # Bonds have their stiffness by type: as many types as this, by length; stiffnesses within half a percent.
 TYPES = 64
 
@@ -76,28 +80,46 @@ def classes(specimen: Specimen) -> tuple[np.ndarray, np.ndarray]:
     return kind, np.bincount(kind, weights=L) / np.bincount(kind)
 
 
-def write_data(path: Path, specimen: Specimen) -> None:
-    """Spheres, velocities and bonds as a data file of atom_style bpm/sphere."""
-    kind, _ = classes(specimen)
-    n, m = len(specimen.radius), len(specimen.pairs)
-    most = int(np.bincount(specimen.pairs.ravel()).max())
-    margin = specimen.radius.max()
-    low, high = specimen.position.min(axis=0) - margin, specimen.position.max(axis=0) + margin
-    lines = ["bonded spheres", "", f"{n} atoms", "1 atom types", f"{m} bonds", f"{kind.max() + 1} bond types"]
-    lines += [f"{most} extra bond per atom"]
-    lines += [f"{a:.17g} {b:.17g} {c}lo {c}hi" for a, b, c in zip(low, high, "xyz", strict=True)]
+def data(
+    title: str, spheres: tuple[np.ndarray, np.ndarray, np.ndarray], pairs: np.ndarray, kind: np.ndarray,
+    box: tuple[np.ndarray, np.ndarray], *, extra: tuple[str, ...], velocity: np.ndarray | None = None,
+) -> str:  # fmt: skip
+    """Spheres, velocities and bonds as a data file of atom_style bpm/sphere.
+
+    Args:
+        title: first line.
+        spheres: centres (n, 3), radii (n,) and densities (n,).
+        pairs: spheres of each bond, (m, 2).
+        kind: type of each bond from 1, (m,).
+        box: its lower and its upper corner.
+        extra: further lines of the head.
+        velocity: of spheres that do not spin, (n, 3); at rest unless given.
+    """
+    lines = [title, "", f"{len(spheres[1])} atoms", "1 atom types", f"{len(pairs)} bonds", f"{max(kind)} bond types"]
+    lines += extra
+    lines += [f"{a:.17g} {b:.17g} {c}lo {c}hi" for a, b, c in zip(*box, "xyz", strict=True)]
     lines += ["", "Atoms # bpm/sphere", ""]
-    rows = zip(specimen.radius, specimen.position, strict=True)
     lines += [
-        f"{k} 1 1 {2.0 * r:.17g} {DENSITY:.17g} {x:.17g} {y:.17g} {z:.17g}"
-        for k, (r, (x, y, z)) in enumerate(rows, start=1)
+        f"{k} 1 1 {2.0 * r:.17g} {rho:.17g} {x:.17g} {y:.17g} {z:.17g}"
+        for k, ((x, y, z), r, rho) in enumerate(zip(*spheres, strict=True), start=1)
     ]
-    lines += ["", "Velocities", ""]
-    lines += [f"{k} {u:.17g} {v:.17g} {w:.17g} 0 0 0" for k, (u, v, w) in enumerate(specimen.velocity, start=1)]
+    if velocity is not None:
+        lines += ["", "Velocities", ""]
+        lines += [f"{k} {u:.17g} {v:.17g} {w:.17g} 0 0 0" for k, (u, v, w) in enumerate(velocity, start=1)]
     lines += ["", "Bonds", ""]
-    bonds = zip(kind, specimen.pairs, strict=True)
-    lines += [f"{k} {t + 1} {i + 1} {j + 1}" for k, (t, (i, j)) in enumerate(bonds, start=1)]
-    path.write_text("\n".join(lines) + "\n")
+    lines += [f"{k} {t} {i + 1} {j + 1}" for k, (t, (i, j)) in enumerate(zip(kind, pairs, strict=True), start=1)]
+    return "\n".join(lines) + "\n"
+
+
+def write_data(path: Path, specimen: Specimen) -> None:
+    """The specimen as a data file."""
+    most, margin = int(np.bincount(specimen.pairs.ravel()).max()), specimen.radius.max()
+    spheres = specimen.position, specimen.radius, np.full(len(specimen.radius), DENSITY)
+    box = specimen.position.min(axis=0) - margin, specimen.position.max(axis=0) + margin
+    path.write_text(data(
+        "bonded spheres", spheres, specimen.pairs, classes(specimen)[0] + 1, box,
+        extra=(f"{most} extra bond per atom",), velocity=specimen.velocity,
+    ))  # fmt: skip
 
 
 def script(specimen: Specimen, check: int, steps: int) -> str:
@@ -113,12 +135,7 @@ def script(specimen: Specimen, check: int, steps: int) -> str:
         for t, l in enumerate(length, start=1)
     )
     reach = 2.2 * specimen.radius.max()
-    return f"""units si
-dimension 3
-boundary f f f
-atom_style bpm/sphere
-newton on off
-special_bonds lj/coul 1 1 1
+    return f"""{HEAD}special_bonds lj/coul 1 1 1
 comm_modify vel yes cutoff {reach:.17g}
 # without a pair style atoms are sorted only where a bin size is given
 atom_modify sort 100 {reach:.17g} map array
