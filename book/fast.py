@@ -7,7 +7,7 @@ from pathlib import Path
 from book.chapter import Chapter, Section
 from book.chapters.andre_tables import CONSISTENCY
 from book.chapters.chen_tables import table_3, table_4, table_5
-from book.forms import PERCENT, ROUNDING, SIGNED, Form
+from book.forms import PERCENT, RATIO, ROUNDING, SIGNED, Form
 from book.markdown import counts, page, required
 from book.results import ROOT, Measurement
 from book.row import Row, Rows, Verdict
@@ -95,4 +95,4 @@ def _materials(small: Measurement) -> Rows:
 
 def _order(drift: Measurement) -> Rows:
     yield Row("order of the energy error over dt", drift.of(*drift.at("orders")), Near(target=2.0, absolute=0.1),
-        Form(style=".3f"))  # fmt: skip
+        RATIO)  # fmt: skip

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from book.forms import GPA, PERCENT, SIGNED, Form
+from book.forms import GPA, PERCENT, RATIO, SIGNED, Form
 from book.results import Measurement, record
 from book.row import Measured, Row, Rows
 from book.tolerances import AtMost, Near
@@ -15,7 +15,6 @@ from book.tolerances import AtMost, Near
 E, NU = 72.5e9, 0.17
 E_MU, RADIUS_RATIO = 265e9, 0.71
 POISSON = Form(style=".4f")
-RATIO = Form(style=".3f")
 
 #: Test, words, the error in print (Tables 3 and 4), what is asked of it against theory, of it against Timoshenko.
 STATIC = (

@@ -1,8 +1,8 @@
 """Tests with plates of Celigueta et al. (2020), with their own law."""
 
 from book.chapters import celigueta_open
-from book.chapters.celigueta_open import AREAS, OF_PLATES, SHARE, STRESS, packings
-from book.forms import SIGNED, Form
+from book.chapters.celigueta_open import AREAS, OF_PLATES, packings
+from book.forms import MPA, RATIO, SIGNED, Form
 from book.results import grouped, record, study
 from book.row import Row, Rows
 from book.tolerances import AtMost, Near
@@ -51,13 +51,13 @@ def full() -> Rows:
     """The paper's sizes."""
     for kept, one in ((source, case) for source in (FULL, FACETS) for case in source.at("cases")):
         words = f"{one['test']}, {one['failure']}, {AREAS[one['areas']]}, {one['count'][0]} elements, {packings(one)}"
-        yield Row(f"{words}: peak", kept.of(*one["peak"]), Near(relative=kept.at("limit")), STRESS, source="§4",
+        yield Row(f"{words}: peak", kept.of(*one["peak"]), Near(relative=kept.at("limit")), MPA, source="§4",
             paper=one["measured"])  # fmt: skip
         if one["mean_E"]:
             yield Row(f"{words}: E of the curve", kept.of(*one["E_plates"]), Near(relative=kept.at("limit")), MODULUS,
                 paper=38e9, source="§5.3")  # fmt: skip
         yield Row(f"{words}: force on the other plate over that at the peak", kept.of(*one["other"]),
-            Near(absolute=OF_PLATES, target=1.0), SHARE)  # fmt: skip
+            Near(absolute=OF_PLATES, target=1.0), RATIO)  # fmt: skip
         yield Row(f"{words}: time", kept.of(*one["run_seconds"]), AtMost(_MINUTES), SECONDS)
 
 
@@ -66,7 +66,7 @@ def shear() -> Rows:
     for kept, one in ((source, case) for source in (SHEAR, CONE, SMALLER) for case in source.at("cases")):
         words = f"{one['failure']}, {one['count'][0]} elements, {packings(one)}"
         yield Row(f"{words}: force on the other plate over that at the peak", kept.of(*one["other"]),
-            Near(absolute=OF_PLATES, target=1.0), SHARE)  # fmt: skip
+            Near(absolute=OF_PLATES, target=1.0), RATIO)  # fmt: skip
         if kept is not SMALLER:
             threads = "two threads, before its loop was vectorised" if kept is SHEAR else "one thread"
             yield Row(f"{words}: time on {threads}, packed", kept.of(*one["run_seconds"]), AtMost(_HOUR), SECONDS)
@@ -77,7 +77,7 @@ def surfaces() -> Rows:
     for one in SURFACES.at("cases"):
         if one["closed"] is not None:
             off = one["found"] / one["closed"] - 1.0
-            words = f"{one['criterion']}, {one['state']}: off {STRESS.text(one['closed'])} of eqs (8), (9)"
+            words = f"{one['criterion']}, {one['state']}: off {MPA.text(one['closed'])} of eqs (8), (9)"
             yield Row(words, SURFACES.of(off), AtMost(1e-9), Form(style=".0e"))
 
 
@@ -94,8 +94,8 @@ def elastic() -> Rows:
 def strengths() -> Rows:
     for one in CELIGUETA.at("cases"):
         yield Row(f"{one['test']}, {one['failure']}, {AREAS[one['areas']]}: peak, {packings(one)}",
-            CELIGUETA.of(one["mean"]["mean"], scatter=one["mean"]["std"]), Near(relative=CELIGUETA.at("limit")),
-            STRESS, source="§4", paper=one["measured"])  # fmt: skip
+            CELIGUETA.of(one["mean"]["mean"], scatter=one["mean"]["std"]), Near(relative=CELIGUETA.at("limit")), MPA,
+            source="§4", paper=one["measured"])  # fmt: skip
 
 
 def moduli() -> Rows:

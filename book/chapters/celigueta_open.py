@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from book.forms import Form, grid, listed
+from book.forms import RATIO, Form, grid, listed
 from book.results import Measurement, grouped, record, study
 from book.row import Row, Rows
 from book.tolerances import AtMost, Near
@@ -23,7 +23,6 @@ MEASUREMENTS = SLOWER, FULL_SLOWER, PLATENS, NOISE, REACH, FORCES
 
 #: What is asked of plates half as fast: how far peaks may change, and forces of both plates differ.
 OF_SPEED, OF_PLATES = 0.03, 0.02
-STRESS, SHARE, RATIO = Form("MPa", 1e6, ".2f"), Form(style=".3f"), Form(style=".2f")
 AREAS = {"weighted": "the authors' areas", "facet": "Laguerre facets"}
 
 
@@ -42,7 +41,7 @@ def _slower(kept: Measurement) -> Rows:
             change = one["peak"][0] / first[one["test"], one["failure"]] - 1.0
             yield Row(f"{words}: change of the peak", kept.of(change), AtMost(OF_SPEED), Form("%", 1e-2, "+.1f"))
         yield Row(f"{words}: force on the other plate over that at the peak", kept.of(*one["other"]),
-            Near(absolute=OF_PLATES, target=1.0), SHARE)  # fmt: skip
+            Near(absolute=OF_PLATES, target=1.0), RATIO)  # fmt: skip
 
 
 def speed() -> Rows:
@@ -60,7 +59,7 @@ def forces() -> Rows:
             f" {some[0]['count']} elements, {seeds}"
         )
         yield Row(f"{words}: force on the other plate over that at the peak",
-            FORCES.of(*(one["at_peak"] for one in some)), Near(absolute=OF_PLATES, target=1.0), SHARE)  # fmt: skip
+            FORCES.of(*(one["at_peak"] for one in some)), Near(absolute=OF_PLATES, target=1.0), RATIO)  # fmt: skip
 
 
 def reach(cases: list[dict[str, Any]]) -> str:

@@ -23,7 +23,6 @@ LONG, LONG_CORRECTED, LONG_RAYLEIGH = 20.0, 10.0, 10.0
 #: Bodies of so many elements or more are shown; those of FINE have a limit of their own.
 COARSE, FINE, FINE_LIMIT = 10_000, 40_000, 5e-3
 SMALL = Form(style="+.0e")
-RATIO = Form(style=".3f")
 
 
 def moduli() -> Rows:

@@ -2,7 +2,7 @@
 
 import math
 
-from book.forms import PERCENT, PLAIN, Form, listed, seeds
+from book.forms import MPA, PERCENT, PLAIN, RATIO, Form, listed, seeds
 from book.results import grouped, record
 from book.row import Measured, Row, Rows
 from book.tolerances import AtMost, Between, Near
@@ -20,7 +20,6 @@ MEASUREMENTS = CONCRETE, BENDING, MESOSCALE
 
 #: What is asked of strengths and of stiffnesses over theory, and of the stress at the centre of a disc [-].
 LIMIT, ELASTIC = 0.05, 0.03
-RATIO, STRESS = Form(style=".3f"), Form(unit="MPa", scale=1e6, style=".2f")
 GPA = Form(unit="GPa", scale=1e9, style=".2f")
 _Ones = list[dict]
 
@@ -46,7 +45,7 @@ def _energies(ones: _Ones) -> Measured:
 
 def compression() -> Rows:
     for told, ones in _groups("ucs"):
-        yield Row(f"UCS: {told}", CONCRETE.each(ones, "peak"), Near(absolute=2e6), STRESS, source="§4.1", paper=55e6,
+        yield Row(f"UCS: {told}", CONCRETE.each(ones, "peak"), Near(absolute=2e6), MPA, source="§4.1", paper=55e6,
             printed="55 MPa")  # fmt: skip
     for kind, name in (("ucs", "UCS"), ("triaxial", "triaxial")):
         for told, ones in _groups(kind):
@@ -64,13 +63,13 @@ def brazilian() -> Rows:
     onset = CONCRETE.at("onset")
     reason = (
         "at the centre of a disc, where the stress is (0, −3 s, s), the line through 55 and 4 MPa is reached at"
-        f" s = c cos φ / (2 − sin φ) = {STRESS.text(onset)}: cells yield before the tension reaches f_t. Other rows"
+        f" s = c cos φ / (2 − sin φ) = {MPA.text(onset)}: cells yield before the tension reaches f_t. Other rows"
         " compare with that stress, and with c = 14.3 MPa, φ = 35°, whose line passes above f_t, with f_t"
     )
     for told, ones in _groups("brazilian"):
-        yield Row(f"2 P / (π D t): {told}", CONCRETE.each(ones, "peak"), Near(absolute=0.3e6), STRESS, source="§4.2",
+        yield Row(f"2 P / (π D t): {told}", CONCRETE.each(ones, "peak"), Near(absolute=0.3e6), MPA, source="§4.2",
             paper=4e6, printed="4 MPa", reason=reason)  # fmt: skip
-        yield Row(f"tension at the centre at the peak over {STRESS.text(onset)}: {told}",
+        yield Row(f"tension at the centre at the peak over {MPA.text(onset)}: {told}",
             CONCRETE.of(*(one["tension"] / one["onset"] for one in ones)), Near(absolute=LIMIT, target=1.0),
             RATIO)  # fmt: skip
     for told, ones in _groups("cut_off"):

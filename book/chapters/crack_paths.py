@@ -3,7 +3,7 @@
 import math
 from collections.abc import Mapping
 
-from book.forms import Form, listed
+from book.forms import RATIO, Form, listed
 from book.results import study
 from book.row import Row, Rows
 from book.tolerances import AtLeast, Between
@@ -16,7 +16,7 @@ _PLATES = (
 PATHS = study("crack_paths", {name: f"paths_{name}" for name in _PLATES})
 MEASUREMENTS = (PATHS,)
 
-_LENGTH, _FORCE, _RATIO = Form("mm", 1e-3, ".0f"), Form("kN", 1e3, ".1f"), Form(style=".3f")
+_LENGTH, _FORCE = Form("mm", 1e-3, ".0f"), Form("kN", 1e3, ".1f")
 # Quantities that a row may have: words, and how they are printed.
 _QUANTITIES: Mapping[str, tuple[str, Form]] = {
     "apart": ("height that the cracks span at mid-width", _LENGTH),
@@ -24,12 +24,12 @@ _QUANTITIES: Mapping[str, tuple[str, Form]] = {
     "force before": ("normal force before it is pulled", _FORCE),
     "peak": ("largest load", _FORCE),
     "off the notch": ("distance of the crack from the plane of the notch, at 0.75 to 0.95 of the depth", _LENGTH),
-    "splitting stress": ("splitting stress 2 P/(π D t) over f_t", _RATIO),
-    "parted": ("parted length of the interface, both sides, over l", _RATIO),
-    "beyond": ("how far the crack goes beyond the interface, over l", _RATIO),
-    "K behind": ("K/K_Ic at which the crack starts behind the hole", _RATIO),
-    "rise": ("load for that, over the least one after the crack has reached the hole", _RATIO),
-    "K at the notch": ("K/K_Ic at the largest load before", _RATIO),
+    "splitting stress": ("splitting stress 2 P/(π D t) over f_t", RATIO),
+    "parted": ("parted length of the interface, both sides, over l", RATIO),
+    "beyond": ("how far the crack goes beyond the interface, over l", RATIO),
+    "K behind": ("K/K_Ic at which the crack starts behind the hole", RATIO),
+    "rise": ("load for that, over the least one after the crack has reached the hole", RATIO),
+    "K at the notch": ("K/K_Ic at the largest load before", RATIO),
 }
 
 

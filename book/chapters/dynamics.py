@@ -1,6 +1,6 @@
 """The bond's energy, and explicit dynamics with loads, damping and a limit to its step."""
 
-from book.forms import ROUNDING, Form, Said
+from book.forms import PERCENT, RATIO, ROUNDING, Form, Said
 from book.outcomes import TESTS, holds, largest, range_of
 from book.results import Measurement, record
 from book.row import Row, Rows
@@ -31,7 +31,7 @@ def energy() -> Rows:
 
 def drift() -> Rows:
     yield Row("order of the energy error over dt, 9200 elements", DRIFT.of(*DRIFT.at("orders")),
-        Near(target=2.0, absolute=0.1), Form(style=".3f"))  # fmt: skip
+        Near(target=2.0, absolute=0.1), RATIO)  # fmt: skip
     yield Row("drift of the energy over 1 000 000 steps in its standard errors",
         DRIFT.number("drift, in its standard errors"), AtMost(2.0), ORDER,
         note="none beyond rounding is required")  # fmt: skip
@@ -39,13 +39,12 @@ def drift() -> Rows:
 
 def loads() -> Rows:
     yield Row("absorbing boundary, plane P pulse: reflected energy", largest("energy that comes back, plane wave"),
-        AtMost(0.02), Form("%", 1e-2, ".2f"))  # fmt: skip
+        AtMost(0.02), PERCENT)  # fmt: skip
     yield Row("absorbing boundary, pulse in a thin bar: reflected energy",
-        largest("energy that comes back, thin bar"), AtMost(0.02), Form("%", 1e-2, ".2f"))  # fmt: skip
-    yield Row("heated bar, free: growth over ε*", largest("heated bar, free"), Near(target=1.0, absolute=0.01),
-        Form(style=".3f"))  # fmt: skip
+        largest("energy that comes back, thin bar"), AtMost(0.02), PERCENT)  # fmt: skip
+    yield Row("heated bar, free: growth over ε*", largest("heated bar, free"), Near(target=1.0, absolute=0.01), RATIO)
     yield Row("heated bar, clamped: stress over −Eε*", largest("heated bar, clamped"),
-        Near(target=1.0, absolute=0.01), Form(style=".3f"))  # fmt: skip
+        Near(target=1.0, absolute=0.01), RATIO)  # fmt: skip
     yield Row("heated chain, clamped: error of the stress", largest("heated chain"), AtMost(1e-9), ROUNDING)
 
 
@@ -55,10 +54,10 @@ def stability() -> Rows:
     yield Row("limit with dashpots of bonds, √(1 + ζ²) − ζ: at 1.01 of it", holds("unstable at 1.01 of the limit"),
         So(), Said("unstable", "stable"))  # fmt: skip
     yield Row("ω_max of the lattice over its exact value, 100 000 elements",
-        HIGHEST.of(*HIGHEST.at("over exact").values()), Near(target=1.0, absolute=0.01), Form(style=".3f"),
+        HIGHEST.of(*HIGHEST.at("over exact").values()), Near(target=1.0, absolute=0.01), RATIO,
         note="from above, so a step is never too long")  # fmt: skip
     yield Row("ω_max of small lattices of five laws over its exact value", range_of("highest frequency"),
-        Near(target=1.0, absolute=0.01), Form(style=".3f"))  # fmt: skip
+        Near(target=1.0, absolute=0.01), RATIO)  # fmt: skip
     yield Row("passes of a device, carried out by the CPU, against its own: beams", largest("simulated device"),
         AtMost(1e-12), ROUNDING, note="no device was available")  # fmt: skip
     yield Row("passes of a device, carried out by the CPU, against its own: cells", largest("simulated cells"),

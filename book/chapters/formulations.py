@@ -3,7 +3,7 @@
 import math
 
 from book.chapters.chen_tables import CASES
-from book.forms import ROUNDING, Form
+from book.forms import RATIO, ROUNDING, Form
 from book.results import record
 from book.row import Row, Rows
 from book.tolerances import AtMost, Near
@@ -55,7 +55,7 @@ def cycles() -> Rows:
 
 def obermayr() -> Rows:
     yield Row("Obermayr, case 3: order of the error of the tip in the number of bonds",
-        CASES.number("shear", "order_obermayr"), Near(target=2.0, absolute=0.01), Form(style=".3f"))  # fmt: skip
+        CASES.number("shear", "order_obermayr"), Near(target=2.0, absolute=0.01), RATIO)  # fmt: skip
     # the error of 160 bonds is 1e-5, and a solution has 1e-10
     yield Row("Obermayr: largest distance of the error from −(1 − s)/4n², s the share of shear",
         CASES.number("shear", "largest_distance", "Obermayr"), AtMost(1e-5), ROUNDING)  # fmt: skip

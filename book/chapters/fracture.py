@@ -1,7 +1,7 @@
 """Published fracture tests: a scorecard, with inputs that were fixed beforehand."""
 
 from book.chapters import crack_paths, ring, weakest_link
-from book.forms import Form, listed, seeds
+from book.forms import RATIO, Form, listed, seeds
 from book.results import Measurement, study
 from book.row import Row, Rows
 from book.tolerances import AtMost, Between, Near
@@ -29,7 +29,6 @@ MEASUREMENTS = (
 )  # fmt: skip
 
 _FORMS = {"peak": Form("kN", 1e3, ".3f"), "work": Form("J", style=".3f")}
-RATIO = Form(style=".3f")
 
 
 def scorecard() -> Rows:

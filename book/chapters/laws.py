@@ -4,7 +4,7 @@ from functools import reduce
 from operator import getitem
 from typing import Any
 
-from book.forms import COUNT, Form, listed
+from book.forms import COUNT, MPA, Form, listed
 from book.results import grouped, record
 from book.row import Row, Rows
 from book.tolerances import AtMost, Near
@@ -14,7 +14,7 @@ BESIDE = record("laws_side_by_side", takes="20 min")
 NOTCHED = record("notched_bars", "", "--count 1500", takes="35 min")
 MEASUREMENTS = (CALIBRATED, BESIDE, NOTCHED)
 
-STRESS, RATIO = Form(unit="MPa", scale=1e6, style=".2f"), Form(style=".2f")
+_TWO = Form(style=".2f")
 #: What a Mohr–Coulomb continuum of c = 14.3 MPa, φ = 35°, f_t = 4 MPa has [-].
 CONTINUUM = 54.94 / 4.0
 #: Of calibrations: runs, and what unseen packings may be off.
@@ -32,18 +32,18 @@ def calibrated() -> Rows:
         best = one["runs"][one["best"] - 1]["measured"]
         ratios = [run["measured"]["ucs"] / run["measured"]["brazilian"] for run in one["runs"] if not run["failed"]]
         reason = "" if one["reached"] else (
-            f"of {len(ratios)} runs UCS is {RATIO.bare(min(ratios))} to {RATIO.bare(max(ratios))} times the Brazilian"
+            f"of {len(ratios)} runs UCS is {_TWO.bare(min(ratios))} to {_TWO.bare(max(ratios))} times the Brazilian"
             " strength, where a factor of 13.75 is required"
         )  # fmt: skip
         for test, name in _NAMES.items():
             target, tolerance = targets[test]
             source, printed = _SOURCE[test]
-            yield Row(f"{words}: {name} of packing 1", CALIBRATED.of(best[test]), Near(absolute=tolerance), STRESS,
+            yield Row(f"{words}: {name} of packing 1", CALIBRATED.of(best[test]), Near(absolute=tolerance), MPA,
                 source=source, paper=target, printed=printed, reason=reason)  # fmt: skip
             if unseen := one["unseen"]:
                 packings = listed(other["seed"] for other in unseen)
                 yield Row(f"{words}: {name} of packings {packings}, not seen", CALIBRATED.each(unseen, test),
-                    Near(relative=UNSEEN[test]), STRESS, source=source, paper=target, printed=printed)  # fmt: skip
+                    Near(relative=UNSEEN[test]), MPA, source=source, paper=target, printed=printed)  # fmt: skip
 
 
 def specimens() -> list[list[dict[str, Any]]]:
@@ -64,7 +64,7 @@ def beside() -> Rows:
         if ones[0]["law"] == "cells_soft":
             packings = f"{ones[0]['count']} elements, packings {listed(one['seed'] for one in ones)}"
             yield Row(f"UCS over direct tension: {ones[0]['words']}, {packings}", BESIDE.each(ones, "ratio"),
-                Near(relative=0.05, target=CONTINUUM), RATIO)  # fmt: skip
+                Near(relative=0.05, target=CONTINUUM), _TWO)  # fmt: skip
 
 
 def several(ones: list[dict[str, Any]], place: str, style: str, unit: float = 1.0) -> str:

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from book.forms import SIGNED, Form, grid, seeds
+from book.forms import PERCENT, SIGNED, Form, grid, seeds
 from book.results import grouped, record
 from book.row import Row, Rows
 from book.tolerances import AtMost
@@ -25,7 +25,6 @@ VARIANTS = {
 HEADS = {"nu": "ν", "thick": "layers", "shape": "body", "count": "cells"}
 FINE = Form("%", 1e-2, "+.3f")
 DIFFERENCE = Form(style="+.5f")
-SIZE = Form("%", 1e-2, ".2f")
 
 #: A quantity: what it is, how it is printed, and its number in a result.
 Quantity = tuple[str, Form, Callable[[dict[str, Any]], float]]
@@ -86,8 +85,8 @@ MODULI: tuple[Quantity, ...] = (
     ("Periodic cell: error of ν", DIFFERENCE, lambda one: one["bulk"]["nu"] - one["nu"]),
     ("Bar: error of E", FINE, lambda one: one["bar"]["E"] - 1.0),
     ("Bar: error of ν", DIFFERENCE, lambda one: one["bar"]["nu"] - one["nu"]),
-    ("Bar: tractions off σ n", SIZE, lambda one: one["bar"]["traction"]),
-    ("Bar: scatter of the stress of cells", SIZE, lambda one: one["bar"]["stress"]),
+    ("Bar: tractions off σ n", PERCENT, lambda one: one["bar"]["traction"]),
+    ("Bar: scatter of the stress of cells", PERCENT, lambda one: one["bar"]["stress"]),
 )
 STRIP: tuple[Quantity, ...] = (("First bending of the strip", SIGNED, lambda one: one["errors"][0]),)
 SHEET: tuple[Quantity, ...] = (
@@ -97,7 +96,7 @@ SHEET: tuple[Quantity, ...] = (
 )
 FREE: tuple[Quantity, ...] = (
     ("Mean error", SIGNED, lambda one: float(np.mean(one["errors"]))),
-    ("Largest error", SIZE, lambda one: float(np.abs(one["errors"]).max())),
+    ("Largest error", PERCENT, lambda one: float(np.abs(one["errors"]).max())),
 )
 WAVES: tuple[Quantity, ...] = (
     ("Error of the celerity, by elements per wave", SIGNED, lambda one: one["ratio"] - 1.0),

@@ -3,7 +3,7 @@
 import math
 from typing import Any
 
-from book.forms import COUNT, ROUNDING, SECONDS, Form, Said
+from book.forms import COUNT, RATIO, ROUNDING, SECONDS, Form, Said
 from book.outcomes import TESTS, holds, range_of
 from book.results import Measurement, study
 from book.row import Measured, Row, Rows
@@ -53,7 +53,7 @@ def jammed() -> Rows:
 
 
 def cylinder() -> Rows:
-    near = {"source": "§4.3", "paper": 0.635, "form": Form(style=".3f"), "tolerance": Near(absolute=0.008)}
+    near = {"source": "§4.3", "paper": 0.635, "form": RATIO, "tolerance": Near(absolute=0.008)}
     yield Row("φ, 10 000", _runs("cylinder", 10_000, {}, "volume_fraction"), **near)
     yield Row("φ, 20 000", _other("volume_fraction", shape="cylinder"), **near)
     yield Row("φ, 100 000", _runs("cylinder", 100_000, {}, "volume_fraction"), **near)

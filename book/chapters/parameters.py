@@ -1,6 +1,6 @@
 """André et al. (2012), figures 11 and 13 to 18: what the bonds' parameters and the number of elements do."""
 
-from book.forms import GPA, PERCENT, ROUNDING, SIGNED, Form
+from book.forms import GPA, PERCENT, RATIO, ROUNDING, SIGNED, Form
 from book.results import study
 from book.row import Row, Rows
 from book.tolerances import AtMost, Near
@@ -60,7 +60,7 @@ def abacus() -> Rows:
     denser = "the packing decides, as for Table 2"
     for place, where in PLACES.items():
         found = ABACUS.at("silica", place, "EulerBernoulli")
-        yield Row(f"{where}: r̃ for ν = 0.17", ABACUS.of(found["value"]), Near(relative=0.02), Form(style=".3f"),
+        yield Row(f"{where}: r̃ for ν = 0.17", ABACUS.of(found["value"]), Near(relative=0.02), RATIO,
             source="fig. 15", paper=0.71, printed="0.71")  # fmt: skip
         yield Row(f"{where}: E_μ for E = 72.5 GPa", ABACUS.of(found["E_mu"]), Near(relative=0.02), GPA,
             source="fig. 16", paper=265e9, printed="265 GPa", reason=denser)  # fmt: skip

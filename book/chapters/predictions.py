@@ -5,7 +5,7 @@ from typing import Any
 from book.chapters.concrete import CONCRETE
 from book.chapters.fracture import FRACTURE, SIZES
 from book.chapters.rapid_fracture import GRANITE
-from book.forms import Form, seeds
+from book.forms import MPA, RATIO, Form, seeds
 from book.results import grouped, record
 from book.row import Row, Rows
 from book.tolerances import Between, Near, Tolerance
@@ -14,7 +14,7 @@ BEAMS = record("concrete_beams", drawn=True, takes="9 min")
 GLASS = record("glass", takes="3 min")
 MEASUREMENTS = (CONCRETE, BEAMS, GRANITE, GLASS, FRACTURE, SIZES)
 
-MPA, _WHOLE, _RATIO = Form("MPa", 1e6, ".2f"), Form("MPa", 1e6, ".1f"), Form(style=".3f")
+_WHOLE = Form("MPa", 1e6, ".1f")
 _KN = Form("kN", 1e3, ".2f")
 # Tolerance of a strength that is entered, or that a closed form gives.
 _CLOSE = 0.05
@@ -58,7 +58,7 @@ def beams() -> Rows:
     """The concrete's notched beams, alike but for their size."""
     for (depth,), ones in sorted(grouped(BEAMS.at("beams"), "depth").items()):
         yield Row(f"over a continuum with a cohesive crack, D = {1e3 * depth:g} mm; {_told(ones)}",
-            BEAMS.each(ones, "over_continuum"), Near(relative=_CLOSE, target=1.0), _RATIO)  # fmt: skip
+            BEAMS.each(ones, "over_continuum"), Near(relative=_CLOSE, target=1.0), RATIO)  # fmt: skip
 
 
 def other_concretes() -> Rows:
@@ -72,14 +72,14 @@ def other_concretes() -> Rows:
     for one in SIZES.at("beams"):
         yield Row(f"notched beam of {1e3 * one['depth']:g} mm, over a continuum with a cohesive crack;"
             f" {one['count']} cells, {seeds([one['seed']])}", SIZES.of(one["over_continuum"]),
-            Near(relative=0.1, target=1.0), _RATIO)  # fmt: skip
+            Near(relative=0.1, target=1.0), RATIO)  # fmt: skip
 
 
 def _why(one: dict[str, Any]) -> str:
     over = [value / one["continuum"] for value in one["values"]]
     return (
         f"a continuum with one cohesive crack and the same numbers has a peak of {_KN.text(one['continuum'])}, also"
-        f" above the measured range; cells have {_RATIO.bare(min(over))} to {_RATIO.bare(max(over))} of it"
+        f" above the measured range; cells have {RATIO.bare(min(over))} to {RATIO.bare(max(over))} of it"
     )
 
 

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from book.forms import GPA, SIGNED, Form
+from book.forms import GPA, RATIO, SIGNED, Form
 from book.results import study
 from book.row import Row, Rows
 from book.tolerances import AtMost, Near
@@ -19,7 +19,6 @@ MEASUREMENTS = (PROTOCOL,)
 # Fused silica, Table 1.
 E, NU = 72.5e9, 0.17
 POISSON = Form(style=".4f")
-RATIO = Form(style=".3f")
 MEASURES = {"paper": "eqs (12)–(15)", "affine": "affine fit of the middle half"}
 
 

@@ -4,7 +4,7 @@ import math
 from typing import Any
 
 from book.chapters.strength import BRAZILIAN, DISCS
-from book.forms import Form, seeds
+from book.forms import MPA, RATIO, Form, seeds
 from book.results import grouped, record, study
 from book.row import Row, Rows
 from book.tolerances import AtLeast, AtMost, Between
@@ -16,8 +16,8 @@ GRANITE = study("granite", {"granite": "granite"})
 LOSSES = record("kinds_of_loss", takes="20 min")
 MEASUREMENTS = (BRANCHING, FINE, SPALL, LOSSES, GRANITE)
 
-_RATIO, _MPA = Form(style=".2f"), Form("MPa", 1e6, ".2f")
-_FORMS = {"ucs": Form("MPa", 1e6, ".1f"), "direct_tension": _MPA, "brazilian": _MPA,
+_RATIO = Form(style=".2f")
+_FORMS = {"ucs": Form("MPa", 1e6, ".1f"), "direct_tension": MPA, "brazilian": MPA,
           "toughness": Form("MPa√m", 1e6, ".2f")}  # fmt: skip
 
 
@@ -37,7 +37,7 @@ def losses() -> Rows:
     for (shape,), some in grouped(LOSSES.at("bars"), "shape").items():
         which = f"{shape} bars of {' and '.join(str(n) for n in dict.fromkeys(one['count'] for one in some))} cells"
         yield Row(f"{which}, {seeds([one['seed'] for one in some])}: crushing over fracture",
-            LOSSES.each(some, "crushing"), AtMost(0.02), Form(style=".3f"))  # fmt: skip
+            LOSSES.each(some, "crushing"), AtMost(0.02), RATIO)  # fmt: skip
 
 
 def granite() -> Rows:

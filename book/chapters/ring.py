@@ -1,6 +1,6 @@
 """Fragments of an expanding ring."""
 
-from book.forms import Form, seeds
+from book.forms import RATIO, seeds
 from book.results import study
 from book.row import Row, Rows
 from book.tolerances import Near
@@ -17,5 +17,5 @@ def rows() -> Rows:
         for one in measured.at("rates"):
             yield Row(
                 f"{one['rate']:g} /s, {one['count'][0]} cells, {seeds(one['seed'])}: mean size of fragments over s₀",
-                measured.of(one["over"]["mean"], scatter=one["over"]["std"]), Near(relative=RING.at("limit")),
-                Form(style=".3f"), paper=one["formula"])  # fmt: skip
+                measured.of(one["over"]["mean"], scatter=one["over"]["std"]), Near(relative=RING.at("limit")), RATIO,
+                paper=one["formula"])  # fmt: skip

@@ -3,7 +3,7 @@
 import math
 from statistics import fmean
 
-from book.forms import PERCENT, PLAIN, Form, Said, listed
+from book.forms import PERCENT, PLAIN, RATIO, Form, Said, listed
 from book.outcomes import TESTS, holds, range_of
 from book.results import grouped, record
 from book.row import Row, Rows
@@ -21,7 +21,7 @@ _TITLES = {
     "tension": "plain bar", "notched": "notched bar", "slit": "bar with a slit",
     "brittle": "plain bar, brittle facets", "compression": "uniaxial compression", "triaxial": "triaxial compression",
 }  # fmt: skip
-RATIO, SMALL = Form(style=".3f"), Form(style=".1e")
+SMALL = Form(style=".1e")
 _KEYS = "energy", "pressure", "count"
 
 

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from book.forms import Form
+from book.forms import RATIO
 from book.results import study
 from book.row import Row, Rows
 from book.tolerances import Near
@@ -27,5 +27,5 @@ def rows() -> Rows:
         soft = f", G_f = {1e-3 * one['energy']:g} kJ/m²" if one["energy"] else ""
         yield Row(f"m = {one['modulus']:g}, {kind}{soft}, {1e9 * one['bar']:.0f} mm³, {one['count']} {one['bonds']},"
             f" {one['runs']} draws: mean strength over the weakest link's",
-            WEIBULL.of(one["ratio"], scatter=one["ratio_error"]), Near(relative=WEIBULL.at("limit")),
-            Form(style=".3f"), paper=1.0)  # fmt: skip
+            WEIBULL.of(one["ratio"], scatter=one["ratio_error"]), Near(relative=WEIBULL.at("limit")), RATIO,
+            paper=1.0)  # fmt: skip
