@@ -5,6 +5,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 
 from book.chapter import Chapter, Figure, Section
+from book.forms import grid
 from book.results import Measurement
 from book.row import Origin, Row, Verdict, tally
 from book.shown import Line, shown
@@ -55,8 +56,7 @@ def mark(remarks: Sequence[str], remark: str) -> str:
 def _grid(columns: Mapping[str, Sequence[str]]) -> str:
     """Columns in which nothing stands are left out."""
     kept = {name: cells for name, cells in columns.items() if any(cells)}
-    lines = [f"| {' | '.join(kept)} |", f"|{'---|' * len(kept)}"]
-    return "\n".join(lines + [f"| {' | '.join(cells)} |" for cells in zip(*kept.values(), strict=True)])
+    return grid(list(kept), zip(*kept.values(), strict=True))
 
 
 def required(row: Row) -> str:

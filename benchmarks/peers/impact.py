@@ -52,7 +52,7 @@ class TwoBodies(bd.LinearSum):
 
     stronger: np.ndarray = dataclasses.field(default_factory=lambda: np.ones(0))
 
-    def factors(self, volume: np.ndarray) -> np.ndarray:
+    def factors(self, *_: object) -> np.ndarray:
         return self.stronger
 
 

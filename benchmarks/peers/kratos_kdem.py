@@ -6,20 +6,19 @@ import subprocess
 from pathlib import Path
 
 import numpy as np
-from outcome import Outcome
+from outcome import Code, Outcome, why_not
 from specimen import DENSITY, POISSON, Specimen
 
 _SCRIPT = Path(__file__).parent / "kratos_script.py"
 _NEVER = 1e20
 
 
-class Kratos:
+class Kratos(Code):
     """Its Python is `python3`, or what the environment variable KRATOS names."""
 
     name = "kratos"
     # Another bond: what it does to positions is printed, but no reason to refuse a ratio.
     alike = False
-    own_law = False
     differs = (
         "stiffnesses are its own, E A / L, G A / L, E I / L and G J / L with the mean radius of the two spheres, "
         "weighted by their neighbours; E makes E A / L ours before weighting; another motion, but the same work",
@@ -31,12 +30,7 @@ class Kratos:
         self.python = os.environ.get("KRATOS", "python3")
 
     def missing(self) -> str:
-        command = [self.python, "-c", "import KratosMultiphysics.DEMApplication"]
-        try:
-            done = subprocess.run(command, capture_output=True, text=True)
-        except OSError as error:
-            return f"{self.python}: {error.strerror}"
-        return "" if done.returncode == 0 else f"{self.python} has no KratosMultiphysics.DEMApplication"
+        return why_not([self.python, "-c", "import KratosMultiphysics.DEMApplication"])
 
     def run(self, specimen: Specimen, folder: Path, check: int, steps: int) -> Outcome:
         specimen.save(folder / "specimen.npz")

@@ -6,7 +6,7 @@ import subprocess
 from pathlib import Path
 
 import numpy as np
-from outcome import Outcome
+from outcome import Code, Outcome, why_not
 from specimen import DENSITY, Specimen
 
 #: The beginning of an input in SI units, and what both granite and agglomerates have next.
@@ -17,12 +17,10 @@ EXTRA = ("30 extra bond per atom", "60 extra special per atom")
 TYPES = 64
 
 
-class Lammps:
+class Lammps(Code):
     """The executable is `lmp`, or what the environment variable LAMMPS names."""
 
     name = "lammps"
-    alike = True
-    own_law = False
     differs = (
         f"stiffness by {TYPES} classes of bond length instead of bond by bond",
         "bonds compute their damping, with coefficients of zero, and a measure of breaking that never breaks them;"
@@ -30,7 +28,7 @@ class Lammps:
     )
 
     def missing(self) -> str:
-        return _why_not([executable(), "-h"], _environment())
+        return why_not([executable(), "-h"], "BPM", _environment())
 
     def run(self, specimen: Specimen, folder: Path, check: int, steps: int) -> Outcome:
         write_data(folder / "specimen.data", specimen)
@@ -169,11 +167,3 @@ def read(folder: Path) -> Outcome:
         spin=end[:, 4:7],
         version=log.splitlines()[0].strip(),
     )
-
-
-def _why_not(command: list[str], environment: dict[str, str]) -> str:
-    try:
-        done = subprocess.run(command, env=environment, capture_output=True, text=True)
-    except OSError as error:
-        return f"{command[0]}: {error.strerror}"
-    return "" if "BPM" in done.stdout else f"{command[0]} was built without the package BPM"

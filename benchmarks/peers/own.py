@@ -6,21 +6,15 @@ import sys
 import time
 from pathlib import Path
 
-from outcome import Outcome
+from outcome import Code, Outcome
 from specimen import DENSITY, POISSON, RADIUS_RATIO, YOUNG, Specimen
 
 
-class Bondem:
+class Bondem(Code):
     """The code that is compared with the others."""
 
     name = "bondem"
-    differs: tuple[str, ...] = ()
-    alike = True
     law = "beams"
-    own_law = False
-
-    def missing(self) -> str:
-        return ""
 
     def run(self, specimen: Specimen, folder: Path, check: int, steps: int) -> Outcome:
         specimen.save(folder / "specimen.npz")

@@ -4,18 +4,16 @@ import os
 import subprocess
 from pathlib import Path
 
-from outcome import Outcome
+from outcome import Code, Outcome, why_not
 from specimen import Specimen
 
 _SCRIPT = Path(__file__).parent / "yade_script.py"
 
 
-class Yade:
+class Yade(Code):
     """The executable is `yade`, or what the environment variable YADE names."""
 
     name = "yade"
-    alike = True
-    own_law = False
     differs = (
         "bonds shear where the spheres touch, not in the middle",
         "bonds compute their strength, which is never reached",
@@ -25,11 +23,7 @@ class Yade:
         self.executable = os.environ.get("YADE", "yade")
 
     def missing(self) -> str:
-        try:
-            done = subprocess.run([self.executable, "--version"], capture_output=True, text=True)
-        except OSError as error:
-            return f"{self.executable}: {error.strerror}"
-        return "" if done.returncode == 0 else f"{self.executable} --version fails: {done.stderr.strip()}"
+        return why_not([self.executable, "--version"])
 
     def run(self, specimen: Specimen, folder: Path, check: int, steps: int) -> Outcome:
         specimen.save(folder / "specimen.npz")

@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from book.chapters import rapid_fracture
 from book.chapters.concrete import CONCRETE
 from book.chapters.fracture import FRACTURE, SIZES
 from book.chapters.rapid_fracture import GRANITE
@@ -18,7 +19,6 @@ _WHOLE = Form("MPa", 1e6, ".1f")
 _KN = Form("kN", 1e3, ".2f")
 # Tolerance of a strength that is entered, or that a closed form gives.
 _CLOSE = 0.05
-_FORMS = {"ucs": _WHOLE, "direct_tension": MPA, "brazilian": MPA, "toughness": Form("MPa√m", 1e6, ".2f")}
 _SIDES = {"uniaxial": "tension from one side", "biaxial": "from two sides", "hydrostatic": "from all sides"}
 _PUT_IN = ("uniaxial", "hydrostatic")
 
@@ -94,12 +94,7 @@ def granite() -> Rows:
             " of 200 mm has 1.49 MPa√m"
         ),
     }
-    for one in GRANITE.at("cases"):
-        deep = f", W = {1e3 * one['depth']:g} mm" if "depth" in one else ""
-        if one["verdict"] != "–":
-            yield Row(f"{one['quantity']}{deep}; {one['count']} cells, {seeds(one['seeds'])}",
-                GRANITE.of(*one["values"]), Between(one["low"], one["high"]), _FORMS[one["test"]], paper=one["words"],
-                reason=reasons.get(one["test"], ""))  # fmt: skip
+    return rapid_fracture.granite(reasons, beam="")
 
 
 def glass() -> Rows:

@@ -1,6 +1,7 @@
 """Cracks that run, a bar that spalls, and a granite from one input."""
 
 import math
+from collections.abc import Mapping
 from typing import Any
 
 from book.chapters.strength import BRAZILIAN, DISCS
@@ -16,6 +17,7 @@ GRANITE = study("granite", {"granite": "granite"})
 LOSSES = record("kinds_of_loss", takes="20 min")
 MEASUREMENTS = (BRANCHING, FINE, SPALL, LOSSES, GRANITE)
 
+_NONE: Mapping[str, str] = {}
 _RATIO = Form(style=".2f")
 _FORMS = {"ucs": Form("MPa", 1e6, ".1f"), "direct_tension": MPA, "brazilian": MPA,
           "toughness": Form("MPa√m", 1e6, ".2f")}  # fmt: skip
@@ -40,12 +42,13 @@ def losses() -> Rows:
             LOSSES.each(some, "crushing"), AtMost(0.02), RATIO)  # fmt: skip
 
 
-def granite() -> Rows:
+def granite(reasons: Mapping[str, str] = _NONE, beam: str = "beam of ") -> Rows:
     for one in GRANITE.at("cases"):
-        what = one["quantity"] + (f", beam of W = {1e3 * one['depth']:g} mm" if "depth" in one else "")
+        deep = f", {beam}W = {1e3 * one['depth']:g} mm" if "depth" in one else ""
         if one["verdict"] != "–":
-            yield Row(f"{what}; {one['count']} cells, {seeds(one['seeds'])}", GRANITE.of(*one["values"]),
-                Between(one["low"], one["high"]), _FORMS[one["test"]], paper=one["words"])  # fmt: skip
+            yield Row(f"{one['quantity']}{deep}; {one['count']} cells, {seeds(one['seeds'])}",
+                GRANITE.of(*one["values"]), Between(one["low"], one["high"]), _FORMS[one["test"]], paper=one["words"],
+                reason=reasons.get(one["test"], ""))  # fmt: skip
 
 
 def longest_discs() -> list[dict[str, Any]]:
