@@ -1,6 +1,6 @@
 """A ball hits a bonded plate: the published impact example of LAMMPS' bonded particles, in LAMMPS and in bondem.
 
-    LAMMPS=lammps/bin/lmp python benchmarks/peers/impact.py
+    LAMMPS=lammps/bin/lmp python benchmarks/peers/impact.py [--figures docs/figures]
 
 The example is `examples/bpm/impact` of LAMMPS, `bond_style bpm/rotational`, in its own units: a disc of radius 20 and
 a ball of radius 6 of spheres of diameter 1 on a disturbed fcc lattice, bonded within reach 1.5, the ball four times
@@ -28,6 +28,7 @@ from alike import Alike
 from lammps_bpm import ran
 
 import bondem as bd
+from bondem.report.style import BLUE, GREY, INK, ORANGE, sheet
 from kept import Record, run
 
 SEEDS = (134598738, 1)  # the first is that of the example
@@ -55,6 +56,12 @@ class TwoBodies(bd.LinearSum):
     def factors(self, *_: object) -> np.ndarray:
         return self.stronger
 
+
+LOOKS = {
+    "published": (GREY, "LAMMPS as published: bonds soften before they break"),
+    "matched": (ORANGE, "LAMMPS, brittle, dashpots as in bondem"),
+    "bondem": (BLUE, "bondem"),
+}
 
 COMMON = """units lj
 boundary f f f
@@ -217,6 +224,22 @@ def measure(record: Record, *, seeds: tuple[int, ...] = SEEDS) -> None:
             **found,
         })  # fmt: skip
         record.keep(dt=DT, steps=STEPS, every=EVERY, log=LOG, runs=runs, lammps=version)
+
+
+def draw(record: Record, folder: Path) -> None:
+    """Bonds lost over time."""
+    kept = record.data
+    steps = np.arange(0, kept["steps"] + 1, kept["every"])
+    with sheet(folder / "impact.png", 6.3, 3.6) as (_, ax):
+        for name, (colour, label) in LOOKS.items():
+            for k, one in enumerate(kept["runs"]):
+                lost = 100.0 * np.array(one[name]["lost"]) / one["bonds"]
+                ax.plot(steps, lost, color=colour, ls="--" if k else "-", label="" if k else label)
+        every = kept["steps"] // (len(kept["log"]) - 1)
+        logged = 100.0 * (1.0 - np.array(kept["log"]) / kept["log"][0])
+        ax.plot(steps[:: every // kept["every"]], logged, "+", color=INK, label="log of LAMMPS, other dashpots")
+        ax.set(xlabel="step (of 0.05)", ylabel="bonds lost [%]")
+        ax.legend(loc="upper left")
 
 
 if __name__ == "__main__":
