@@ -117,7 +117,8 @@ def rendered(template: Path, names: Mapping[str, Any]) -> str:
     try:
         return environment.from_string(template.read_text(encoding="utf-8")).render(names)
     except TemplateError as error:
-        raise BookError(f"{template.relative_to(ROOT)}: {error}; name it in book/quoted") from None
+        where = "name it in book/quoted, or in the module of the chapter"
+        raise BookError(f"{template.relative_to(ROOT)}: {error}; {where}") from None
 
 
 def _marked(text: str, template: Path) -> str:

@@ -20,8 +20,6 @@ GAUGES = {
     "spin": bd.Gauge(bd.Everything(), "angular_velocity", "max_abs"),
 }
 GRIP = {"grip": bd.Gauge(bd.Everything(), "force", "sum")}  # where anything is held or loaded
-# How a run is interrupted: by records, by checkpoints, or by an end and a new beginning.
-PAUSES = ("every 0", "every 1", "every 7", "every 30", "saved every 37", "two runs")
 # Share of the first of two consecutive runs.
 _FIRST = 0.43
 
@@ -34,7 +32,7 @@ def run(name: str, size: int, threads: list[int], pauses: list[str], steps: int,
         name: of the case.
         size: elements, about.
         threads: on how many, one after the other.
-        pauses: of `PAUSES`.
+        pauses: how a run is interrupted: "every 7" records, "saved every 37" checkpoints, or "two runs".
         steps: of each run.
         folder: where the files go.
         dt: time step [s]; the share of the critical one that the case names when None.

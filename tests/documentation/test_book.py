@@ -7,12 +7,14 @@ import sys
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 
 from book import pages
 from book.__main__ import main
 from book.chapter import Chapter, Section
+from book.chapter_file import ChapterFile
 from book.chart import chart
 from book.counting import counted
 from book.errors import BookError
@@ -247,6 +249,11 @@ def test_the_chart_has_a_mark_for_every_comparison_and_draws_misses_right_of_the
     assert all((float(x) > limit) is (kind != "met") for kind, x in marks)
     for row in (row for chapter in pages.chapters() for row in chapter.rows if row.used is not None):
         assert (row.used > 1.0 + 1e-9) is row.verdict.is_miss, row.case
+
+
+def test_a_text_of_a_chapter_that_names_what_its_module_lacks_is_an_error():
+    with pytest.raises(BookError, match=r"cells.md: 'MODULI' is undefined"):
+        ChapterFile(ModuleType("book.chapters.cells")).chapter()
 
 
 def test_links_follow_a_page_into_its_folder():
