@@ -6,7 +6,7 @@ from pathlib import Path
 
 from book.chapter import Chapter, Section
 from book.chapters.andre_tables import CONSISTENCY
-from book.chapters.chen_tables import table_3, table_4, table_5
+from book.chapters.chen_tables import table_4, table_5
 from book.forms import PERCENT, RATIO, ROUNDING, SIGNED, Form
 from book.markdown import counts, page, required
 from book.results import ROOT, Measurement
@@ -50,7 +50,7 @@ def chapter(folder: Path) -> Chapter:
         sections=(
             *(Section(title=title, rows=tuple(rows)) for title, rows in (
                 ("Fused silica", _silica(small)), ("Materials of the library, calibrated", _materials(small)),
-                ("Energy of the bonds", _order(drift)), ("Table 3: the cases", table_3(chen)),
+                ("Energy of the bonds", _order(drift)),
                 ("Table 4: tip deflection of case 1", table_4(chen, None)),
                 ("Table 5: stiffness of a bond in case 3", table_5(chen)),
             )),

@@ -1,22 +1,14 @@
 """Chen et al. (2022), Tables 3 to 5, and what its figures say in numbers: cantilevers of bonds."""
 
-from book.forms import PERCENT, ROUNDING, Form, Said
+from book.forms import PERCENT, ROUNDING, Form
 from book.results import Measurement, record
 from book.row import Measured, Row, Rows
-from book.tolerances import AtMost, Near, So, Spans
+from book.tolerances import AtMost, Near
 
 TABLES = record("chen_tables", takes="2 s")
 CASES = record("chen", drawn=True, takes="23–47 s")
 MEASUREMENTS = (TABLES, CASES)
 
-#: Table 3, a column a case: length [m], bond slenderness λ_b, radii of particles [m], of bonds [m], gaps.
-TABLE_3 = {
-    "1": ((4, 4), (1, 1), (0.2, 0.2), (0.2, 0.2), False),
-    "2": ((0.4, 4), (1, 1), (0.2, 0.2), (0.2, 0.2), False),
-    "3": ((4, 4), (1, 5), (0.2, 0.2), (0.2, 0.2), True),
-    "4": ((4, 4), (2, 20), (0.2, 2), (0.1, 0.1), False),
-    "5": ((4, 4), (5, 5), (0.2, 0.8), (0.2, 0.2), True),
-}
 #: Table 4: law → tip [mm] and its distance from Timoshenko theory [%], as printed.
 TABLE_4 = {"TBBM": ("8.537", "0.04"), "EBBM": ("8.489", "0.53"), "PBM": ("8.508", "0.30")}
 #: Table 5: bonds → axial stiffness, shear stiffness of PBM, EBBM, TBBM [GN/m], as printed.
@@ -30,36 +22,10 @@ TABLE_5 = {
 }
 
 
-def table_3(tables: Measurement) -> Rows:
-    """The cases as they are and as they are printed: for the fast part, which is a test."""
-    for case, (*printed, gap) in TABLE_3.items():
-        names = (("length", "beam length", "m"), ("slenderness", "bond slenderness λ_b", ""),
-                 ("element_radius", "particle radius", "m"), ("bond_radius", "bond radius", "m"))  # fmt: skip
-        for (name, what, unit), (least, most) in zip(names, printed, strict=True):
-            words = f"{least:g}–{most:g} {unit}" if least != most else f"{least:g} {unit}"
-            known = case == "3" and name == "slenderness"
-            yield Row(f"case {case}: {what}", tables.of(*tables.at("table3", case, name)), Spans(least, most),
-                Form(unit), source="Table 3", paper=words.strip(),
-                reason="Table 5 has one bond in case 3, 4 m long with a radius of 0.2 m: λ_b = 10" * known)
-        yield Row(f"case {case}: gap between particles", tables.number("table3", case, "gap"), So(gap), Said(),
-            source="Table 3", paper="yes" if gap else "no")  # fmt: skip
-
-
 def table_4(tables: Measurement, runs: Measurement | None) -> Rows:
     """Tips by statics and, where there are runs, by explicit dynamics."""
     millimetres = Form("mm", 1e-3, ".4f")
     above = "the paper's number lies above the exact value that beam elements reproduce"
-    theory = tables.at("table4", {"law": "TBBM"})["timoshenko"]
-    euler = tables.at("table4", {"law": "EBBM"})["exact"]
-    if runs is None:  # a closed form against itself is a test, and no row of the chapter
-        for words, ours, paper, printed in (
-            ("Timoshenko theory, eq (29)", theory, 8.534e-3, "8.534 mm"),
-            ("Euler–Bernoulli theory", euler, 8.488e-3, "8.488 mm"),
-        ):
-            yield Row(words, tables.of(ours), Near(absolute=0.0005e-3), millimetres, source="Table 4", paper=paper,
-                printed=printed)  # fmt: skip
-        yield Row("Euler–Bernoulli theory, distance from Timoshenko", tables.of(1.0 - euler / theory),
-            Near(absolute=5e-5), PERCENT, source="Table 4", paper=0.0054)  # fmt: skip
     for law, (tip, error) in TABLE_4.items():
         found = tables.at("table4", {"law": law})
         yield Row(f"{law}, tip, static", tables.of(found["tip"]), Near(absolute=0.001e-3), millimetres,

@@ -29,7 +29,7 @@ from book.outcomes import TESTS
 from book.results import RESULTS, ROOT, Measurement
 from book.row import Measured, Origin, Row, Verdict
 from book.shown import shown
-from book.tolerances import AtLeast, AtMost, Near, So, Spans, Tolerance
+from book.tolerances import AtLeast, AtMost, Near, So, Tolerance
 
 ORIGIN = Origin("bondem measure", "benchmarks/results/it.json")
 
@@ -58,8 +58,6 @@ def fast(tmp_path_factory) -> Path:
         ((-0.0148,), 0.0120, AtMost(), Verdict.MISSED),
         ((-0.0119,), 0.0120, AtMost(), Verdict.MET),
         ((54.0, 66.0), None, AtLeast(60.0), Verdict.MISSED),
-        ((1.0, 5.0), "1–5", Spans(1, 5), Verdict.MET),
-        ((1.0, 10.0), "1–5", Spans(1, 5), Verdict.MISSED),
         ((1.0,), None, So(), Verdict.MET),
         ((1.0,), None, So(wanted=False), Verdict.MISSED),
     ],
@@ -301,7 +299,7 @@ def test_what_tests_record_stands_in_the_book_and_is_kept():
 
 def test_every_row_of_the_papers_tables_is_there():
     rows = [row for chapter in pages.chapters() for row in chapter.rows]
-    # Table 1 of André and Table 3 of Chen are inputs: the fast part holds them, and the book has no rows of them
+    # Table 1 of André and Table 3 of Chen are inputs: the fast part and tests/validation/test_chen_cases.py hold them
     for source, fewest in (("Table 2", 3), ("Table 3", 3), ("Table 4", 4 + 8), ("Table 5", 24)):
         found = [row for row in rows if row.source == source and row.paper is not None]
         assert len(found) >= fewest, source
@@ -352,7 +350,7 @@ def test_every_kept_result_names_its_command_and_what_code_made_it():
 def test_the_fast_part_is_measured_from_nothing_and_meets_its_tolerances(fast):
     text = (fast / "fast.md").read_text(encoding="utf-8")
     assert "**missed**" not in text
-    assert len(list(fast_chapter(fast).rows)) > 80
+    assert len(list(fast_chapter(fast).rows)) > 60
 
 
 @pytest.mark.validate
