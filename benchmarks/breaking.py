@@ -1,6 +1,6 @@
 """Cost of a failure criterion while no bond breaks: steps with and without it, in turns.
 
-python benchmarks/breaking.py [--elements 10000] [--repeat 15] [--threads 1] [--cells] [--contact] [--out FILE]
+python benchmarks/breaking.py [--elements 10000] [--repeat 15] [--thread-count 1] [--cells] [--contact] [--out FILE]
 
 With --contact, bodies also have contact, and are timed intact and in pieces. A body moves inward until thousands of
 its bonds are broken; one of cells also until most of its facets are broken ("in dust").
@@ -9,9 +9,7 @@ Without --contact the strength is far above all loads, and the motion is random.
 thread, which other processes disturb less, and wall time on several.
 """
 
-import argparse
 import time
-from pathlib import Path
 
 import numpy as np
 
@@ -20,7 +18,7 @@ from bondem._threads import threads
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.plan import Plan
 from bondem.dynamics.timestep import critical_step
-from kept import RESULTS, keep, origin
+from kept import Record, run, variant
 from tiled import specimen
 
 
@@ -76,28 +74,22 @@ def touching(elements: int, cells: bool) -> tuple[dict[str, CoreLoop], int, dict
     return found, len(lattice.pairs), counts
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--elements", type=int, default=10_000)
-    parser.add_argument("--repeat", type=int, default=15)
-    parser.add_argument("--threads", type=int, default=1)
-    parser.add_argument("--cells", action="store_true")
-    parser.add_argument("--contact", action="store_true")
-    parser.add_argument("--out", type=Path, default=None)
-    options = parser.parse_args()
-    clock = time.process_time if options.threads == 1 else time.perf_counter
-    with threads(options.threads):
-        made = touching if options.contact else loops
-        found, bonds, counts = made(options.elements, options.cells)
-        steps = max(20, (1_000_000 if options.contact else 4_000_000) // bonds)
+def measure(
+    record: Record, *, elements: int = 10_000, repeat: int = 15, thread_count: int = 1, cells: bool = False,
+    contact: bool = False,
+) -> None:  # fmt: skip
+    clock = time.process_time if thread_count == 1 else time.perf_counter
+    with threads(thread_count):
+        found, bonds, counts = (touching if contact else loops)(elements, cells)
+        steps = max(20, (1_000_000 if contact else 4_000_000) // bonds)
         times: dict[str, list[float]] = {name: [] for name in found}
-        for _ in range(options.repeat):
+        for _ in range(repeat):
             for name, loop in found.items():
                 begin = clock()
                 loop.run(steps)
                 times[name].append((clock() - begin) / steps / bonds * 1e9)
     elastic = np.array(times["elastic"])
-    result = {**origin(), "elements": options.elements, "bonds": bonds, "threads": options.threads}
+    result = {"elements": elements, "bonds": bonds, "threads": thread_count}
     for name, each in times.items():
         row = {
             "least_ns": min(each), "median_ns": float(np.median(each)),
@@ -106,9 +98,8 @@ def main() -> None:
         }  # fmt: skip
         result[name] = row | counts.get(name, {})
         print(name, {key: round(value, 3) for key, value in row.items()})
-    kind = "_cells" * options.cells + "_contact" * options.contact
-    keep(options.out or RESULTS / f"breaking{kind}.json", result)
+    variant(record, "_cells" * cells + "_contact" * contact).keep(**result)
 
 
 if __name__ == "__main__":
-    main()
+    run()

@@ -4,14 +4,12 @@ With 10 000 elements the difference is less than the noise of the machine, so th
 with few elements. The recorded share is this cost over the time of the steps between two outputs with many elements.
 Times are processor seconds, which on one thread do not depend on other work of the machine.
 
-python benchmarks/callback.py [--elements 10000] [--few 300] [--every 100] [--steps 2000] [--repeat 9] [--threads 1]
+python benchmarks/callback.py [--elements 10000] [--few 300] [--every 100] [--steps 2000] [--repeat 9]
 """
 
-import argparse
 import json
 import statistics
 import time
-from pathlib import Path
 
 import numpy as np
 
@@ -19,7 +17,7 @@ import bondem as bd
 from bondem._threads import threads
 from bondem.dynamics.history import History
 from bondem.model.state import State
-from kept import RESULTS, keep, origin, spread
+from kept import Record, run, spread
 from static_solve import LAW
 from validation.measures.jittered_cylinder import cylinder
 
@@ -56,28 +54,19 @@ def compared(elements: int, every: int, steps: int, repeat: int) -> dict:
     }
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--elements", type=int, default=10_000)
-    parser.add_argument("--few", type=int, default=300)
-    parser.add_argument("--every", type=int, default=100)
-    parser.add_argument("--steps", type=int, default=2000)
-    parser.add_argument("--repeat", type=int, default=9)
-    parser.add_argument("--threads", type=int, default=1)
-    parser.add_argument("--out", type=Path, default=RESULTS / "callback.json")
-    options = parser.parse_args()
-    here = origin()
-    with threads(options.threads):
-        few, many = (
-            compared(count, options.every, options.steps, options.repeat) for count in (options.few, options.elements)
-        )
-    between = many["without [s]"]["median"] * options.every / options.steps
-    share = few["cost of an output, median of the pairs [s]"] / between
-    result = {**here, "threads": options.threads, "every": options.every, "few": few, "many": many,
+def measure(
+    record: Record, *, elements: int = 10_000, few: int = 300, every: int = 100, steps: int = 2000, repeat: int = 9,
+    thread_count: int = 1,
+) -> None:  # fmt: skip
+    with threads(thread_count):
+        small, many = (compared(count, every, steps, repeat) for count in (few, elements))
+    between = many["without [s]"]["median"] * every / steps
+    share = small["cost of an output, median of the pairs [s]"] / between
+    result = {"threads": thread_count, "every": every, "few": small, "many": many,
               "share of an output in the steps between two": share}  # fmt: skip
-    keep(options.out, result)
+    record.keep(**result)
     print(json.dumps(result, indent=2))
 
 
 if __name__ == "__main__":
-    main()
+    run()

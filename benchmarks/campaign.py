@@ -8,7 +8,6 @@ Run: python benchmarks/campaign.py [--specimens 100] [--few 12] [--cells 1000] [
 It writes benchmarks/results/campaign.json.
 """
 
-import argparse
 import contextlib
 import json
 import os
@@ -21,7 +20,7 @@ import time
 from pathlib import Path
 
 import bondem as bd
-from kept import RESULTS, keep, origin
+from kept import Record, run
 
 STUDY = """
 name = "bars"
@@ -108,29 +107,30 @@ def killed(folder: Path, specimens: int, every: float) -> dict[str, object]:
     }  # fmt: skip
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--specimens", type=int, default=100)
-    parser.add_argument("--few", type=int, default=12)
-    parser.add_argument("--cells", type=int, default=1000, help="of a specimen, where the speed-up is measured")
-    parser.add_argument("--every", type=float, default=8.0)
-    parser.add_argument("--out", type=Path, default=RESULTS / "campaign.json")
-    options = parser.parse_args()
-    begun = origin()
+def measure(
+    record: Record, *, specimens: int = 100, few: int = 12, cells: int = 1000, every: float = 8.0
+) -> None:
+    """Measure the speed-up, and the campaign that is killed.
+
+    Args:
+        specimens: of the campaign that is killed.
+        few: specimens of the speed-up.
+        cells: of a specimen, where the speed-up is measured.
+        every: seconds between two kills.
+    """
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         (folder / "warm").mkdir()
         timed(folder / "warm", 2, 1, 200)  # compiled once
-        one, two = (timed(folder, options.few, workers, options.cells) for workers in (1, 2))
-        print(f"{options.few} specimens: {one:.1f} s on one worker, {two:.1f} s on two", flush=True)
-        found = killed(folder, options.specimens, options.every)
+        one, two = (timed(folder, few, workers, cells) for workers in (1, 2))
+        print(f"{few} specimens: {one:.1f} s on one worker, {two:.1f} s on two", flush=True)
+        found = killed(folder, specimens, every)
     result = {
-        "few": options.few, "cells": options.cells, "one worker": one, "two workers": two, "speed-up": one / two,
-        "killed": found,
+        "few": few, "cells": cells, "one worker": one, "two workers": two, "speed-up": one / two, "killed": found,
     }  # fmt: skip
-    keep(options.out, begun | result)
+    record.keep(**result)
     print(json.dumps(result, indent=1))
 
 
 if __name__ == "__main__":
-    main()
+    run()

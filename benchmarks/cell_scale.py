@@ -4,33 +4,28 @@ A cylinder is filled with `count` even centres (`bd.pack(method="even")`) and cu
 statically, and an explicit run takes some steps. Each size runs in a new process, so that peak memory belongs to one
 size; a small body is computed first, so that compilation is not timed.
 
-Run: python benchmarks/cell_scale.py [--elements 10000 100000] [--threads 2]
+Run: python benchmarks/cell_scale.py [--elements 10000,100000] [--thread-count 2]
      python benchmarks/cell_scale.py --elements 1000000 --no-static
 It writes benchmarks/results/cell_scale.json, with an entry per size, and keeps entries of other sizes.
 """
 
-import argparse
-import json
 import resource
-import subprocess
-import sys
 import time
 from typing import Any
 
 import bondem as bd
 from bondem._threads import threads
 from bondem.dynamics.timestep import critical_step
-from kept import RESULTS, keep, origin
+from kept import Record, alone, run
 
 SHAPE = bd.Cylinder(radius=5e-3, length=40e-3)
 SILICA = bd.materials.fused_silica
 #: Steps of the explicit run.
 STEPS = 20
-FILE = RESULTS / "cell_scale.json"
 
 
-def measure(count: int, static: bool) -> dict[str, Any]:
-    """Return the seconds of each stage, and the peak memory of the process after it [bytes], by stage."""
+def stages_of(count: int, static: bool) -> dict[str, Any]:
+    """Seconds of each stage, and the peak of memory after it, by stage."""
     found: dict[str, Any] = {"elements": count}
     began = time.perf_counter()
 
@@ -57,29 +52,23 @@ def measure(count: int, static: bool) -> dict[str, Any]:
     return found
 
 
-def main(arguments: list[str] | None = None) -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--elements", type=int, nargs="+", default=[10_000, 100_000])
-    parser.add_argument("--threads", type=int, default=2)
-    parser.add_argument("--no-static", action="store_true")
-    parser.add_argument("--one", type=int, help=argparse.SUPPRESS)
-    given = parser.parse_args(arguments)
-    if given.one:
-        with threads(given.threads):
-            measure(2000, static=not given.no_static)
-            print(json.dumps(measure(given.one, static=not given.no_static)))
-        return
-    begun = origin()
-    cases = json.loads(FILE.read_text())["cases"] if FILE.exists() else []
-    for count in given.elements:
-        words = ["--one", str(count), "--threads", str(given.threads), *["--no-static"] * given.no_static]
-        out = subprocess.run([sys.executable, __file__, *words], check=True, capture_output=True, text=True).stdout
-        one = json.loads(out.splitlines()[-1]) | {"threads": given.threads, **begun}
+def timed(count: int, thread_count: int, static: bool) -> dict[str, Any]:
+    """Seconds and memory of a body, after a small one."""
+    with threads(thread_count):
+        stages_of(2000, static)
+        return stages_of(count, static)
+
+
+def measure(
+    record: Record, *, elements: tuple[int, ...] = (10_000, 100_000), thread_count: int = 2, no_static: bool = False
+) -> None:
+    for count in elements:
+        one = alone(timed, count, thread_count, not no_static) | {"threads": thread_count, **record.origin}
         stages = {name: value for name, value in one.items() if isinstance(value, dict) and "seconds" in value}
         print(count, *(f"{k} {v['seconds']:.1f} s, {v['peak_bytes'] / 2**30:.2f} GiB;" for k, v in stages.items()))
-        cases = [other for other in cases if other["elements"] != count] + [one]
-    keep(FILE, begun | {"cases": sorted(cases, key=lambda one: one["elements"])})
+        cases = [other for other in record.rows() if other["elements"] != count] + [one]
+        record.keep(cases=sorted(cases, key=lambda one: one["elements"]))
 
 
 if __name__ == "__main__":
-    main()
+    run()

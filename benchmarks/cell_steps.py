@@ -4,11 +4,10 @@ The same packing (periodic, κ = 25 %) is bonded where spheres touch, with beams
 alternate, and ratios are those of successive runs. A cell has about 7 facets, in two passes, and a sphere 3.1 bonds,
 but the time step of cells is longer. The relevant ratio is that of the times for a microsecond of the same specimen.
 
-Run: python benchmarks/cell_steps.py [--elements 10000 100000] [--threads 1 2] [--repeat 5]
+Run: python benchmarks/cell_steps.py [--elements 10000,100000] [--threads 1,2] [--repeat 5]
 It writes benchmarks/results/cell_steps.json.
 """
 
-import argparse
 import statistics
 import time
 import tracemalloc
@@ -17,12 +16,12 @@ from typing import Any
 import numpy as np
 
 import bondem as bd
-from bondem._threads import threads
+from bondem._threads import threads as of_threads
 from bondem.dynamics.explicit import integrate
 from bondem.dynamics.plan import Plan
 from bondem.dynamics.timestep import critical_step
 from bondem.model.state import State
-from kept import RESULTS, keep, origin, spread
+from kept import Record, run, spread
 
 SILICA = bd.materials.fused_silica
 #: Bonds with which such packings are about as stiff as the glass; the speed does not depend on their values.
@@ -54,7 +53,7 @@ class Runner:
         return (taken[1] - taken[0]) / steps
 
 
-def measure(count: int, threads_: list[int], repeat: int) -> dict[str, Any]:
+def stepped(count: int, counts: tuple[int, ...], repeat: int) -> dict[str, Any]:
     particles = bd.pack(bd.Cell((EDGE,) * 3), count=count, spread=0.25, seed=1)
     body, lattice = bd.connect(particles, method="laguerre"), bd.connect(particles)
     cells = Runner(bd.Model(body, bd.CellBond(E=SILICA.E, nu=SILICA.nu), SILICA.rho))
@@ -64,8 +63,8 @@ def measure(count: int, threads_: list[int], repeat: int) -> dict[str, Any]:
         "elements": count, "facets": len(body.pairs) / count, "bonds": len(lattice.pairs) / count,
         "dt": {"cells": cells.dt, "beams": beams.dt}, "bytes": {"cells": cells.memory, "beams": beams.memory},
     }  # fmt: skip
-    for number in threads_:
-        with threads(number):
+    for number in counts:
+        with of_threads(number):
             cells.seconds(5), beams.seconds(5)
             pairs = [(cells.seconds(steps), beams.seconds(steps)) for _ in range(repeat)]
         one, other = zip(*pairs, strict=True)
@@ -94,16 +93,12 @@ def _rates(seconds: tuple[float, ...], count: int, each: float, dt: float) -> di
     }
 
 
-def main(arguments: list[str] | None = None) -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--elements", type=int, nargs="+", default=[10_000, 100_000])
-    parser.add_argument("--threads", type=int, nargs="+", default=[1, 2])
-    parser.add_argument("--repeat", type=int, default=5)
-    given = parser.parse_args(arguments)
-    begun = origin()
-    cases = [measure(count, given.threads, given.repeat) for count in given.elements]
-    keep(RESULTS / "cell_steps.json", begun | {"cases": cases})
+def measure(
+    record: Record, *, elements: tuple[int, ...] = (10_000, 100_000), threads: tuple[int, ...] = (1, 2),
+    repeat: int = 5,
+) -> None:  # fmt: skip
+    record.keep(cases=[stepped(count, threads, repeat) for count in elements])
 
 
 if __name__ == "__main__":
-    main()
+    run()

@@ -8,16 +8,12 @@ Medians of processor seconds, with packing but without the start of Python, are 
 benchmarks/results/first_runs.json.
 """
 
-import argparse
-import os
-import subprocess
-import sys
 import tempfile
 import time
 from statistics import median
 
 import bondem as bd
-from kept import RESULTS, keep, origin
+from kept import Record, alone, run
 
 CONTACT = bd.LinearContact(E=40e9, friction=0.4)
 SOFT = bd.MohrCoulomb(tension=4e6, cohesion=14e6, friction_angle=0.6, fracture_energy=50.0)
@@ -52,35 +48,26 @@ def crush() -> None:
 KINDS = {**{kind: lambda kind=kind: pull(kind) for kind in LAWS}, "compression": crush}
 
 
-def seconds(kind: str, cache: str) -> float:
-    """Return the processor seconds of a run of a kind in a new process, with the cache folder `cache`."""
-    environment = os.environ | {"XDG_CACHE_HOME": cache, "BONDEM_PROGRESS": "off"}
-    words = [sys.executable, "-W", "ignore", __file__, "--alone", kind]
-    return float(subprocess.run(words, env=environment, capture_output=True, text=True, check=True).stdout)
+def timed(kind: str) -> float:
+    """Seconds of the processor that a kind of run takes here and now."""
+    begin = time.process_time()
+    KINDS[kind]()
+    return time.process_time() - begin
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--rounds", type=int, default=3)
-    parser.add_argument("--alone", choices=KINDS, help=argparse.SUPPRESS)
-    options = parser.parse_args()
-    if options.alone:
-        begin = time.process_time()
-        KINDS[options.alone]()
-        print(time.process_time() - begin)
-        return
-    begun, found = origin(), {}
+def measure(record: Record, *, rounds: int = 3) -> None:
+    found = {}
     for kind in KINDS:
         times: tuple[list[float], list[float]] = ([], [])
-        for _ in range(options.rounds):
+        for _ in range(rounds):
             with tempfile.TemporaryDirectory() as cache:
                 for each in times:
-                    each.append(seconds(kind, cache))
+                    each.append(alone(timed, kind, XDG_CACHE_HOME=cache, BONDEM_PROGRESS="off"))
         first, second = map(median, times)
         print(f"{kind:12} first {first:5.2f} s, second {second:5.2f} s, difference {first - second:+.2f} s")
         found[kind] = {"first": first, "second": second, "difference": first - second}
-    keep(RESULTS / "first_runs.json", begun | {"rounds": options.rounds, "kinds": found})
+    record.keep(rounds=rounds, kinds=found)
 
 
 if __name__ == "__main__":
-    main()
+    run()

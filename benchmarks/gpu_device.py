@@ -11,10 +11,8 @@ A section that fails is recorded with its error, and the others continue. The fi
 `--host` rehearses the script with small bodies and the CPU as the device.
 """
 
-import argparse
 import importlib
 import itertools
-import json
 import math
 import multiprocessing
 import statistics
@@ -25,7 +23,6 @@ import warnings
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future, ProcessPoolExecutor, ThreadPoolExecutor
 from functools import partial
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -38,8 +35,7 @@ from bondem.dynamics.explicit import integrate
 from bondem.dynamics.plan import Plan
 from bondem.dynamics.timestep import critical_step
 from bondem.model.state import State
-from kept import RESULTS, origin
-from paired import ROOT
+from kept import Record, run
 from tiled import specimen
 
 LAWS: dict[str, tuple[Any, str]] = {
@@ -295,31 +291,27 @@ def finite(value: Any) -> Any:
     return str(value) if isinstance(value, float) and not math.isfinite(value) else value
 
 
-def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--seconds", type=float, default=225.0)
-    parser.add_argument("--host", action="store_true")
-    parser.add_argument("--out", type=Path, default=RESULTS / "gpu_device.json")
-    options = parser.parse_args()
+def measure(record: Record, *, seconds: float = 225.0, host: bool = False) -> None:
+    """Measure as long as there is time.
+
+    Args:
+        seconds: that there are.
+        host: rehearse in small, with the CPU as the device.
+    """
     warnings.simplefilter("ignore")
-    sys.path.append(str(ROOT))  # for the small runs, which belong to the tests
-    clock = Clock(options.seconds)
-    found = {"begun with": carried_out(origin)}
-    if options.host:
-        device: Callable[[], Device] = Host
-    else:
+    clock, device = Clock(seconds), Host
+    if not host:
         cuda = importlib.import_module("bondem._cuda")
         reason = cuda.lacks_gpu()
         if reason is not None:
             sys.exit(f"nothing measured: {reason}")
         device = cuda.CudaDevice
-        found["device"] = cuda.CudaDevice().name
-    for name, result in report(device, clock, REHEARSAL if options.host else Sizes()):
-        found[name], found["seconds"] = finite(result), round(clock.spent, 1)
-        options.out.write_text(json.dumps(found, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+        record.keep(device=cuda.CudaDevice().name)
+    for name, result in report(device, clock, REHEARSAL if host else Sizes()):
+        record.keep(**{name: finite(result), "seconds": round(clock.spent, 1)})
         print(f"{clock.spent:6.1f} s  {name}: {result}", flush=True)
-    return 0 if found["all agree"] else 1
+    sys.exit(0 if record.data["all agree"] else 1)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    run()

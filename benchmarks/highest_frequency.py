@@ -3,10 +3,8 @@
 python benchmarks/highest_frequency.py [--elements 100000] [--repeat 3]          a minute
 """
 
-import argparse
 import json
 import math
-from pathlib import Path
 
 import numpy as np
 from scipy.sparse import diags_array
@@ -15,7 +13,7 @@ from scipy.sparse.linalg import eigsh
 import bondem as bd
 from bondem.model.highest_frequency import highest_frequency
 from bondem.model.stiffness_matrices import mass_diagonal
-from kept import RESULTS, clocked, keep, origin
+from kept import Record, clocked, run
 from tiled import specimen
 
 
@@ -23,18 +21,12 @@ def exact(model: bd.Model) -> float:
     """Return the highest angular frequency from the stored matrix, to 1e-6 [rad/s]."""
     scale = diags_array(1.0 / np.sqrt(mass_diagonal(model)))
     start = np.random.default_rng(0).standard_normal(scale.shape[0])
-    matrix = scale @ model.interaction.stiffness() @ scale
+    matrix = scale @ model.interaction.stiffness().tocsc() @ scale
     return math.sqrt(eigsh(matrix, k=1, tol=1e-6, v0=start, return_eigenvectors=False)[0])
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--elements", type=int, default=100_000)
-    parser.add_argument("--repeat", type=int, default=3)
-    parser.add_argument("--out", type=Path, default=RESULTS / "highest_frequency.json")
-    options = parser.parse_args()
-    here = origin()
-    lattice = specimen(options.elements)
+def measure(record: Record, *, elements: int = 100_000, repeat: int = 3) -> None:
+    lattice = specimen(elements)
     laws = {
         "EulerBernoulli": bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71),
         "ParallelBond": bd.ParallelBond(E=265e9, nu=0.3, radius_ratio=0.71),
@@ -43,13 +35,13 @@ def main() -> None:
     ratios = {name: highest_frequency(model) / exact(model) for name, model in models.items()}
     model = models["EulerBernoulli"]
     result = {
-        **here, "elements": len(lattice.particles), "bonds": len(lattice.pairs), "over exact": ratios,
-        "seconds": clocked(lambda: highest_frequency(model), options.repeat),
-        "seconds of eigsh": clocked(lambda: exact(model), options.repeat),
+        "elements": len(lattice.particles), "bonds": len(lattice.pairs), "over exact": ratios,
+        "seconds": clocked(lambda: highest_frequency(model), repeat),
+        "seconds of eigsh": clocked(lambda: exact(model), repeat),
     }  # fmt: skip
-    keep(options.out, result)
+    record.keep(**result)
     print(json.dumps(result, indent=2))
 
 
 if __name__ == "__main__":
-    main()
+    run()

@@ -4,19 +4,15 @@ Each case runs in a new process, which imports bondem and builds a model of an i
 state. An explicit run then takes three steps. `untrimmed` is the growth of resident memory since the imports, per
 element. `bytes` is the same after free memory of the heap has been returned to the system.
 
-    python benchmarks/memory.py [--sizes 28 46] [--stages model state loop] [--kinds cells beams] [--part cases]
+    python benchmarks/memory.py [--sizes 28,46] [--stages model,state,loop] [--kinds cells,beams] [--part cases]
 
 A size is the number of elements along an edge. It writes benchmarks/results/memory.json, which keeps other cases. The
 part `before` was measured with the sources before decision 0066.
 """
 
-import argparse
 import ctypes
 import gc
-import json
 import os
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -26,7 +22,7 @@ from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.plan import Plan
 from bondem.dynamics.timestep import critical_step
 from bondem.model.state import State
-from kept import RESULTS, Record, command
+from kept import Record, alone, run
 
 STAGES = ("model", "state", "loop")
 BEAMS = bd.EulerBernoulli(E=1e7, nu=0.2, radius_ratio=0.6)
@@ -73,31 +69,16 @@ def built(kind: str, size: int, stage: str) -> dict[str, float]:
     return {name: round(value / size**3, 2) for name, value in sizes.items()}
 
 
-def measured(kind: str, size: int, stage: str) -> dict[str, float]:
-    """Return bytes and bonds per element of a model up to a stage, measured in a new process."""
-    words = [sys.executable, "-W", "ignore", __file__, "--alone", kind, str(size), stage]
-    return json.loads(subprocess.run(words, stdout=subprocess.PIPE, text=True, check=True).stdout)
-
-
-def main(arguments: list[str] | None = None) -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--sizes", type=int, nargs="+", default=[28, 46])
-    parser.add_argument("--stages", nargs="+", choices=STAGES, default=STAGES)
-    parser.add_argument("--kinds", nargs="+", choices=("cells", "beams"), default=("cells", "beams"))
-    parser.add_argument("--part", default="cases", help="part of the record that the rows belong to")
-    parser.add_argument("--alone", nargs=3, help=argparse.SUPPRESS)
-    given = parser.parse_args(arguments)
-    if given.alone:
-        kind, size, stage = given.alone
-        print(json.dumps(built(kind, int(size), stage)))
-        return
-    record = Record(RESULTS / "memory.json", command())
-    for kind in given.kinds:
-        for size in given.sizes:
-            for stage in given.stages:
+def measure(
+    record: Record, *, sizes: tuple[int, ...] = (28, 46), stages: tuple[str, ...] = STAGES,
+    kinds: tuple[str, ...] = ("cells", "beams"), part: str = "cases",
+) -> None:  # fmt: skip
+    for kind in kinds:
+        for size in sizes:
+            for stage in stages:
                 case = {"kind": kind, "elements": size**3, "stage": stage}
-                record.add(lambda case=(kind, size, stage): measured(*case), given.part, **case)
+                record.add(lambda case=(kind, size, stage): alone(built, *case), part, **case)
 
 
 if __name__ == "__main__":
-    main()
+    run()

@@ -13,7 +13,6 @@ Run: python benchmarks/output_cost.py [--elements 100000] [--steps 200] [--repea
 It writes benchmarks/results/output_cost.json.
 """
 
-import argparse
 import tempfile
 import time
 from pathlib import Path
@@ -21,9 +20,8 @@ from pathlib import Path
 import numpy as np
 
 import bondem as bd
-from kept import RESULTS, keep, origin, spread
+from kept import Record, run, spread
 
-FILE = RESULTS / "output_cost.json"
 FEW, MANY, LONG = 2, 10, 50_000
 
 
@@ -74,21 +72,17 @@ def measured(kind: str, count: int, steps: int, repeat: int) -> dict:
     }  # fmt: skip
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--elements", type=int, default=100_000)
-    parser.add_argument("--steps", type=int, default=200)
-    parser.add_argument("--repeat", type=int, default=3)
-    parser.add_argument("--threads", type=int, default=1)
-    parser.add_argument("--kinds", nargs="+", default=["beams", "cells"], choices=["beams", "cells"])
-    options = parser.parse_args()
-    begun, cases = origin(), []
-    bd.set_threads(options.threads)
-    for kind in options.kinds:
-        cases.append(measured(kind, options.elements, options.steps, options.repeat))
+def measure(
+    record: Record, *, elements: int = 100_000, steps: int = 200, repeat: int = 3, threads: int = 1,
+    kinds: tuple[str, ...] = ("beams", "cells"),
+) -> None:  # fmt: skip
+    cases = []
+    bd.set_threads(threads)
+    for kind in kinds:
+        cases.append(measured(kind, elements, steps, repeat))
         print({key: round(value, 6) if isinstance(value, float) else value for key, value in cases[-1].items()})
-    keep(FILE, begun | {"threads": options.threads, "cases": cases, "long": LONG})
+    record.keep(threads=threads, cases=cases, long=LONG)
 
 
 if __name__ == "__main__":
-    main()
+    run()

@@ -1,31 +1,26 @@
 """Time, density, contacts, overlap and peak memory of packings by number of spheres, and time over spheropack's.
 
     pip install spheropack && python benchmarks/packing.py
-    python benchmarks/packing.py --million          # 1 000 000 spheres alone, some ten minutes
     python benchmarks/packing.py --methods          # jamming by growth and by compression and 20 000 spheres, minutes
 
-Results are written to benchmarks/results/packing.json, or with an option to packing_million.json or
-packing_methods.json.
+Results are left in benchmarks/results/packing.json; with --methods in packing_methods.json.
 
 Every packing runs in a new process, so that peak memory is that of one packing; a small packing before it is not
 timed. spheropack (PyPI; event-driven Lubachevsky-Stillinger in C++) takes turns with bondem on the same request.
 """
 
-import argparse
 import importlib.util
 import json
 import os
 import resource
 import statistics
-import subprocess
-import sys
 import time
 
 # Set before bondem is imported, so that timed packings do not come from the cache.
 os.environ["BONDEM_PACKING_CACHE"] = "off"
 
 import bondem as bd
-from kept import RESULTS, keep, origin
+from kept import Record, alone, run, variant
 
 SHAPES = {"cylinder": bd.Cylinder(radius=5e-3, length=40e-3), "cell": bd.Cell(size=(1.0, 1.0, 1.0))}
 
@@ -65,9 +60,7 @@ def measured(repeat: int, *requests: dict) -> list[list[dict]]:
     runs: list[list[dict]] = [[] for _ in requests]
     for seed in range(1, repeat + 1):
         for k, request in enumerate(requests):
-            command = [sys.executable, __file__, "--one", json.dumps({**request, "seed": seed})]
-            answer = subprocess.run(command, check=True, capture_output=True, text=True).stdout
-            runs[k].append({"seed": seed, **json.loads(answer.splitlines()[-1])})
+            runs[k].append({"seed": seed, **alone(one, {**request, "seed": seed})})
     return runs
 
 
@@ -100,8 +93,8 @@ def _range(runs: list[dict], name: str, digits: int) -> str:
     return f"{min(values):.{digits}f}-{max(values):.{digits}f}"
 
 
-def against(count: int, repeat: int) -> list[dict]:
-    """Return times of spheropack and bondem, and their ratios; above 1 spheropack takes longer."""
+def compared(count: int, repeat: int) -> list[dict]:
+    """Times of spheropack over ours; above 1 it takes longer."""
     found = []
     for target in ({"volume_fraction": 0.60}, {"jamming": True}):
         pair = [asked("cell", count, 0.0, target, library=library) for library in ("spheropack", "bondem")]
@@ -120,46 +113,36 @@ def against(count: int, repeat: int) -> list[dict]:
     return found
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--elements", type=int, nargs="+", default=[10_000, 100_000])
-    parser.add_argument("--repeat", type=int, default=3, help="packings a row, seeds 1, 2, ... [3]")
-    parser.add_argument("--million", action="store_true", help="1 000 000 spheres alone, once")
-    said = "jamming by growth and compression and a cylinder of 20 000, once, and nothing else"
-    parser.add_argument("--methods", action="store_true", help=said)
-    parser.add_argument("--against", type=int, default=2000, help="spheres in the comparison with spheropack [2000]")
-    parser.add_argument("--one", help=argparse.SUPPRESS)
-    options = parser.parse_args()
-    if options.one:
-        print(json.dumps(one(json.loads(options.one))))
-        return
+def measure(
+    record: Record, *, elements: tuple[int, ...] = (10_000, 100_000), repeat: int = 3, methods: bool = False,
+    against: int = 2000,
+) -> None:  # fmt: skip
+    """Measure packings.
 
-    name, plan, compared = _plan(options)
-    here = origin()
-    print(f"{here['machine']}; times: smallest, median")
-    report = {**here, "packings": [], "against_spheropack": []}
-    for request, repeat in plan:
-        report["packings"].append(row(request, measured(repeat, request)[0]))
-        keep(RESULTS / f"{name}.json", report)
-    if compared and importlib.util.find_spec("spheropack"):
-        report["against_spheropack"] = against(options.against, options.repeat)
-    elif compared:
-        print("no comparison: pip install spheropack")
-    keep(RESULTS / f"{name}.json", report)
-
-
-def _plan(options: argparse.Namespace) -> tuple[str, list[tuple[dict, int]], bool]:
-    """Return the name of the result file, requests with repeats, and True if spheropack is compared."""
-    if options.million:
-        return "packing_million", [(asked("cylinder", 1_000_000, 0.25, {}), 1)], False
+    Args:
+        elements: spheres of each packing in the cylinder.
+        repeat: packings a row, seeds 1, 2, ...
+        methods: jamming by growth and compression and a cylinder of 20 000, once, and nothing else.
+        against: spheres in the comparison with spheropack.
+    """
     jammed = asked("cell", 10_000, 0.0, {"jamming": True})
-    if options.methods:
-        plan = [({**jammed, "method": method}, 1) for method in ("growth", "compression")]
-        return "packing_methods", [*plan, (asked("cylinder", 20_000, 0.25, {}), 1)], False
-    plan = [(asked("cylinder", count, 0.25, {}), options.repeat) for count in options.elements]
-    jammed_cylinder = asked("cylinder", 10_000, 0.25, {"jamming": True})
-    return "packing", [*plan, (jammed, options.repeat), (jammed_cylinder, options.repeat)], True
+    if methods:
+        record, repeat = variant(record, "_methods"), 1
+        plan = [{**jammed, "method": method} for method in ("growth", "compression")]
+        plan.append(asked("cylinder", 20_000, 0.25, {}))
+    else:
+        plan = [*(asked("cylinder", count, 0.25, {}) for count in elements), jammed]
+        plan.append(asked("cylinder", 10_000, 0.25, {"jamming": True}))
+    print(f"{record.origin['machine']}; times: smallest, median")
+    rows = []
+    for request in plan:
+        rows.append(row(request, measured(repeat, request)[0]))
+        record.keep(packings=rows, against_spheropack=[])
+    if not methods and importlib.util.find_spec("spheropack"):
+        record.keep(against_spheropack=compared(against, repeat))
+    elif not methods:
+        print("no comparison: pip install spheropack")
 
 
 if __name__ == "__main__":
-    main()
+    run()

@@ -10,13 +10,11 @@ Run: python benchmarks/survival.py [--cells 1500] [--kills 200] [--flips 200]
 It writes benchmarks/results/survival.json.
 """
 
-import argparse
 import functools
 import json
 import os
 import signal
 import subprocess
-import sys
 import tempfile
 import time
 from pathlib import Path
@@ -25,9 +23,8 @@ import numpy as np
 
 import bondem as bd
 from bondem.errors import RunFileError
-from kept import RESULTS, keep, origin
+from kept import Record, child, run
 
-FILE = RESULTS / "survival.json"
 SAFE = ("state.pose", "state.motion", "state.integrity", "state.broken", "history.records")
 
 
@@ -42,7 +39,7 @@ def model_of(count: int) -> bd.Model:
     return bd.Model(body, bd.CellBond(E=30e9, nu=0.2), 2500.0, failure=failure, boundary=ends, contact=contact)
 
 
-def run(count: int, steps: int, every: int, out: Path, progress=None) -> bd.ExplicitResult:
+def carry_out(count: int, steps: int, every: int, out: Path, progress=None) -> bd.ExplicitResult:
     model = model_of(count)
     dt = bd.solve_explicit(model, duration=0.0).dt
     return bd.solve_explicit(
@@ -51,9 +48,9 @@ def run(count: int, steps: int, every: int, out: Path, progress=None) -> bd.Expl
     )  # fmt: skip
 
 
-def worker(count: int, steps: int, every: int, out: Path) -> None:
-    """Carry out the run that is killed, and print the number of each step that is reached."""
-    run(count, steps, every, out, progress=lambda share: print(round(share * steps), flush=True))
+def worker(count: int, steps: int, every: int, out: str) -> None:
+    """The run that is killed; it tells how far it has come."""
+    carry_out(count, steps, every, Path(out), progress=lambda share: print(round(share * steps), flush=True))
 
 
 def steps_for_vtk(path: Path) -> int:
@@ -79,12 +76,11 @@ def same(one: bd.ExplicitResult, other: bd.ExplicitResult) -> bool:
     return all(np.array_equal(of(one, name), of(other, name)) for name in SAFE)
 
 
-def killed(whole: bd.ExplicitResult, seconds: float, options: argparse.Namespace, folder: Path, number: int) -> dict:
-    """Kill a run at a random time; return its steps, and whether its file opens and the resumed run is the same."""
+def killed(whole: bd.ExplicitResult, seconds: float, sizes: tuple[int, int, int], folder: Path, number: int) -> dict:
+    """One run that is killed, and what becomes of it."""
     path, random = folder / f"{number}.h5", np.random.default_rng(number)
-    command = [sys.executable, __file__, "--worker", str(path), "--cells", str(options.cells)]
-    command += ["--steps", str(options.steps), "--every", str(options.every)]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+    _, steps, every = sizes
+    with subprocess.Popen(child(worker, *sizes, str(path)), stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
         first = process.stdout.readline()  # the first interval is done
         time.sleep(0.001)
@@ -103,7 +99,7 @@ def killed(whole: bd.ExplicitResult, seconds: float, options: argparse.Namespace
         assert found["vtk"], "VTK does not read it"
         found["same"] = same(whole, bd.resume(path))
         found["vtk after"] = steps_for_vtk(path)
-        assert found["vtk after"] == 1 + options.steps // options.every, "snapshots are missing"
+        assert found["vtk after"] == 1 + steps // every, "snapshots are missing"
     except (RunFileError, AssertionError) as error:
         found["error"] = str(error)
     path.unlink(missing_ok=True)
@@ -135,47 +131,35 @@ def flipped(path: Path, count: int) -> dict:
     return found
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--cells", type=int, default=1500)
-    parser.add_argument("--steps", type=int, default=2000)
-    parser.add_argument("--every", type=int, default=50)
-    parser.add_argument("--kills", type=int, default=200)
-    parser.add_argument("--flips", type=int, default=200)
-    parser.add_argument("--worker", type=Path, help=argparse.SUPPRESS)
-    parser.add_argument("--out", type=Path, default=FILE)
-    options = parser.parse_args()
-    if options.worker:
-        worker(options.cells, options.steps, options.every, options.worker)
-        return
-    begun = origin()
+def measure(
+    record: Record, *, cells: int = 1500, steps: int = 2000, every: int = 50, kills: int = 200, flips: int = 200
+) -> None:
     with tempfile.TemporaryDirectory(dir=os.environ.get("BONDEM_SURVIVAL_DIR")) as name:
         folder = Path(name)
-        run(options.cells, options.every, options.every, folder / "warm.h5")
+        carry_out(cells, every, every, folder / "warm.h5")
         told: list[float] = []
-        whole = run(
-            options.cells, options.steps, options.every, folder / "whole.h5",
-            progress=lambda share: told.append(time.perf_counter()),
-        )  # fmt: skip
+        whole = carry_out(
+            cells, steps, every, folder / "whole.h5", progress=lambda share: told.append(time.perf_counter())
+        )
         seconds = told[-1] - told[0]
-        flips = flipped(folder / "whole.h5", options.flips) if options.flips else {}
-        kills = []
-        for number in range(options.kills):
-            kills.append(killed(whole, seconds, options, folder, number))
-            print(json.dumps(kills[-1]), flush=True)
-    good = [one for one in kills if "error" not in one]
+        flipped_bits = flipped(folder / "whole.h5", flips) if flips else {}
+        found = []
+        for number in range(kills):
+            found.append(killed(whole, seconds, (cells, steps, every), folder, number))
+            print(json.dumps(found[-1]), flush=True)
+    good = [one for one in found if "error" not in one]
     result = {
-        "cells": options.cells, "steps": options.steps, "every": options.every, "broken": len(whole.events),
-        "seconds": seconds, "kills": len(kills), "opened by both": len(good),
+        "cells": cells, "steps": steps, "every": every, "broken": len(whole.events),
+        "seconds": seconds, "kills": len(found), "opened by both": len(good),
         "same bits": sum(one["same"] for one in good),
         "lost at most": max((one["reached"] - one["kept"] for one in good), default=None),
-        "with a journal": sum(one["journal"] for one in kills),
-        "not read by VTK as left": sum("vtk as left" in one and not one["vtk as left"] for one in kills),
-        "errors": [one["error"] for one in kills if "error" in one], "flipped": flips,
+        "with a journal": sum(one["journal"] for one in found),
+        "not read by VTK as left": sum("vtk as left" in one and not one["vtk as left"] for one in found),
+        "errors": [one["error"] for one in found if "error" in one], "flipped": flipped_bits,
     }  # fmt: skip
-    keep(options.out, begun | result)
+    record.keep(**result)
     print(json.dumps(result, indent=1))
 
 
 if __name__ == "__main__":
-    main()
+    run()

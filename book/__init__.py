@@ -9,10 +9,13 @@
                                           that a page quotes, if its name is given: python -m book --measure README.md
     python -m book --fast [DIR]           measure a small part from nothing and check its tolerances; a minute
 
-A chapter is a file in `book/chapters` with a function `chapter()`. Its rows read numbers from JSON files in
-`benchmarks/results`, also those of tests (`book/outcomes.py`). Python holds published values and tolerances only.
-A verdict is computed; a missing number is an error. Pages print the rows that have a verdict (`book/shown.py`).
+A chapter is a text in `book/chapters`, NAME.md, with NAME.py beside it (`book/chapter_file.py`). Its rows read
+numbers from JSON files in `benchmarks/results`, also those of tests (`book/outcomes.py`). Python holds published
+values and tolerances only.
+A verdict is computed; a missing number is an error. Rows that are met for one requirement share a line
+(`book/shown.py`).
 
-A page of prose is a text in `book/texts` with the path of its page. In it `{{ subject.name }}` is a number that a
-file of `book/quoted` reads from a record, and `{{ 30 }}` one that was not measured. A test finds all others.
+The first page is `book/front.md`. A page of prose is a text in `book/texts` with the path of its page. In it
+`{{ subject.name }}` is a number that a file of `book/quoted` reads from a record, and `{{ 30 }}` one that was not
+measured. A test finds all others.
 """

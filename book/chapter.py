@@ -2,9 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Protocol
 
-from book.results import Measurement
 from book.row import Row
 
 
@@ -56,13 +54,3 @@ class Chapter:
     def rows(self) -> Iterator[Row]:
         for section in self.sections:
             yield from section.rows
-
-
-class ChapterFile(Protocol):
-    """What a file in `book/chapters` has."""
-
-    MEASUREMENTS: tuple[Measurement, ...]
-
-    def chapter(self) -> Chapter:
-        """The chapter, read from its results."""
-        ...

@@ -66,9 +66,8 @@ def _line(chapter: Chapter, label: str, y: float) -> list[str]:
     """The name of a chapter and a mark for each of its comparisons, spread in height so that marks stay apart."""
     parts = [f'<text x="18" y="{y + 20:g}">{escape(label)}</text>',
              f'<path class="g" d="M{_LEFT} {y + 15:g}H{_LEFT + _LENGTH}"/>']  # fmt: skip
-    compared = [row for row in chapter.rows if row.verdict is not Verdict.NO_PAPER]
     # misses last, so that they lie on top
-    for k, row in enumerate(sorted(compared, key=lambda row: row.verdict.is_miss)):
+    for k, row in enumerate(sorted(chapter.rows, key=lambda row: row.verdict.is_miss)):
         parts.append(_mark(_x(_share(row)), y + 15.0 + 4.0 * (k % 5 - 2), row.verdict))
     return parts
 

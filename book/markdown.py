@@ -5,12 +5,12 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 
 from book.chapter import Chapter, Figure, Section
+from book.forms import grid
 from book.results import Measurement
 from book.row import Origin, Row, Verdict, tally
 from book.shown import Line, shown
 
 GENERATED = "<!-- Written by `python -m book`; edit book/, not this file. -->\n"
-_SENTENCE = re.compile(r"(?<! al\.)(?<!figs\.)(?<!fig\.)(?<!ref\.)(?<=[.!?]) (?=[A-ZΑ-Ω`\[(])")
 _LINK = re.compile(r"(\]\()([^)#:\s]+)(\)|#)")
 
 
@@ -26,7 +26,7 @@ def moved(text: str, folder: str) -> str:
 
 
 def table(rows: Sequence[Row], commands: Sequence[Origin]) -> str:
-    """The rows that have a verdict as a table, with remarks below it."""
+    """The rows as a table, with remarks below it."""
     lines = shown(rows)
     remarks = list(dict.fromkeys(remark for line in lines for remark in line.remarks))
     columns = {
@@ -56,13 +56,12 @@ def mark(remarks: Sequence[str], remark: str) -> str:
 def _grid(columns: Mapping[str, Sequence[str]]) -> str:
     """Columns in which nothing stands are left out."""
     kept = {name: cells for name, cells in columns.items() if any(cells)}
-    lines = [f"| {' | '.join(kept)} |", f"|{'---|' * len(kept)}"]
-    return "\n".join(lines + [f"| {' | '.join(cells)} |" for cells in zip(*kept.values(), strict=True)])
+    return grid(list(kept), zip(*kept.values(), strict=True))
 
 
 def required(row: Row) -> str:
-    """What is required of a number, in words; "" where nothing is."""
-    return row.tolerance.words(row.form) if row.tolerance else ""
+    """What is required of a number, in words."""
+    return row.tolerance.words(row.form)
 
 
 def address(chapter: Chapter, section: Section | None = None) -> str:
@@ -78,7 +77,7 @@ def slug(title: str) -> str:
 def counts(rows: Iterable[Row]) -> str:
     """16 comparisons: 12 met, 4 missed, 1 of them explained."""
     found = tally(rows)
-    compared = sum(found.values()) - found[Verdict.NO_PAPER]
+    compared = found.total()
     missed = sum(number for verdict, number in found.items() if verdict.is_miss)
     parts = [f"{found[verdict]} {verdict.value}" for verdict in (Verdict.MET, Verdict.BY_MEAN) if found[verdict]]
     if missed:
@@ -101,10 +100,10 @@ def _body(chapter: Chapter, measurements: Sequence[Measurement], level: str) -> 
     rows = list(chapter.rows)
     origins = [*(row.ours.origin for row in rows), *(one.origin for one in measurements)]
     commands = list(dict.fromkeys(origins))
-    lines = [f"{level} {chapter.title}", _lines(chapter.summary)]
+    lines = [f"{level} {chapter.title}", chapter.summary]
     if rows:
         lines.append(f"*{sentence(counts(rows))}*")
-        lines += [f"What failed: {_lines(chapter.misses)}"] * any(row.verdict.is_miss for row in rows)
+        lines += [f"What failed: {chapter.misses}"] * any(row.verdict.is_miss for row in rows)
         lines.append(_commands(commands))
     for section in chapter.sections:
         lines += _section(section, f"{level}#", commands)
@@ -114,18 +113,12 @@ def _body(chapter: Chapter, measurements: Sequence[Measurement], level: str) -> 
 def _section(section: Section, level: str, commands: Sequence[Origin]) -> list[str]:
     """Nothing, if the section has neither text nor figures nor comparisons."""
     parts = [
-        _lines(section.before),
+        section.before,
         table(section.rows, commands) if shown(section.rows) else "",
-        _lines(section.after),
+        section.after,
         *map(_figure, section.figures),
     ]
     return [f"{level} {section.title}", *parts] if any(parts) else []
-
-
-def _lines(text: str) -> str:
-    """Prose with one sentence a line; tables stay as they are."""
-    parts = text.split("\n\n")
-    return "\n\n".join(part if part.startswith("|") else _SENTENCE.sub("\n", part) for part in parts)
 
 
 def _figure(figure: Figure) -> str:

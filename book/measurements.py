@@ -6,5 +6,5 @@ from book.quoted import MEASUREMENTS as QUOTED
 from book.results import Measurement
 from book.small import PACKINGS
 
-_NAMED = {one.name: one for file in FILES for one in file.MEASUREMENTS} | {one.name: one for one in QUOTED}
+_NAMED = {one.name: one for file in FILES for one in file.measurements} | {one.name: one for one in QUOTED}
 MEASUREMENTS: tuple[Measurement, ...] = (*_NAMED.values(), PACKINGS, PRINTED)

@@ -4,6 +4,7 @@ import posixpath
 from collections.abc import Mapping, Sequence
 
 from book.dates import commit, date
+from book.forms import grid
 from book.markdown import GENERATED, sentence
 from book.quoting import Quoted
 from book.results import ROOT, Measurement
@@ -24,13 +25,14 @@ def numbers(quoted: Sequence[Quoted], pages: Mapping[str, set[str]]) -> str:
         pages: names of the numbers that each page quotes, by its path in the repository.
     """
     records = list(dict.fromkeys(one.record.name for one in quoted))
-    lines = ["| number | quantity | size | quoted in | # |", "|---|---|---|---|---|"]
+    lines = []
     for one in quoted:
         where = ", ".join(_link(page) for page, names in pages.items() if one.name in names)
-        lines.append(f"| {one.text} | {one.says} | {one.size} | {where} | {1 + records.index(one.record.name)} |")
+        lines.append((one.text, one.says, one.size, where, str(1 + records.index(one.record.name))))
     by_name = {one.record.name: one.record for one in quoted}
     listed = [f"{k + 1}. {_record(by_name[name])}" for k, name in enumerate(records)]
-    return "\n\n".join([GENERATED + _HEAD, "\n".join(lines), "## Records", "\n".join(listed)]) + "\n"
+    table = grid(("number", "quantity", "size", "quoted in", "#"), lines)
+    return "\n\n".join([GENERATED + _HEAD, table, "## Records", "\n".join(listed)]) + "\n"
 
 
 def _link(page: str) -> str:

@@ -39,7 +39,7 @@ def chapters() -> list[Chapter]:
 def rendered(book: list[Chapter]) -> dict[Path, str]:
     """Every page that the book writes, and its text."""
     pages = {DOCS / "validation.md": front(book, older(book)), DOCS / "studies.md": filled(DOCS / "studies.md")}
-    pages |= {DOCS / "validation" / f"{one.name}.md": page(one, file.MEASUREMENTS)
+    pages |= {DOCS / "validation" / f"{one.name}.md": page(one, file.measurements)
               for one, file in zip(book, FILES, strict=True)}  # fmt: skip
     return _prose(book) | pages | {DOCS / "figures" / "tolerances.svg": chart(book)}
 

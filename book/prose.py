@@ -18,7 +18,7 @@ def words(chapters: Sequence[Chapter]) -> dict[str, str | Callable[[str], str]]:
 def older(chapters: Sequence[Chapter]) -> str:
     """The results with facets that fail which are older than a change of the code, as an item of a list."""
     files = zip(chapters, FILES, strict=True)
-    linked = [(f"[{chapter.title}]({address(chapter)})", file.MEASUREMENTS) for chapter, file in files]
+    linked = [(f"[{chapter.title}]({address(chapter)})", file.measurements) for chapter, file in files]
     lines = [
         f"  - Before [{change}](decisions/{CHANGES[change][1]}): {which}."
         for change, which in older_results(linked).items()

@@ -11,17 +11,17 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined, TemplateError
+from jinja2 import Environment, StrictUndefined, TemplateError
 
 from book.errors import BookError
-from book.forms import PLAIN, Form
+from book.forms import PLAIN, Form, listed, seeds, spaced, span, text, worst
 from book.results import ROOT, Measurement
 
 TEXTS = Path(__file__).parent / "texts"
 _FRONT_MATTER = re.compile(r"---\n.*?\n---\n", re.DOTALL)
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True)
 class Quoted:
     """A number that a page of prose quotes.
 
@@ -31,8 +31,8 @@ class Quoted:
         size: size of what was measured: elements, packings, steps.
         record: measurement whose results hold the number.
         values: the number, or several of one kind.
-        scatter: standard deviation over packings.
         form: how it is printed.
+        scatter: standard deviation over packings.
     """
 
     name: str
@@ -40,8 +40,8 @@ class Quoted:
     size: str
     record: Measurement
     values: tuple[float, ...]
-    scatter: float | None = None
     form: Form = PLAIN
+    scatter: float | None = None
 
     @property
     def text(self) -> str:
@@ -99,14 +99,26 @@ def written(template: Path, quoted: Sequence[Quoted], words: Mapping[str, Any]) 
         subject, _, name = one.name.partition(".")
         parts.setdefault(subject, {})[name] = one
     subjects = {name: _Subject(found) for name, found in parts.items()}
-    environment = Environment(
-        loader=FileSystemLoader(TEXTS), undefined=StrictUndefined, keep_trailing_newline=True, autoescape=False
-    )
-    try:
-        text = environment.get_template(template.relative_to(TEXTS).as_posix()).render({**words, **subjects})
-    except TemplateError as error:
-        raise BookError(f"{template.relative_to(ROOT)}: {error}; name it in book/quoted") from None
+    text = rendered(template, {**words, **subjects})
     return _marked(text, template), set().union(*(subject.asked for subject in subjects.values()))
+
+
+def rendered(template: Path, names: Mapping[str, Any]) -> str:
+    """A text with its expressions worked out.
+
+    Raises:
+        BookError: the text names what is not there, or it is no template.
+    """
+    environment = Environment(
+        undefined=StrictUndefined, keep_trailing_newline=True, autoescape=False, trim_blocks=True, lstrip_blocks=True
+    )
+    filters = (listed, seeds, spaced, span, text, worst)
+    environment.filters |= {"style": format} | {one.__name__: one for one in filters}
+    try:
+        return environment.from_string(template.read_text(encoding="utf-8")).render(names)
+    except TemplateError as error:
+        where = "name it in book/quoted, or in the module of the chapter"
+        raise BookError(f"{template.relative_to(ROOT)}: {error}; {where}") from None
 
 
 def _marked(text: str, template: Path) -> str:

@@ -2,7 +2,7 @@
 
 import json
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
@@ -98,6 +98,15 @@ class Measurement:
             raise BookError(f"{self.origin.kept}: a number is missing; {self._remedy}")
         return Measured(tuple(float(value) for value in values if value is not None), self.origin, scatter)
 
+    def each(self, found: Iterable[Mapping[str, Any]], key: str) -> Measured:
+        """Numbers that several results have at a key."""
+        return self.of(*(one[key] for one in found))
+
+    def summary(self, *steps: Step) -> Measured:
+        """Mean and scatter at a place of the summary; the scatter of a single one is not there."""
+        found = self.at("summary", *steps)
+        return self.of(found["mean"], scatter=found["std"])
+
     def mean(self, values: list[float]) -> Measured:
         """Mean and standard deviation of a sample."""
         return Measured((float(np.mean(values)),), self.origin, float(np.std(values, ddof=1)))
@@ -149,6 +158,14 @@ def record(study: str, *runs: str, kept: str = "", drawn: bool = False, takes: s
     words = [*(f"{run} {out}" for run in runs or ("",)), *(["--figures docs/figures"] if drawn else [])]
     command = " && ".join(f"python -m validation {study} {' '.join(one.split())}".rstrip() for one in words)
     return Measurement(kept or study, command, takes, goes_on=True)
+
+
+def grouped(found: Iterable[Any], *keys: str) -> dict[tuple[Any, ...], list[Any]]:
+    """Members of a list by what stands at some keys, in their order."""
+    groups: dict[tuple[Any, ...], list[Any]] = {}
+    for one in found:
+        groups.setdefault(tuple(one[key] for key in keys), []).append(one)
+    return groups
 
 
 @cache

@@ -3,7 +3,7 @@
 import math
 from collections import Counter
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import KW_ONLY, dataclass
 from enum import Enum
 
 from book.errors import BookError
@@ -18,7 +18,6 @@ class Verdict(Enum):
     BY_MEAN = "met by the mean"
     MISSED = "missed"
     EXPLAINED = "missed, explained"
-    NO_PAPER = "no verdict"
 
     @property
     def is_miss(self) -> bool:
@@ -71,55 +70,54 @@ class Measured:
         return f"{texts[0]} ± {form.text(self.scatter, signed=False)}"
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True)
 class Row:
     """One case.
 
     Attributes:
         case: quantity that is compared.
         ours: number computed by bondem.
+        tolerance: condition of agreement, or requirement. A number without one is no row.
+        form: format of the numbers.
         source: table, figure or equation of the published number.
         paper: published number, or words where it is none.
         printed: published number as the paper prints it, where `form` would add digits.
-        tolerance: condition of agreement, or requirement; None without a published value or requirement.
-        form: format of the numbers.
         reason: cause of a miss of a published number. A requirement of our own has none.
         note: further remark.
     """
 
     case: str
     ours: Measured
+    tolerance: Tolerance
+    form: Form | Said = PLAIN
+    _: KW_ONLY
     source: str = ""
     paper: float | str | None = None
     printed: str = ""
-    tolerance: Tolerance | None = None
-    form: Form | Said = PLAIN
     reason: str = ""
     note: str = ""
 
     def __post_init__(self) -> None:
-        if isinstance(self.paper, float | int) and self.tolerance is None:
-            raise BookError(f"'{self.case}': a paper's number needs a tolerance, or there is no verdict")
         if self.reason and self.paper is None:
             raise BookError(f"'{self.case}': a reason is for a difference from a paper; say it as a note")
 
     @property
     def verdict(self) -> Verdict:
         """Computed from the numbers."""
-        if self.tolerance is None:
-            return Verdict.NO_PAPER
-        paper = self.paper if isinstance(self.paper, float | int) else None
-        if not self.tolerance.holds(self.ours.values, paper):
+        if not self.tolerance.holds(self.ours.values, self._published):
             return Verdict.EXPLAINED if self.reason else Verdict.MISSED
         spread = self.ours.scatter or 0.0
         ends = [value + way * spread for value in self.ours.values for way in (-1.0, 1.0)]
-        return Verdict.MET if not spread or self.tolerance.holds(ends, paper) else Verdict.BY_MEAN
+        return Verdict.MET if not spread or self.tolerance.holds(ends, self._published) else Verdict.BY_MEAN
+
+    @property
+    def _published(self) -> float | None:
+        return self.paper if isinstance(self.paper, float | int) else None
 
     @property
     def used(self) -> float | None:
         """The share of the tolerance that the number uses, 1 at the limit; None where a share has no meaning."""
-        paper = self.paper if isinstance(self.paper, float | int) else None
-        return self.tolerance.used(self.ours.values, paper) if self.tolerance else None
+        return self.tolerance.used(self.ours.values, self._published)
 
     @property
     def remarks(self) -> list[str]:
@@ -134,6 +132,10 @@ class Row:
         return self.paper if isinstance(self.paper, str) else self.form.text(self.paper, signed=self.paper < 0.0)
 
 
-def tally(rows: Iterable[Row]) -> Counter[Verdict]:
+#: Rows of a section, in their order.
+Rows = Iterable[Row]
+
+
+def tally(rows: Rows) -> Counter[Verdict]:
     """How many rows come to each verdict."""
     return Counter(row.verdict for row in rows)

@@ -1,8 +1,8 @@
-"""The rule of the pages: which rows they print, and which rows share a line.
+"""The rule of the pages: which rows share a line.
 
-A row is printed if its number is compared with a published value, a theory or a required tolerance. A number without
-such a value stays in `benchmarks/results`, and in figures. Rows of one section that are met for the same published
-value, tolerance, form, source and command share a line, which states their range. A miss has a line of its own.
+Rows of one section that are met for the same published value, tolerance, form, source and command share a line, which
+states their range. A miss has a line of its own. A number that is compared with nothing is no row: it stays in
+`benchmarks/results`, and in figures.
 """
 
 import re
@@ -59,8 +59,6 @@ def shown(rows: Iterable[Row]) -> list[Line]:
     """The lines that a page prints of the rows of a section, in their order."""
     lines: list[list[Row]] = []
     for row in rows:
-        if row.verdict is Verdict.NO_PAPER:
-            continue
         alike = None if row.verdict.is_miss else next((line for line in lines if _alike(line[0], row)), None)
         if alike is None:
             lines.append([row])

@@ -7,6 +7,7 @@ from typing import Any
 
 from book.chapters.packings import DISPERSION, REFINEMENT
 from book.errors import BookError
+from book.forms import grid
 from validation.figures.packing_curves import NAMES
 
 #: Column of a table: name of the quantity, how to print it, and a factor on it.
@@ -62,18 +63,19 @@ def _block(name: str, results: dict[str, Any]) -> str:
 
 def _limits(results: dict[str, Any]) -> str:
     """The limits of a refinement as a table, beside what packings without walls have; "" for another study."""
-    lines = ["| target | quantity | N → ∞ | without walls | a | b | χ²/dof of the fit |", f"|{'---|' * 7}"]
+    lines = []
     for target, found in results.get("limits", {}).items():
         for quantity, fit in found.items():
             if fit is None:
                 continue
             free = [one[quantity] for one in results["summary"] if one["periodic"] and one["target"] == target]
-            wall_free = " ".join(f"{one['mean']:.4f} ± {one['std'] or 0.0:.4f}" for one in free) or "–"
-            lines.append(
-                f"| {target} | {quantity.replace('_', ' ')} | {fit['value']:.4f} ± {fit['error']:.4f} | {wall_free}"
-                f" | {fit['walls']:+.3f} | {fit['edges']:+.3f} | {fit['misfit']:.1f} |"
-            )
-    return "\n".join(lines) if len(lines) > 2 else ""
+            lines.append((
+                target, quantity.replace("_", " "), f"{fit['value']:.4f} ± {fit['error']:.4f}",
+                " ".join(f"{one['mean']:.4f} ± {one['std'] or 0.0:.4f}" for one in free) or "–",
+                f"{fit['walls']:+.3f}", f"{fit['edges']:+.3f}", f"{fit['misfit']:.1f}",
+            ))  # fmt: skip
+    heads = ("target", "quantity", "N → ∞", "without walls", "a", "b", "χ²/dof of the fit")
+    return grid(heads, lines) if lines else ""
 
 
 def _by_target(groups: Sequence[Mapping[str, Any]]) -> Iterator[str]:
@@ -88,9 +90,7 @@ def _by_target(groups: Sequence[Mapping[str, Any]]) -> Iterator[str]:
 def _table(name: str, groups: Sequence[Mapping[str, Any]]) -> str:
     """A table of the means of a study: mean ± standard deviation."""
     columns = COLUMNS[name]
-    lines = [f"| {' | '.join(columns)} |", f"|{'---|' * len(columns)}"]
-    lines += [f"| {' | '.join(_cell(group, column) for column in columns.values())} |" for group in groups]
-    return "\n".join(lines)
+    return grid(list(columns), ([_cell(group, column) for column in columns.values()] for group in groups))
 
 
 def _cell(group: Mapping[str, Any], column: Column) -> str:

@@ -117,24 +117,6 @@ class Between(Tolerance):
 
 @final
 @dataclass(frozen=True)
-class Spans(Tolerance):
-    """The least and the largest are these, but for rounding."""
-
-    low: float
-    high: float
-
-    def holds(self, values: Sequence[float], paper: float | None) -> bool:
-        del paper
-        room = 1e-9 * max(abs(self.low), abs(self.high))
-        return abs(min(values) - self.low) <= room and abs(max(values) - self.high) <= room
-
-    def words(self, form: Form | Said) -> str:
-        del form
-        return "the same"
-
-
-@final
-@dataclass(frozen=True)
 class So(Tolerance):
     """What is asked for is so; with False, is not."""
 

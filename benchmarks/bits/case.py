@@ -89,11 +89,19 @@ def random_motion(lattice: bd.Lattice, *, speed: float = 0.5, turn: float = 2e-3
 
 
 def bonded(lattice: bd.Lattice, *, bond=ALIKE, boundary=(), **options) -> Case:
-    """Return the case of a bonded lattice in random motion; other `options` are fields of `Case`, or the density."""
+    """Bonds in random motion; laws, conditions and integrity may be functions of the lattice."""
     size = min(GRIDS, key=lambda count: abs(count - len(lattice.particles)))
     rho = options.pop("density", None)
+    bond, boundary = (given(lattice) if callable(given) else given for given in (bond, boundary))
+    if "integrity" in options:
+        options["integrity"] = options["integrity"](lattice)
     model = bd.Model(lattice, bond, density=density(size) if rho is None else rho, boundary=boundary)
     return Case(model=model, **(random_motion(lattice) | options))
+
+
+def weakened(lattice: bd.Lattice) -> np.ndarray:
+    """Bonds of which some are broken or weak."""
+    return np.random.default_rng(3).uniform(-0.2, 1.3, len(lattice.pairs)).clip(0.0, 1.0)
 
 
 def patches(lattice: bd.Lattice) -> dict:

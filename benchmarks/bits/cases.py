@@ -1,6 +1,7 @@
 """Cases whose bits must not change: every kind of bond, load, damping, rotation and contact."""
 
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 
@@ -22,109 +23,21 @@ from bits.case import (
     random_motion,
     rows,
     wave_of,
+    weakened,
 )
 
-CASES: dict[str, Callable[[int], Case]] = {}
+LOCAL = {"damping": bd.LocalDamping(0.1)}
+#: Conditions on a crooked grid, by the part of it they act on.
+FLOOR = bd.Fix(bd.Face("z_min", depth=0.5))
+CLAMP = bd.Fix(bd.Face("x_min", depth=0.5))
+FRONT = bd.Within(bd.Box(size=(4.0, 1e3, 1e3)))
+SOAKED = [bd.Absorbing(bd.Face(name, depth=0.5), density=150.0, E=1e6, nu=0.2) for name in ("x_max", "z_min")]
 
 
-def case(function: Callable[[int], Case]) -> Callable[[int], Case]:
-    CASES[function.__name__] = function
-    return function
+def law(kind: type[bd.EulerBernoulli | bd.Timoshenko | bd.ParallelBond], **options: str):
+    return kind(E=E, nu=NU, radius_ratio=RATIO, **options)
 
 
-# ---- bonds
-
-
-@case
-def alike(size: int) -> Case:
-    return bonded(crooked(size), density=1000.0)
-
-
-@case
-def alike_periodic(size: int) -> Case:
-    return bonded(crooked(size, period=True))
-
-
-@case
-def damaged(size: int) -> Case:
-    """Return a case with broken and weakened bonds."""
-    lattice = crooked(size)
-    integrity = np.random.default_rng(3).uniform(-0.2, 1.3, len(lattice.pairs)).clip(0.0, 1.0)
-    return bonded(lattice, integrity=integrity)
-
-
-@case
-def regions(size: int) -> Case:
-    lattice = crooked(size)
-    return bonded(lattice, bond=patches(lattice))
-
-
-@case
-def regions_damaged(size: int) -> Case:
-    lattice = crooked(size, period=True)
-    integrity = np.random.default_rng(3).uniform(-0.2, 1.3, len(lattice.pairs)).clip(0.0, 1.0)
-    return bonded(lattice, bond=patches(lattice), integrity=integrity)
-
-
-@case
-def parallel_bond(size: int) -> Case:
-    return bonded(crooked(size, period=True), bond=bd.ParallelBond(E=E, nu=NU, radius_ratio=RATIO))
-
-
-@case
-def incremental(size: int) -> Case:
-    law = bd.EulerBernoulli(E=E, nu=NU, radius_ratio=RATIO, formulation="incremental")
-    return bonded(crooked(size, period=True), bond=law)
-
-
-@case
-def incremental_rows(size: int) -> Case:
-    lattice = crooked(size)
-    law = bd.Timoshenko(E=E, nu=NU, radius_ratio=RATIO, formulation="incremental")
-    return bonded(lattice, bond=law, boundary=rows(lattice), options={"damping": bd.LocalDamping(0.1)})
-
-
-# ---- damping and schemes
-
-
-@case
-def local_damping(size: int) -> Case:
-    return bonded(crooked(size), options={"damping": bd.LocalDamping(0.3)})
-
-
-@case
-def mass_damping(size: int) -> Case:
-    return bonded(crooked(size), options={"damping": bd.MassDamping(5.0)})
-
-
-@case
-def bond_damping(size: int) -> Case:
-    return bonded(crooked(size, period=True), options={"damping": bd.BondDamping(0.05, 1e-4)})
-
-
-@case
-def all_damping(size: int) -> Case:
-    lattice = crooked(size)
-    damping = (bd.LocalDamping(0.2), bd.MassDamping(3.0), bd.BondDamping(0.03))
-    return bonded(lattice, bond=patches(lattice), boundary=rows(lattice), options={"damping": damping})
-
-
-@case
-def tchamwa(size: int) -> Case:
-    return bonded(crooked(size, period=True), options={"scheme": bd.TchamwaWielgosz(1.05)})
-
-
-@case
-def tchamwa_rows(size: int) -> Case:
-    lattice = crooked(size)
-    options = {"scheme": bd.TchamwaWielgosz(1.2), "damping": bd.LocalDamping(0.1)}
-    return bonded(lattice, bond=SHORT, boundary=rows(lattice), options=options)
-
-
-# ---- loads
-
-
-@case
 def driven(size: int) -> Case:
     """Return a case whose second run has other boundary conditions than the first."""
     lattice = crooked(size)
@@ -132,53 +45,6 @@ def driven(size: int) -> Case:
     pull = bd.Load(bd.Face("z_max", depth=0.5), force=(0.0, 0.0, 5e3))
     then = first.model.with_boundary([bd.Fix(bd.Face("z_min", depth=0.5)), pull])
     return Case(model=first.model, then=then, velocity=first.velocity, turn=first.turn)
-
-
-@case
-def driven_alike(size: int) -> Case:
-    lattice = crooked(size)
-    return bonded(lattice, boundary=rows(lattice), options={"damping": bd.LocalDamping(0.1)})
-
-
-@case
-def weight(size: int) -> Case:
-    """Return a case with weight, and a second body force that follows a schedule."""
-    lattice = crooked(size)
-    part = bd.Within(bd.Box(size=(4.0, 1e3, 1e3)))
-    pulse = bd.BodyForce((2.0, 0.0, 3.0), region=part, schedule=bd.Ramp(0.0, 1.0, 0.05))
-    return bonded(lattice, boundary=[bd.Fix(bd.Face("z_min", depth=0.5)), bd.BodyForce((0.0, 0.0, -9.81)), pulse])
-
-
-@case
-def pressure(size: int) -> Case:
-    lattice = crooked(size)
-    press = bd.Pressure(bd.Face("x_max", depth=0.5), 1e4, schedule=bd.Ramp(0.0, 1.0, 0.05))
-    return bonded(lattice, boundary=[bd.Fix(bd.Face("x_min", depth=0.5)), press])
-
-
-@case
-def absorbing(size: int) -> Case:
-    faces = [bd.Absorbing(bd.Face(name, depth=0.5), density=150.0, E=1e6, nu=0.2) for name in ("x_max", "z_min")]
-    lattice = crooked(size)
-    return bonded(lattice, boundary=[*faces, bd.Drive(bd.Face("x_min", depth=0.5), x=wave_of(0.01))])
-
-
-@case
-def eigenstrain(size: int) -> Case:
-    heat = bd.Eigenstrain(1e-3, schedule=bd.Ramp(0.0, 1.0, 0.1))
-    swelling = bd.Eigenstrain(-5e-4, region=bd.Within(bd.Box(size=(4.0, 1e3, 1e3))), schedule=wave_of(1.0))
-    lattice = crooked(size)
-    boundary = [heat, swelling, bd.Fix(bd.Face("x_min", depth=0.5))]
-    return bonded(lattice, boundary=boundary, options={"damping": bd.LocalDamping(0.1)})
-
-
-@case
-def strained(size: int) -> Case:
-    """Return a case with stress-free strains in its initial state."""
-    return bonded(crooked(size, period=True), strain=1e-3)
-
-
-# ---- rotations
 
 
 def turns(n: int) -> np.ndarray:
@@ -189,14 +55,12 @@ def turns(n: int) -> np.ndarray:
     return axis * (2.0 * np.pi / ROUND * rng.choice([0.0, 1.0, 3.0, 7.0, 9.0], n))[:, None]
 
 
-@case
 def spinning(size: int) -> Case:
     """Return a case whose elements rotate by up to half a radian per step, on bonds too soft to prevent it."""
     lattice = crooked(size, period=True)
     return bonded(lattice, velocity=None, turn=turns(len(lattice.particles)), share=0.004, rounds=True)
 
 
-@case
 def loose(size: int) -> Case:
     """Return a case with unbonded elements among bonded ones, some of them spinning, under weight and damping."""
     lattice = crooked(size)
@@ -213,9 +77,6 @@ def loose(size: int) -> Case:
     return bonded(thinned, boundary=boundary, velocity=motion["velocity"], turn=turn, options={"damping": damping})
 
 
-# ---- contacts
-
-
 def cloud(size: int, spacing: float = 2.15) -> tuple[np.ndarray, np.ndarray]:
     """Return centres and radii of grains on a grid with gaps."""
     grid = np.indices(GRIDS[size]).reshape(3, -1).T
@@ -229,7 +90,6 @@ def thrown(model: bd.Model, **options) -> Case:
 NO_BONDS = np.zeros((0, 2), dtype=int)
 
 
-@case
 def grains(size: int) -> Case:
     """Return a case of grains with friction between fixed, driven and force-controlled walls."""
     position, radius = cloud(size)
@@ -246,7 +106,6 @@ def grains(size: int) -> Case:
     return thrown(model, options={"gauges": gauges})
 
 
-@case
 def grains_periodic(size: int) -> Case:
     position, radius = cloud(size)
     edge = 2.15 * np.array(GRIDS[size], dtype=float)
@@ -255,7 +114,6 @@ def grains_periodic(size: int) -> Case:
     return thrown(model, options={"damping": bd.LocalDamping(0.1)})
 
 
-@case
 def vessel(size: int) -> Case:
     """Return a case of grains in a cylinder under pressure, around a rod that grows."""
     position, radius = cloud(size)
@@ -276,22 +134,6 @@ def touching(size: int, **options) -> bd.Model:
     return bd.Model(lattice, ALIKE, density=density(size), contact=CONTACT, **options)
 
 
-@case
-def bonds_and_contacts(size: int) -> Case:
-    floor = bd.PlaneWall((0.0, 0.0, 0.0), (0.0, 0.0, 1.0), motion=bd.Driven(vz=1.0))
-    model = touching(size, walls=[floor], boundary=[bd.BodyForce((0.0, 0.0, -9.81))])
-    return Case(model=model, **random_motion(model.lattice, speed=3.0), options={"damping": bd.LocalDamping(0.1)})
-
-
-@case
-def broken_contacts(size: int) -> Case:
-    """Return a case in which elements touch where their bond is broken."""
-    model = touching(size)
-    integrity = (np.random.default_rng(3).uniform(0.0, 1.0, len(model.lattice.pairs)) > 0.2).astype(float)
-    return Case(model=model, **random_motion(model.lattice, speed=6.0), integrity=integrity)
-
-
-@case
 def everything(size: int) -> Case:
     """Return a case with bonds, contacts, conditions, weight, pressure, dashpots and a dissipative scheme."""
     lattice = touching(size).lattice
@@ -304,3 +146,66 @@ def everything(size: int) -> Case:
     damping = (bd.LocalDamping(0.1), bd.MassDamping(1.0), bd.BondDamping(0.02))
     options = {"damping": damping, "scheme": bd.TchamwaWielgosz(1.1)}
     return Case(model=model, **random_motion(lattice, speed=2.5), options=options)
+
+
+def bonds_and_contacts(size: int) -> Case:
+    floor = bd.PlaneWall((0.0, 0.0, 0.0), (0.0, 0.0, 1.0), motion=bd.Driven(vz=1.0))
+    model = touching(size, walls=[floor], boundary=[bd.BodyForce((0.0, 0.0, -9.81))])
+    return Case(model=model, **random_motion(model.lattice, speed=3.0), options=LOCAL)
+
+
+def broken_contacts(size: int) -> Case:
+    """Elements touch where a bond is broken."""
+    model = touching(size)
+    integrity = (np.random.default_rng(3).uniform(0.0, 1.0, len(model.lattice.pairs)) > 0.2).astype(float)
+    return Case(model=model, **random_motion(model.lattice, speed=6.0), integrity=integrity)
+
+
+def periodic(size: int, **options) -> Case:
+    return bonded(crooked(size, period=True), **options)
+
+
+def walled(size: int, **options) -> Case:
+    return bonded(crooked(size), **options)
+
+
+ALL_DAMPING = (bd.LocalDamping(0.2), bd.MassDamping(3.0), bd.BondDamping(0.03))
+#: Bonds in random motion: the grid, and what is given to `bonded`.
+BONDED: dict[str, tuple[Callable[..., Case], dict]] = {
+    "alike": (walled, {"density": 1000.0}),
+    "alike_periodic": (periodic, {}),
+    "damaged": (walled, {"integrity": weakened}),
+    "regions": (walled, {"bond": patches}),
+    "regions_damaged": (periodic, {"bond": patches, "integrity": weakened}),
+    "parallel_bond": (periodic, {"bond": law(bd.ParallelBond)}),
+    "incremental": (periodic, {"bond": law(bd.EulerBernoulli, formulation="incremental")}),
+    "incremental_rows": (
+        walled, {"bond": law(bd.Timoshenko, formulation="incremental"), "boundary": rows, "options": LOCAL}
+    ),
+    "local_damping": (walled, {"options": {"damping": bd.LocalDamping(0.3)}}),
+    "mass_damping": (walled, {"options": {"damping": bd.MassDamping(5.0)}}),
+    "bond_damping": (periodic, {"options": {"damping": bd.BondDamping(0.05, 1e-4)}}),
+    "all_damping": (walled, {"bond": patches, "boundary": rows, "options": {"damping": ALL_DAMPING}}),
+    "tchamwa": (periodic, {"options": {"scheme": bd.TchamwaWielgosz(1.05)}}),
+    "tchamwa_rows": (
+        walled, {"bond": SHORT, "boundary": rows, "options": LOCAL | {"scheme": bd.TchamwaWielgosz(1.2)}}
+    ),
+    "driven_alike": (walled, {"boundary": rows, "options": LOCAL}),
+    "weight": (walled, {"boundary": [
+        FLOOR, bd.BodyForce((0.0, 0.0, -9.81)),
+        bd.BodyForce((2.0, 0.0, 3.0), region=FRONT, schedule=bd.Ramp(0.0, 1.0, 0.05)),
+    ]}),
+    "pressure": (walled, {"boundary": [
+        CLAMP, bd.Pressure(bd.Face("x_max", depth=0.5), 1e4, schedule=bd.Ramp(0.0, 1.0, 0.05)),
+    ]}),
+    "absorbing": (walled, {"boundary": [*SOAKED, bd.Drive(bd.Face("x_min", depth=0.5), x=wave_of(0.01))]}),
+    "eigenstrain": (walled, {"options": LOCAL, "boundary": [
+        bd.Eigenstrain(1e-3, schedule=bd.Ramp(0.0, 1.0, 0.1)),
+        bd.Eigenstrain(-5e-4, region=FRONT, schedule=wave_of(1.0)), CLAMP,
+    ]}),
+    "strained": (periodic, {"strain": 1e-3}),  # the state brings it along
+}  # fmt: skip
+CASES: dict[str, Callable[[int], Case]] = {name: partial(grid, **given) for name, (grid, given) in BONDED.items()}
+CASES |= {one.__name__: one for one in (
+    driven, spinning, loose, grains, grains_periodic, vessel, bonds_and_contacts, broken_contacts, everything,
+)}  # fmt: skip

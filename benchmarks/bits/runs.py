@@ -19,9 +19,7 @@ GAUGES = {
     "turned": bd.Gauge(bd.Everything(), "rotation"),
     "spin": bd.Gauge(bd.Everything(), "angular_velocity", "max_abs"),
 }
-GRIP = {"grip": bd.Gauge(bd.Everything(), "force", "sum")}  # if elements are fixed, driven or loaded
-# Ways to interrupt a run: by records, by checkpoints, or by an end and a second run.
-PAUSES = ("every 0", "every 1", "every 7", "every 30", "saved every 37", "two runs")
+GRIP = {"grip": bd.Gauge(bd.Everything(), "force", "sum")}  # where anything is held or loaded
 # Share of the first of two consecutive runs.
 _FIRST = 0.43
 
@@ -31,13 +29,13 @@ def run(name: str, size: int, threads: list[int], pauses: list[str], steps: int,
     """Run a case, and write PAUSE-THREADS.npz for each pause and number of threads.
 
     Args:
-        name: name of the case.
-        size: approximate number of elements.
-        threads: numbers of threads, one after the other.
-        pauses: ways to interrupt the run, some of `PAUSES`.
-        steps: number of steps of each run.
-        folder: folder of the files.
-        dt: time step [s]; None for `Case.share` times the critical one.
+        name: of the case.
+        size: elements, about.
+        threads: on how many, one after the other.
+        pauses: how a run is interrupted: "every 7" records, "saved every 37" checkpoints, or "two runs".
+        steps: of each run.
+        folder: where the files go.
+        dt: time step [s]; the share of the critical one that the case names when None.
 
     Returns:
         "dt", numbers of "elements" and "bonds", "faults" (messages of runs that were not completed), the largest

@@ -15,7 +15,6 @@ per_bond     kinetic energy of the fall per broken bond, over the elastic energy
 from it, and that from the line of the first case [-].
 """
 
-import argparse
 import math
 import sys
 from pathlib import Path
@@ -27,7 +26,7 @@ sys.path.insert(0, str(Path(__file__).parent.parent))
 from agglomerate_scenes import DENSITY, STRENGTH, Fall, model_of
 
 import bondem as bd
-from kept import RESULTS, Record, command
+from kept import Record, run
 
 SPEEDS = (2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 14.0)
 #: Speeds between the threshold and saturation; cases of bodies, spheres of each, seed of the packing, and speeds.
@@ -49,11 +48,8 @@ def fall(bodies: int, each: int, seed: int, speed: float) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def main(arguments: list[str] | None = None) -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--out", type=Path, default=RESULTS / "agglomerate_damage.json")
-    given = parser.parse_args(arguments)
-    record, lines, first = Record(given.out, command()), [], None
+def measure(record: Record) -> None:
+    lines, first = [], None
     for bodies, each, seed, speeds in CASES:
         case = {"bodies": bodies, "each": each, "seed": seed}
         for speed in speeds:
@@ -77,4 +73,4 @@ def main(arguments: list[str] | None = None) -> None:
 
 
 if __name__ == "__main__":
-    main()
+    run()

@@ -20,27 +20,26 @@ balance   angular momentum of a charge about the axis of its drum: what it gaine
 torque    mean torque of the drum, its work over its angle, over M g x̄ in the last turn [-]; "lever" is x̄ [m]
 """
 
-import argparse
-import json
 import math
 import os
 import re
 import resource
 import statistics
-import subprocess
 import sys
 import tempfile
 from dataclasses import asdict, replace
 from pathlib import Path
 from time import process_time
-from typing import Any
+from typing import Annotated, Any
+
+import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent.parent))
 from agglomerate_scenes import DENSITY, FRICTION, GRAVITY, RADIUS, Drum, Fall, Scene, model_of
-from lammps_bpm import counts, ran
+from lammps_bpm import BREAKING, EXTRA, counts, data, ran
 
 import bondem as bd
-from kept import RESULTS, keep, origin
+from kept import Record, alone, run, variant
 
 #: Speeds of falls [m/s].
 SPEEDS = (5.0, 7.0, 10.0)
@@ -86,13 +85,7 @@ def script(scene: Scene, model: bd.Model, bond: dict[str, float], steps: int, dt
     pair = f"{kn:.17g} {soft * kn:.17g} {rate:.17g} {math.sqrt(soft) * rate:.17g} {FRICTION} 1 limit_damping"
     # a sphere at a wall has half the length of two, kn = E π R² / R
     walls = scene.fixes(*(wall_spring(2.0 * kn, soft, rate, friction) for friction in (FRICTION, 0.0)))
-    return f"""units si
-dimension 3
-boundary f f f
-atom_style bpm/sphere
-newton on off
-special_bonds lj 0 1 1 coul 1 1 1
-comm_modify vel yes cutoff {0.8 * RADIUS:.17g}
+    return f"""{BREAKING}comm_modify vel yes cutoff {0.8 * RADIUS:.17g}
 read_data start.data
 pair_style gran/hooke/history {pair}
 pair_coeff * *
@@ -111,31 +104,19 @@ run {steps}
 """
 
 
-def data(model: bd.Model, state: bd.State) -> str:
-    """Return the data file of LAMMPS with spheres, velocities and bonds."""
+def start_of(model: bd.Model, state: bd.State) -> str:
+    """Spheres, velocities and bonds as a data file."""
     particles, pairs = model.lattice.particles, model.lattice.pairs
-    low, high = particles.position.min(axis=0) - 3.0 * RADIUS, particles.position.max(axis=0) + 3.0 * RADIUS
-    lines = ["agglomerates", "", f"{len(particles)} atoms", "1 atom types", f"{len(pairs)} bonds", "1 bond types"]
-    lines += ["30 extra bond per atom", "60 extra special per atom"]
-    lines += [f"{a:.17g} {b:.17g} {c}lo {c}hi" for a, b, c in zip(low, high, "xyz", strict=True)]
-    spheres = zip(particles.radius, particles.position, strict=True)
-    lines += ["", "Atoms # bpm/sphere", ""]
-    lines += [
-        f"{k} 1 1 {2.0 * r:.17g} {DENSITY:.17g} {x:.17g} {y:.17g} {z:.17g}"
-        for k, (r, (x, y, z)) in enumerate(spheres, start=1)
-    ]
-    lines += ["", "Velocities", ""]
-    lines += [f"{k} {u:.17g} {v:.17g} {w:.17g} 0 0 0" for k, (u, v, w) in enumerate(state.velocity, start=1)]
-    lines += ["", "Bonds", ""]
-    lines += [f"{k} 1 {i + 1} {j + 1}" for k, (i, j) in enumerate(pairs, start=1)]
-    return "\n".join(lines) + "\n"
+    box = particles.position.min(axis=0) - 3.0 * RADIUS, particles.position.max(axis=0) + 3.0 * RADIUS
+    spheres = particles.position, particles.radius, np.full(len(particles), DENSITY)
+    return data("agglomerates", spheres, pairs, np.ones(len(pairs), int), box, extra=EXTRA, velocity=state.velocity)
 
 
 def lammps(scene: Scene, steps: int, dt: float) -> dict[str, Any]:
     """Run a scene in LAMMPS; return its seconds, version, share of broken bonds and memory [MiB]."""
     model, state, bond = model_of(scene)
     with tempfile.TemporaryDirectory() as folder:
-        (Path(folder) / "start.data").write_text(data(model, state))
+        (Path(folder) / "start.data").write_text(start_of(model, state))
         log, memory = ran(Path(folder), script(scene, model, bond, steps, dt))
     wall, share = re.findall(r"Loop time of (\S+) on", log)[-1], re.findall(r"(\S+)% CPU use", log)[-1]
     return {
@@ -145,13 +126,14 @@ def lammps(scene: Scene, steps: int, dt: float) -> dict[str, Any]:
     }  # fmt: skip
 
 
+def again(kind: str, fields: dict[str, Any], rubs: bool, every: int) -> dict[str, Any]:
+    """The run of a scene that JSON describes."""
+    return bondem({"Fall": Fall, "Drum": Drum}[kind](**fields), rubs=rubs, every=every)
+
+
 def apart(scene: Scene, *, rubs: bool = True, every: int = 200) -> dict[str, Any]:
-    """Return the result of `bondem` for a scene in a new process with one thread."""
-    words = json.dumps([type(scene).__name__, asdict(scene), rubs, every])
-    single = {**os.environ, "BONDEM_NUM_THREADS": "1"}
-    command = [sys.executable, __file__, "--one", words]
-    done = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True, env=single)
-    return json.loads(done.stdout.splitlines()[-1])
+    """A run of bondem in a process of its own, with one thread."""
+    return alone(again, type(scene).__name__, asdict(scene), rubs, every, BONDEM_NUM_THREADS="1")
 
 
 def in_turns(scene: Scene, repeat: int) -> dict[str, Any]:
@@ -174,42 +156,38 @@ def in_turns(scene: Scene, repeat: int) -> dict[str, Any]:
     return row
 
 
-def main(arguments: list[str] | None = None) -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--scene", choices=("fall", "drum"), default="fall")
-    parser.add_argument("--bodies", type=int, help="50 that fall, 1000 in a drum")
-    parser.add_argument("--each", type=int, help="spheres of a body: 200, or 60 in a drum")
-    parser.add_argument("--repeat", type=int, default=3, help="runs of each code, of falls at 7 m/s")
-    parser.add_argument("--turns", type=float, help="turns of the drum, in bondem alone")
-    parser.add_argument("--out", type=Path, help="agglomerates.json, or with _drum or _turns")
-    parser.add_argument("--one", help=argparse.SUPPRESS)
-    given = parser.parse_args(arguments)
-    if given.one:
-        kind, fields, rubs, every = json.loads(given.one)
-        print(json.dumps(bondem({"Fall": Fall, "Drum": Drum}[kind](**fields), rubs=rubs, every=every)))
+def measure(
+    record: Record, *, scene: Annotated[str, ("fall", "drum")] = "fall", bodies: int = 0, each: int = 0,
+    repeat: int = 3, turns: float = 0.0,
+) -> None:  # fmt: skip
+    """Measure falls, or a drum.
+
+    Args:
+        scene: to be measured.
+        bodies: how many; 50 that fall or 1000 in a drum unless given.
+        each: spheres of a body; 200, or 60 in a drum, unless given.
+        repeat: runs of each code, of falls at 7 m/s.
+        turns: turns of the drum, in bondem alone.
+    """
+    sizes = {name: value for name, value in {"bodies": bodies, "each": each}.items() if value}
+    if scene == "drum":
+        drum = Drum(**sizes)
+        if turns:
+            drum = replace(drum, duration=turns * drum.turn)
+        found = {"bondem": [apart(drum, every=20)]} if turns else in_turns(drum, repeat)
+        whole = {"threads": 1, "bodies": drum.bodies, "each": drum.each, "duration": drum.duration}
+        variant(record, "_turns" if turns else "_drum").keep(**whole, **found)
+        print(found["bondem"])
         return
-    sizes = {"bodies": given.bodies, "each": given.each}
-    sizes = {name: value for name, value in sizes.items() if value is not None}
-    if given.scene == "drum":
-        scene = Drum(**sizes)
-        if given.turns:
-            scene = replace(scene, duration=given.turns * scene.turn)
-        report = origin() | {"threads": 1, "bodies": scene.bodies, "each": scene.each, "duration": scene.duration}
-        report |= {"bondem": [apart(scene, every=20)]} if given.turns else in_turns(scene, given.repeat)
-        keep(given.out or RESULTS / f"agglomerates_{'turns' if given.turns else 'drum'}.json", report)
-        print(report["bondem"])
-        return
-    report = origin() | {"threads": 1, "falls": []}
+    falls: list[dict[str, Any]] = []
     for speed in SPEEDS:
-        scene = Fall(speed=speed, **sizes)
-        row = in_turns(scene, given.repeat if speed == SPEEDS[1] else 1)
+        fall = Fall(speed=speed, **sizes)
+        falls.append(in_turns(fall, repeat if speed == SPEEDS[1] else 1))
         if speed == SPEEDS[1]:
-            # many records, because the impulse of the floor is integrated from them
-            row["smooth"] = apart(scene, rubs=False, every=2)
-        report |= {"bodies": scene.bodies, "each": scene.each}
-        report["falls"].append(row)
-        keep(given.out or RESULTS / "agglomerates.json", report)
+            # the force of the floor is added up from records
+            falls[-1]["smooth"] = apart(fall, rubs=False, every=2)
+        record.keep(threads=1, falls=falls, bodies=fall.bodies, each=fall.each)
 
 
 if __name__ == "__main__":
-    main()
+    run()

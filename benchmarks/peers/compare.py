@@ -1,7 +1,7 @@
 """Speed of bondem and other codes on the same bonded specimen, in turns on one thread: bond-steps per second.
 
     python benchmarks/peers/compare.py [--elements 10000 100000] [--steps 500] [--repeat 3]
-                                       [--codes bondem non-local lammps yade kratos] [--contacts]
+                                       [--codes bondem non-local lammps yade kratos]
 
 README.md in this folder describes the installation of the other codes and their differences. Codes that are not
 installed are left out. Each run is a new process; set-up, compilation and the first steps are not timed. The first
@@ -42,11 +42,11 @@ SAME_ENERGY = 0.1
 SLOWER = {"bondem": 1, "non-local": 8, "lammps": 8, "yade": 16, "kratos": 64}
 
 
-def installed(names: list[str], contacts: bool) -> list:
-    """Return the codes that can run here, with bondem, the reference, first; print why others cannot."""
+def installed(names: list[str]) -> list:
+    """The codes that can run here; bondem is always the first, as it is what others are compared with."""
     found = []
     for name in dict.fromkeys(["bondem", *names]):
-        code = CODES[name](contacts=contacts)
+        code = CODES[name]()
         why = code.missing()
         if why:
             print(f"without {name}: {why}")
@@ -122,11 +122,9 @@ def main() -> None:
     parser.add_argument("--steps", type=int, help="timed steps of bondem, peers take fewer [8 seconds or so]")
     parser.add_argument("--repeat", type=int, default=3, help="runs of each code, in turns [3]")
     parser.add_argument("--codes", nargs="+", choices=CODES, default=[one for one in CODES if one != "non-local"])
-    parser.add_argument("--contacts", action="store_true", help="with contacts of elements that no bond joins")
-    parser.add_argument("--output", type=Path, help="[benchmarks/results/peers.json, peers_contacts.json]")
+    parser.add_argument("--output", type=Path, default=RESULTS / "peers.json")
     options = parser.parse_args()
-    output = options.output or RESULTS / ("peers_contacts.json" if options.contacts else "peers.json")
-    codes = installed(options.codes, options.contacts)
+    codes = installed(options.codes)
     started = datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
     load = os.getloadavg()[0]
     report = {
@@ -134,7 +132,6 @@ def main() -> None:
         "machine": f"{os.cpu_count()} cores, {platform.machine()}, {_processor()}, load {load:.1f} at the start",
         "started": started,
         "threads": 1,
-        "contacts": options.contacts,
         "specimens": [],
     }
     print(f"{report['machine']}; one thread each, {options.repeat} runs in turns")
@@ -152,7 +149,7 @@ def main() -> None:
         report["specimens"].append(
             {"elements": elements, "bonds": bonds, "z": 2.0 * bonds / elements, "dt": specimen.dt, "codes": rows}
         )
-        output.write_text(json.dumps(report, indent=1) + "\n")
+        options.output.write_text(json.dumps(report, indent=1) + "\n")
 
 
 def _processor() -> str:

@@ -1,6 +1,6 @@
 """Uniaxial compression of a granite of parallel bonds, in bondem and in LAMMPS.
 
-    LAMMPS=lammps/bin/lmp python benchmarks/peers/granite.py [--seeds 1 2] [--out FILE]
+    LAMMPS=lammps/bin/lmp python benchmarks/peers/granite.py [--seeds 1,2] [--out FILE]
 
 Packings, bonds, platens and strength are those of `validation/studies/bonded_granite.py`: cylinders of 600 spheres
 between platens with a friction of 0.3, and local damping of 0.7. Both codes have the same spheres, four stiffnesses
@@ -19,7 +19,6 @@ E         slope of stress over the mean strain of the middle half between a tent
 ucs       largest stress [Pa]; "broken" bonds at that peak
 """
 
-import argparse
 import json
 import math
 import sys
@@ -33,12 +32,12 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent.parent))
 from agglomerates import wall_spring
-from lammps_bpm import counts, ran
+from lammps_bpm import BREAKING, EXTRA, counts, data, ran
 
 import bondem as bd
 from bondem.interactions.beams.bond_law import BondGeometry, BondStiffness
 from bondem.labtests.gauge_length import AffineField, middle_half
-from kept import RESULTS, Record, command
+from kept import RESULTS, Record, run
 from validation.studies import bonded_granite
 from validation.studies.bonded_granite import FRICTION, GRANITE, PIN, criterion
 
@@ -168,13 +167,7 @@ class Lammps:
         )
 
         at, wall = f"{far.point[0]:.17g}", wall_spring(2.0 * self.kn, 0.5, 0.0, FRICTION)
-        return f"""units si
-dimension 3
-boundary f f f
-atom_style bpm/sphere
-newton on off
-special_bonds lj 0 1 1 coul 1 1 1
-comm_modify vel yes cutoff {8.0 * self.body.particles.radius.max():.17g}
+        return f"""{BREAKING}comm_modify vel yes cutoff {8.0 * self.body.particles.radius.max():.17g}
 read_data start.data
 pair_style gran/hooke/history {self.kn:.17g} {0.5 * self.kn:.17g} 0 NULL {RUBS} 1
 pair_coeff * *
@@ -202,22 +195,11 @@ run {self.steps}
 """
 
     def data(self) -> str:
-        """Return the data file of LAMMPS with spheres and bonds, each bond of its own type."""
-        particles, pairs = self.body.particles, self.body.pairs
-        wide = 3.0 * bonded_granite.LENGTH
-        volume = particles.volume
-        lines = ["granite", "", f"{len(particles)} atoms", "1 atom types", f"{len(pairs)} bonds"]
-        lines += [f"{len(pairs)} bond types", "30 extra bond per atom", "60 extra special per atom"]
-        lines += [f"{-wide:.17g} {wide:.17g} {c}lo {c}hi" for c in "xyz"]
-        lines += ["", "Atoms # bpm/sphere", ""]
-        spheres = zip(particles.radius, self.mass / volume, particles.position, strict=True)
-        lines += [
-            f"{k} 1 1 {2.0 * r:.17g} {rho:.17g} {x:.17g} {y:.17g} {z:.17g}"
-            for k, (r, rho, (x, y, z)) in enumerate(spheres, start=1)
-        ]
-        lines += ["", "Bonds", ""]
-        lines += [f"{k} {k} {i + 1} {j + 1}" for k, (i, j) in enumerate(pairs, start=1)]
-        return "\n".join(lines) + "\n"
+        """Spheres and bonds, each bond of its own type."""
+        particles, wide = self.body.particles, np.full(3, 3.0 * bonded_granite.LENGTH)
+        spheres = particles.position, particles.radius, self.mass / particles.volume
+        kinds = np.arange(1, len(self.body.pairs) + 1)
+        return data("granite", spheres, self.body.pairs, kinds, (-wide, wide), extra=EXTRA)
 
     def run(self) -> dict[str, np.ndarray]:
         """Run LAMMPS; return stress [Pa], strain of the middle half, and broken bonds at each record, (s,) each."""
@@ -240,17 +222,13 @@ run {self.steps}
         }  # fmt: skip
 
 
-def main(arguments: list[str] | None = None) -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2])
-    parser.add_argument("--out", type=Path, default=RESULTS / "granite_peers.json")
-    given = parser.parse_args(arguments)
-    record, granite = Record(given.out, command()), Granite()
-    for seed in given.seeds:
+def measure(record: Record, *, seeds: tuple[int, ...] = (1, 2)) -> None:
+    granite = Granite()
+    for seed in seeds:
         record.add(lambda seed=seed: granite.measure(seed), "compression", seed=seed)
     for row in record.rows("compression"):
         print(row)
 
 
 if __name__ == "__main__":
-    main()
+    run("granite_peers")

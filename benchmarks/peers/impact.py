@@ -1,6 +1,6 @@
 """Impact of a ball on a bonded plate, the published example of bonded particles of LAMMPS, in LAMMPS and bondem.
 
-    LAMMPS=lammps/bin/lmp python benchmarks/peers/impact.py
+    LAMMPS=lammps/bin/lmp python benchmarks/peers/impact.py [--figures docs/figures]
 
 The example is `examples/bpm/impact` of LAMMPS, `bond_style bpm/rotational`, in its own units: a disc of radius 20 and
 a ball of radius 6 of spheres of diameter 1 on a disturbed fcc lattice, bonded within reach 1.5, the ball four times
@@ -14,7 +14,6 @@ The result has the bonds lost over time, for several disturbances of the lattice
 of 2026. The published logs have a shear dashpot ten times as strong; the result contains them as `log`.
 """
 
-import argparse
 import dataclasses
 import re
 import sys
@@ -29,7 +28,8 @@ from alike import Alike
 from lammps_bpm import ran
 
 import bondem as bd
-from kept import RESULTS, keep, origin
+from bondem.report.style import BLUE, GREY, INK, ORANGE, sheet
+from kept import Record, run
 
 SEEDS = (134598738, 1)  # the first is that of the example
 DT, STEPS, EVERY = 0.05, 2500, 100
@@ -57,9 +57,15 @@ class TwoBodies(bd.LinearSum):
 
     stronger: np.ndarray = dataclasses.field(default_factory=lambda: np.ones(0))
 
-    def factors(self, volume: np.ndarray) -> np.ndarray:
+    def factors(self, *_: object) -> np.ndarray:
         return self.stronger
 
+
+LOOKS = {
+    "published": (GREY, "LAMMPS as published: bonds soften before they break"),
+    "matched": (ORANGE, "LAMMPS, brittle, dashpots as in bondem"),
+    "bondem": (BLUE, "bondem"),
+}
 
 COMMON = """units lj
 boundary f f f
@@ -202,15 +208,11 @@ def shared(one: np.ndarray, other: np.ndarray) -> float:
     return len(first & second) / max(len(first | second), 1)
 
 
-def main(arguments: list[str] | None = None) -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--out", type=Path, default=RESULTS / "impact.json")
-    parser.add_argument("--seeds", type=int, nargs="+", default=list(SEEDS))
-    chosen = parser.parse_args(arguments)
-    report = origin() | {"dt": DT, "steps": STEPS, "every": EVERY, "log": LOG, "runs": []}
-    for seed in chosen.seeds:
+def measure(record: Record, *, seeds: tuple[int, ...] = SEEDS) -> None:
+    runs: list[dict] = []
+    for seed in seeds:
         found = {}
-        for variant in VARIANTS if seed == chosen.seeds[0] else ("published", "matched"):
+        for variant in VARIANTS if seed == seeds[0] else ("published", "matched"):
             with tempfile.TemporaryDirectory() as folder:
                 found[variant] = lammps(seed, variant, Path(folder))
                 specimen = Specimen.read(Path(folder) / "start.data")
@@ -220,16 +222,32 @@ def main(arguments: list[str] | None = None) -> None:
         print(seed, "bondem", ours["lost"][::5], f"{ours['wall']:.1f} s", f"{ours['missed']:.1e}", flush=True)
         common = {name: shared(ours["pairs"], run["pairs"]) for name, run in found.items() if name != "bondem"}
         common["published in matched"] = shared(found["published"]["pairs"], found["matched"]["pairs"])
-        report["lammps"] = found["published"].pop("version")
-        for run in found.values():
-            run.pop("pairs")
-            run.pop("version", None)
-        report["runs"].append({
+        version = found["published"].pop("version")
+        for one in found.values():
+            one.pop("pairs")
+            one.pop("version", None)
+        runs.append({
             "seed": seed, "elements": len(specimen.position), "bonds": len(specimen.pairs), "broken in both": common,
             **found,
         })  # fmt: skip
-        keep(chosen.out, report)
+        record.keep(dt=DT, steps=STEPS, every=EVERY, log=LOG, runs=runs, lammps=version)
+
+
+def draw(record: Record, folder: Path) -> None:
+    """Bonds lost over time."""
+    kept = record.data
+    steps = np.arange(0, kept["steps"] + 1, kept["every"])
+    with sheet(folder / "impact.png", 6.3, 3.6) as (_, ax):
+        for name, (colour, label) in LOOKS.items():
+            for k, one in enumerate(kept["runs"]):
+                lost = 100.0 * np.array(one[name]["lost"]) / one["bonds"]
+                ax.plot(steps, lost, color=colour, ls="--" if k else "-", label="" if k else label)
+        every = kept["steps"] // (len(kept["log"]) - 1)
+        logged = 100.0 * (1.0 - np.array(kept["log"]) / kept["log"][0])
+        ax.plot(steps[:: every // kept["every"]], logged, "+", color=INK, label="log of LAMMPS, other dashpots")
+        ax.set(xlabel="step (of 0.05)", ylabel="bonds lost [%]")
+        ax.legend(loc="upper left")
 
 
 if __name__ == "__main__":
-    main()
+    run()

@@ -6,44 +6,37 @@ import subprocess
 from pathlib import Path
 
 import numpy as np
-from outcome import Outcome
+from outcome import Code, Outcome, why_not
 from specimen import DENSITY, POISSON, Specimen
 
 _SCRIPT = Path(__file__).parent / "kratos_script.py"
 _NEVER = 1e20
 
 
-class Kratos:
-    """Kratos DEM, run by the Python that the environment variable KRATOS names, or else by `python3`."""
+class Kratos(Code):
+    """Its Python is `python3`, or what the environment variable KRATOS names."""
 
     name = "kratos"
     # The bond law differs: the difference of positions is printed, but does not exclude a ratio.
     alike = False
-    own_law = False
     differs = (
         "stiffnesses are its own, E A / L, G A / L, E I / L and G J / L with the mean radius of the two spheres, "
         "weighted by their neighbours; E makes E A / L ours before weighting; another motion, but the same work",
-        "its non-local terms are off, and without --contacts so is the search for neighbours",
+        "its non-local terms and the search for neighbours are off",
         "bonds compute their dashpots, with coefficients of zero, and their strength, which is never reached",
     )
 
-    def __init__(self, *, contacts: bool = False) -> None:
-        self.contacts = contacts
+    def __init__(self) -> None:
         self.python = os.environ.get("KRATOS", "python3")
 
     def missing(self) -> str:
-        command = [self.python, "-c", "import KratosMultiphysics.DEMApplication"]
-        try:
-            done = subprocess.run(command, capture_output=True, text=True)
-        except OSError as error:
-            return f"{self.python}: {error.strerror}"
-        return "" if done.returncode == 0 else f"{self.python} has no KratosMultiphysics.DEMApplication"
+        return why_not([self.python, "-c", "import KratosMultiphysics.DEMApplication"])
 
     def run(self, specimen: Specimen, folder: Path, check: int, steps: int) -> Outcome:
         specimen.save(folder / "specimen.npz")
         write_spheres(folder / "bondsDEM.mdpa", specimen)
         (folder / "MaterialsDEM.json").write_text(json.dumps(materials(specimen), indent=1))
-        settings = parameters(specimen, contacts=self.contacts)
+        settings = parameters(specimen)
         (folder / "ProjectParametersDEM.json").write_text(json.dumps(settings, indent=1))
         environment = {**os.environ, "PYTHONPATH": str(_SCRIPT.parent), "OMP_NUM_THREADS": "1"}
         command = [self.python, str(_SCRIPT), str(folder), str(check), str(steps)]
@@ -93,8 +86,8 @@ def materials(specimen: Specimen) -> dict:
     }
 
 
-def parameters(specimen: Specimen, *, contacts: bool = False) -> dict:
-    """Return the settings of a run: bonds and motion, and with contacts a search every 50 steps."""
+def parameters(specimen: Specimen) -> dict:
+    """Bonds and motion, without a search for contacts."""
     return {
         "problem_name": "bonds", "Dimension": 3, "do_print_results_option": False, "BoundingBoxOption": False,
         "dem_inlet_option": False, "GravityX": 0.0, "GravityY": 0.0, "GravityZ": 0.0, "RotationOption": True,
@@ -106,7 +99,7 @@ def parameters(specimen: Specimen, *, contacts: bool = False) -> dict:
         # the usual 10 makes one search at 10 000 spheres take seconds
         "MaxAmplificationRatioOfSearchRadius": 1.0, "AmplifiedSearchRadiusExtension": 0.0,
         "DeltaOption": "Absolute", "SearchTolerance": 1e-8 * float(specimen.radius.mean()),
-        "NeighbourSearchFrequency": 50 if contacts else 1_000_000_000,
+        "NeighbourSearchFrequency": 1_000_000_000,
         "MaxTimeStep": float(specimen.dt), "FinalTime": 1.0, "GraphExportFreq": 1.0,
         "VelTrapGraphExportFreq": 1.0, "OutputTimeStep": 1.0,
     }  # fmt: skip

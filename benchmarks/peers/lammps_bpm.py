@@ -6,34 +6,33 @@ import subprocess
 from pathlib import Path
 
 import numpy as np
-from outcome import Outcome
+from outcome import Code, Outcome, why_not
 from specimen import DENSITY, Specimen
 
-# Number of bond types, by length, because stiffness belongs to a type; stiffnesses are then within half a percent.
+#: The beginning of an input in SI units, and what both granite and agglomerates have next.
+HEAD = "units si\ndimension 3\nboundary f f f\natom_style bpm/sphere\nnewton on off\n"
+BREAKING = f"{HEAD}special_bonds lj 0 1 1 coul 1 1 1\n"
+EXTRA = ("30 extra bond per atom", "60 extra special per atom")
+# Bonds have their stiffness by type: as many types as this, by length; stiffnesses within half a percent.
 TYPES = 64
 
 
-class Lammps:
-    """LAMMPS, run by the executable that the environment variable LAMMPS names, or else by `lmp`."""
+class Lammps(Code):
+    """The executable is `lmp`, or what the environment variable LAMMPS names."""
 
     name = "lammps"
-    alike = True
-    own_law = False
     differs = (
         f"stiffness by {TYPES} classes of bond length instead of bond by bond",
         "bonds compute their damping, with coefficients of zero, and a measure of breaking that never breaks them;"
         " neither can be left out",
     )
 
-    def __init__(self, *, contacts: bool = False) -> None:
-        self.contacts = contacts
-
     def missing(self) -> str:
-        return _why_not([executable(), "-h"], _environment())
+        return why_not([executable(), "-h"], "BPM", _environment())
 
     def run(self, specimen: Specimen, folder: Path, check: int, steps: int) -> Outcome:
         write_data(folder / "specimen.data", specimen)
-        ran(folder, script(specimen, check, steps, contacts=self.contacts))
+        ran(folder, script(specimen, check, steps))
         return read(folder)
 
 
@@ -79,32 +78,50 @@ def classes(specimen: Specimen) -> tuple[np.ndarray, np.ndarray]:
     return kind, np.bincount(kind, weights=L) / np.bincount(kind)
 
 
-def write_data(path: Path, specimen: Specimen) -> None:
-    """Write spheres, velocities and bonds as a data file of atom_style bpm/sphere."""
-    kind, _ = classes(specimen)
-    n, m = len(specimen.radius), len(specimen.pairs)
-    most = int(np.bincount(specimen.pairs.ravel()).max())
-    margin = specimen.radius.max()
-    low, high = specimen.position.min(axis=0) - margin, specimen.position.max(axis=0) + margin
-    lines = ["bonded spheres", "", f"{n} atoms", "1 atom types", f"{m} bonds", f"{kind.max() + 1} bond types"]
-    lines += [f"{most} extra bond per atom"]
-    lines += [f"{a:.17g} {b:.17g} {c}lo {c}hi" for a, b, c in zip(low, high, "xyz", strict=True)]
+def data(
+    title: str, spheres: tuple[np.ndarray, np.ndarray, np.ndarray], pairs: np.ndarray, kind: np.ndarray,
+    box: tuple[np.ndarray, np.ndarray], *, extra: tuple[str, ...], velocity: np.ndarray | None = None,
+) -> str:  # fmt: skip
+    """Spheres, velocities and bonds as a data file of atom_style bpm/sphere.
+
+    Args:
+        title: first line.
+        spheres: centres (n, 3), radii (n,) and densities (n,).
+        pairs: spheres of each bond, (m, 2).
+        kind: type of each bond from 1, (m,).
+        box: its lower and its upper corner.
+        extra: further lines of the head.
+        velocity: of spheres that do not spin, (n, 3); at rest unless given.
+    """
+    lines = [title, "", f"{len(spheres[1])} atoms", "1 atom types", f"{len(pairs)} bonds", f"{max(kind)} bond types"]
+    lines += extra
+    lines += [f"{a:.17g} {b:.17g} {c}lo {c}hi" for a, b, c in zip(*box, "xyz", strict=True)]
     lines += ["", "Atoms # bpm/sphere", ""]
-    rows = zip(specimen.radius, specimen.position, strict=True)
     lines += [
-        f"{k} 1 1 {2.0 * r:.17g} {DENSITY:.17g} {x:.17g} {y:.17g} {z:.17g}"
-        for k, (r, (x, y, z)) in enumerate(rows, start=1)
+        f"{k} 1 1 {2.0 * r:.17g} {rho:.17g} {x:.17g} {y:.17g} {z:.17g}"
+        for k, ((x, y, z), r, rho) in enumerate(zip(*spheres, strict=True), start=1)
     ]
-    lines += ["", "Velocities", ""]
-    lines += [f"{k} {u:.17g} {v:.17g} {w:.17g} 0 0 0" for k, (u, v, w) in enumerate(specimen.velocity, start=1)]
+    if velocity is not None:
+        lines += ["", "Velocities", ""]
+        lines += [f"{k} {u:.17g} {v:.17g} {w:.17g} 0 0 0" for k, (u, v, w) in enumerate(velocity, start=1)]
     lines += ["", "Bonds", ""]
-    bonds = zip(kind, specimen.pairs, strict=True)
-    lines += [f"{k} {t + 1} {i + 1} {j + 1}" for k, (t, (i, j)) in enumerate(bonds, start=1)]
-    path.write_text("\n".join(lines) + "\n")
+    lines += [f"{k} {t} {i + 1} {j + 1}" for k, (t, (i, j)) in enumerate(zip(kind, pairs, strict=True), start=1)]
+    return "\n".join(lines) + "\n"
 
 
-def script(specimen: Specimen, check: int, steps: int, *, contacts: bool = False) -> str:
-    """Return the input of a run of elastic bonds without output in the loop, with contacts if requested."""
+def write_data(path: Path, specimen: Specimen) -> None:
+    """The specimen as a data file."""
+    most, margin = int(np.bincount(specimen.pairs.ravel()).max()), specimen.radius.max()
+    spheres = specimen.position, specimen.radius, np.full(len(specimen.radius), DENSITY)
+    box = specimen.position.min(axis=0) - margin, specimen.position.max(axis=0) + margin
+    path.write_text(data(
+        "bonded spheres", spheres, specimen.pairs, classes(specimen)[0] + 1, box,
+        extra=(f"{most} extra bond per atom",), velocity=specimen.velocity,
+    ))  # fmt: skip
+
+
+def script(specimen: Specimen, check: int, steps: int) -> str:
+    """Elastic bonds, no pair forces and no output in the loop."""
     _, length = classes(specimen)
     # products with powers of L are the same for all bonds
     L = specimen.length
@@ -116,22 +133,13 @@ def script(specimen: Specimen, check: int, steps: int, *, contacts: bool = False
         for t, l in enumerate(length, start=1)
     )
     reach = 2.2 * specimen.radius.max()
-    special, pair, overlay = "lj/coul 1 1 1", "pair_style none", "yes"
-    if contacts:
-        special, overlay = "lj 0 1 1 coul 1 1 1", "no"
-        pair = f"pair_style gran/hooke/history {specimen.kn.mean():.17g} NULL 0 NULL 0 1\npair_coeff * *"
-    return f"""units si
-dimension 3
-boundary f f f
-atom_style bpm/sphere
-newton on off
-special_bonds {special}
+    return f"""{HEAD}special_bonds lj/coul 1 1 1
 comm_modify vel yes cutoff {reach:.17g}
 # without a pair style atoms are sorted only where a bin size is given
 atom_modify sort 100 {reach:.17g} map array
 read_data specimen.data
-{pair}
-bond_style bpm/rotational overlay/pair {overlay} smooth no break no
+pair_style none
+bond_style bpm/rotational overlay/pair yes smooth no break no
 {coefficients}
 neighbor {0.1 * specimen.radius.max():.17g} bin
 neigh_modify every 1 delay 0 check yes
@@ -159,11 +167,3 @@ def read(folder: Path) -> Outcome:
         spin=end[:, 4:7],
         version=log.splitlines()[0].strip(),
     )
-
-
-def _why_not(command: list[str], environment: dict[str, str]) -> str:
-    try:
-        done = subprocess.run(command, env=environment, capture_output=True, text=True)
-    except OSError as error:
-        return f"{command[0]}: {error.strerror}"
-    return "" if "BPM" in done.stdout else f"{command[0]} was built without the package BPM"

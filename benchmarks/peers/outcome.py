@@ -1,15 +1,15 @@
 """Outcome of a run of any code, and measures of its difference from bondem."""
 
-from dataclasses import asdict, dataclass, fields
-from pathlib import Path
+import subprocess
+from dataclasses import dataclass
 
 import numpy as np
-from specimen import Specimen
+from specimen import Saved, Specimen
 
 
 @dataclass(frozen=True, kw_only=True)
-class Outcome:
-    """Outcome of a run: `check` steps that are compared, then `steps` steps that are timed.
+class Outcome(Saved):
+    """One run: `check` steps that are compared, then `steps` steps that are timed.
 
     Attributes:
         seconds: wall time of the loop over the timed steps alone, as the code itself gives it [s].
@@ -26,21 +26,36 @@ class Outcome:
     spin: np.ndarray
     version: str
 
-    def save(self, path: Path) -> None:
-        np.savez(path, **asdict(self))
 
-    @classmethod
-    def load(cls, path: Path) -> "Outcome":
-        with np.load(path) as file:
-            values = {item.name: file[item.name] for item in fields(cls)}
-        return cls(
-            **{
-                **values,
-                "seconds": float(values["seconds"]),
-                "bonds": int(values["bonds"]),
-                "version": str(values["version"]),
-            }
-        )
+class Code:
+    """A code that is compared, with what its motion and its bonds have in common with bondem.
+
+    Attributes:
+        name: in tables and records.
+        differs: remarks on what differs.
+        alike: whether its bonds are those of bondem, so that its motion has to be the same.
+        own_law: whether its motion is that of another law.
+    """
+
+    name = ""
+    differs: tuple[str, ...] = ()
+    alike = True
+    own_law = False
+
+    def missing(self) -> str:
+        """Why the code cannot run here; "" where it can."""
+        return ""
+
+
+def why_not(command: list[str], wanted: str = "", environment: dict[str, str] | None = None) -> str:
+    """Why a command fails, or that it does not print what is wanted; "" where it does."""
+    try:
+        done = subprocess.run(command, env=environment, capture_output=True, text=True)
+    except OSError as error:
+        return f"{command[0]}: {error.strerror}"
+    if done.returncode and not wanted:
+        return f"{' '.join(command)} fails: {done.stderr.strip().splitlines()[-1:]}"
+    return "" if wanted in done.stdout else f"{command[0]} was built without {wanted}"
 
 
 def kinetic_energy(specimen: Specimen, velocity: np.ndarray, spin: np.ndarray) -> float:

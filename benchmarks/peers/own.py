@@ -1,4 +1,4 @@
-"""Runs of bondem itself, in a new process like other codes: `python own.py FOLDER CHECK STEPS CONTACTS LAW`."""
+"""bondem itself, in a process of its own like any peer: `python own.py FOLDER CHECK STEPS LAW`."""
 
 import os
 import subprocess
@@ -6,28 +6,19 @@ import sys
 import time
 from pathlib import Path
 
-from outcome import Outcome
+from outcome import Code, Outcome
 from specimen import DENSITY, POISSON, RADIUS_RATIO, YOUNG, Specimen
 
 
-class Bondem:
-    """bondem with Euler–Bernoulli beams, the reference of the comparison."""
+class Bondem(Code):
+    """The code that is compared with the others."""
 
     name = "bondem"
-    differs: tuple[str, ...] = ()
-    alike = True
     law = "beams"
-    own_law = False
-
-    def __init__(self, *, contacts: bool = False) -> None:
-        self.contacts = contacts
-
-    def missing(self) -> str:
-        return ""
 
     def run(self, specimen: Specimen, folder: Path, check: int, steps: int) -> Outcome:
         specimen.save(folder / "specimen.npz")
-        command = [sys.executable, __file__, str(folder), str(check), str(steps), str(int(self.contacts)), self.law]
+        command = [sys.executable, __file__, str(folder), str(check), str(steps), self.law]
         subprocess.run(command, check=True, env={**os.environ, "BONDEM_NUM_THREADS": "1"})
         return Outcome.load(folder / "outcome.npz")
 
@@ -45,7 +36,7 @@ class NonLocalBondem(Bondem):
     own_law = True  # its motion differs from that of beams
 
 
-def _run(specimen: Specimen, check: int, steps: int, contacts: bool, which: str) -> Outcome:
+def _run(specimen: Specimen, check: int, steps: int, which: str) -> Outcome:
     import bondem as bd
     from bondem.dynamics.explicit import integrate
     from bondem.dynamics.plan import Plan
@@ -54,14 +45,13 @@ def _run(specimen: Specimen, check: int, steps: int, contacts: bool, which: str)
     from bondem.model.state import State
 
     lattice = bd.Lattice(bd.Particles(specimen.position, specimen.radius), specimen.pairs)
-    contact = bd.LinearContact(E=RADIUS_RATIO**2 * YOUNG) if contacts else None
     dt, damping = float(specimen.dt), None
     if which == "beams":
         law = bd.EulerBernoulli(E=YOUNG, nu=POISSON, radius_ratio=RADIUS_RATIO)
-        model = bd.Model(lattice, law, DENSITY, contact=contact)
+        model = bd.Model(lattice, law, DENSITY)
     else:
         law = bd.NonLocal(E=RADIUS_RATIO**2 * YOUNG, nu=POISSON, areas="weighted", lever="contact")
-        model = bd.Model(lattice, law, DENSITY, contact=contact, failure=bd.Rankine(tension=1e20))
+        model = bd.Model(lattice, law, DENSITY, failure=bd.Rankine(tension=1e20))
         damping = bd.LocalDamping(0.3)
         dt = min(dt, choose_step(model, VelocityVerlet(), None, safety=0.9, damping=damping).dt)
     state = State(model)
@@ -92,5 +82,5 @@ def _run(specimen: Specimen, check: int, steps: int, contacts: bool, which: str)
 
 if __name__ == "__main__":
     here = Path(sys.argv[1])
-    check, steps, contacts = (int(word) for word in sys.argv[2:5])
-    _run(Specimen.load(here / "specimen.npz"), check, steps, bool(contacts), sys.argv[5]).save(here / "outcome.npz")
+    check, steps = (int(word) for word in sys.argv[2:4])
+    _run(Specimen.load(here / "specimen.npz"), check, steps, sys.argv[4]).save(here / "outcome.npz")

@@ -21,9 +21,23 @@ STRAIN = 1e-4
 STEP_SHARE = 0.5
 
 
+class Saved:
+    """Data that is kept in a file of arrays."""
+
+    def save(self, path: Path) -> None:
+        np.savez(path, **asdict(self))
+
+    @classmethod
+    def load(cls, path: Path):
+        """Data of a file; what is no array there is a number or a text."""
+        with np.load(path) as file:
+            values = {item.name: file[item.name] for item in fields(cls)}
+        return cls(**{name: value if value.ndim else value.item() for name, value in values.items()})
+
+
 @dataclass(frozen=True, kw_only=True)
-class Specimen:
-    """Input of a run that is the same for all codes.
+class Specimen(Saved):
+    """Everything a code needs to know, and nothing else.
 
     Attributes:
         position: centres [m], shape (n, 3).
@@ -55,14 +69,6 @@ class Specimen:
     def mass(self) -> np.ndarray:
         """Masses of the elements [kg], shape (n,)."""
         return 4.0 / 3.0 * np.pi * self.radius**3 * DENSITY
-
-    def save(self, path: Path) -> None:
-        np.savez(path, **asdict(self))
-
-    @classmethod
-    def load(cls, path: Path) -> "Specimen":
-        with np.load(path) as file:
-            return cls(**{item.name: file[item.name] for item in fields(cls)})
 
 
 def build(elements: int, *, seed: int = 1) -> Specimen:

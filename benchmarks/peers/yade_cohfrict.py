@@ -4,40 +4,32 @@ import os
 import subprocess
 from pathlib import Path
 
-from outcome import Outcome
+from outcome import Code, Outcome, why_not
 from specimen import Specimen
 
 _SCRIPT = Path(__file__).parent / "yade_script.py"
 
 
-class Yade:
-    """Yade, run by the executable that the environment variable YADE names, or else by `yade`."""
+class Yade(Code):
+    """The executable is `yade`, or what the environment variable YADE names."""
 
     name = "yade"
-    alike = True
-    own_law = False
     differs = (
         "bonds shear where the spheres touch, not in the middle",
         "bonds compute their strength, which is never reached",
     )
 
-    def __init__(self, *, contacts: bool = False) -> None:
-        self.contacts = contacts
+    def __init__(self) -> None:
         self.executable = os.environ.get("YADE", "yade")
 
     def missing(self) -> str:
-        try:
-            done = subprocess.run([self.executable, "--version"], capture_output=True, text=True)
-        except OSError as error:
-            return f"{self.executable}: {error.strerror}"
-        return "" if done.returncode == 0 else f"{self.executable} --version fails: {done.stderr.strip()}"
+        return why_not([self.executable, "--version"])
 
     def run(self, specimen: Specimen, folder: Path, check: int, steps: int) -> Outcome:
         specimen.save(folder / "specimen.npz")
         answer = folder / "outcome.npz"
         answer.unlink(missing_ok=True)
         command = [self.executable, "-n", "-x", "-j1", str(_SCRIPT), str(folder), str(check), str(steps)]
-        command.append(str(int(self.contacts)))
         environment = {**os.environ, "PYTHONPATH": str(_SCRIPT.parent), "OMP_NUM_THREADS": "1"}
         done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True)
         # the exit status of Yade does not show errors in the script

@@ -1,38 +1,12 @@
-"""The chapters, a file each, in the order of the book."""
+"""The chapters, a text and a module each, in the order of the pages."""
 
-from typing import cast
+from importlib import import_module
 
-from book.chapter import ChapterFile
-from book.chapters import (
-    andre_tables,
-    any_specimen,
-    calibration,
-    celigueta,
-    cells,
-    chen_components,
-    chen_tables,
-    concrete,
-    cost,
-    dynamic_tests,
-    dynamics,
-    formulations,
-    fracture,
-    laws,
-    mka3d,
-    packings,
-    parameters,
-    predictions,
-    protocol,
-    rapid_fracture,
-    runs,
-    second_order,
-    strength,
-    surface,
-)
+from book.chapter_file import ChapterFile
 
-_FILES = (
-    andre_tables, protocol, chen_tables, chen_components, calibration, any_specimen, cells, second_order, mka3d,
-    strength, concrete, celigueta, laws, predictions, fracture, rapid_fracture, packings, parameters, dynamic_tests,
-    surface, formulations, dynamics, cost, runs,
+_NAMES = (
+    "andre_tables", "protocol", "chen_tables", "chen_components", "calibration", "any_specimen", "cells",
+    "second_order", "mka3d", "strength", "concrete", "celigueta", "laws", "predictions", "fracture", "rapid_fracture",
+    "packings", "parameters", "dynamic_tests", "surface", "formulations", "dynamics", "cost", "runs",
 )  # fmt: skip
-FILES = tuple(cast(ChapterFile, file) for file in _FILES)
+FILES = tuple(ChapterFile(import_module(f"{__name__}.{name}")) for name in _NAMES)

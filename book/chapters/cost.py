@@ -1,14 +1,12 @@
 """What bondem costs in time and memory, beside its peers."""
 
-from collections.abc import Sequence
 from typing import Any
 
-from book.chapter import Chapter, Section
 from book.chapters.calibration import TIMES
-from book.dates import date, is_older
-from book.forms import PERCENT, SECONDS, Form
+from book.dates import is_older
+from book.forms import PERCENT, SECONDS, Form, spaced
 from book.results import Measurement
-from book.row import Row
+from book.row import Row, Rows
 from book.tolerances import AtLeast, AtMost
 
 PEERS = Measurement("peers", "python benchmarks/peers/compare.py --elements 10000 100000", "20 min")
@@ -32,22 +30,6 @@ RATE = Form("M/s", 1e6, ".0f")
 RATIO = Form(style=".1f")
 #: Elements, and bond-steps a second that one core is asked for.
 SIZES = {10_000: None, 100_000: 60e6, 1_000_000: 45e6}
-NAMES = {"lammps": "LAMMPS bpm/rotational", "yade": "Yade CohFrictMat, bonds only"}
-
-
-def chapter() -> Chapter:
-    """The chapter."""
-    sections = (_starting(), _step(), _failing(), _peers())
-    return Chapter(
-        name="cost",
-        title="Cost: time, memory, peers",
-        summary=(
-            "Times were measured on 2 shared cores, which other programs use as well: medians, and processor time "
-            "where stated. Variants of the step that were tried are in [decision 0001](decisions/0001-state.md)."
-        ),
-        misses=" ".join(words for begin, words in _FAILED.items() if _is_missed(sections, begin)),
-        sections=sections,
-    )
 
 
 #: How the case of a row begins, and what failed where it is missed.
@@ -64,85 +46,52 @@ _FAILED = {
 }
 
 
-def _is_missed(sections: Sequence[Section], begin: str) -> bool:
-    rows = [row for section in sections for row in section.rows if row.case.startswith(begin)]
-    return any(row.verdict.is_miss for row in rows)
+def failed() -> str:
+    """What failed, in words."""
+    missed = [row.case for rows in (step(), failing(), peers()) for row in rows if row.verdict.is_miss]
+    return "\n".join(words for begin, words in _FAILED.items() if any(case.startswith(begin) for case in missed))
 
 
-def _starting() -> Section:
+def starting() -> Rows:
+    yield Row("calibration on a static tension test, 10 000 elements", TIMES.number("warm", "1 cylinder", "median"),
+        AtMost(10.0), SECONDS)  # fmt: skip
     words = {
         "beams": "beams that break and touch", "cells": "cells that soften and touch",
         "non-local": "the non-local law with breakage and contact", "compression": "uniaxial compression of cells",
     }  # fmt: skip
-    return Section(
-        title="Calibration, and starting",
-        rows=(
-            Row(case="calibration on a static tension test, 10 000 elements", form=SECONDS, tolerance=AtMost(10.0),
-                ours=TIMES.number("warm", "1 cylinder", "median")),
-            *(
-                Row(case=f"first use of a fresh installation less the second: {words[kind]}",
-                    form=Form("s", style=".2f"), tolerance=AtMost(3.0), ours=FIRST.of(found["difference"]))
-                for kind, found in FIRST.at("kinds").items()
-            ),
-        ),
-        after=(
-            "Nothing is compiled at run time; the two uses differ by the cache of packings and by chance. Times of "
-            "packing are in the chapter on [packings](validation/packings.md). `python benchmarks/static_solve.py` "
-            "measures the times of statics and modes, and `python benchmarks/highest_frequency.py` the time of the "
-            "critical step."
-        ),
-    )  # fmt: skip
-
-
-def _machine() -> dict[str, Any]:
-    """What was measured on the processor whose rates the chapter quotes: the last one."""
-    return dict(AGAINST.made)
-
-
-def _many(elements: int) -> str:
-    return f"{elements:,}".replace(",", " ")
+    for kind, found in FIRST.at("kinds").items():
+        yield Row(f"first use of a fresh installation less the second: {words[kind]}", FIRST.of(found["difference"]),
+            AtMost(3.0), Form("s", style=".2f"))  # fmt: skip
 
 
 def _rate(elements: int, threads: int) -> dict[str, Any]:
     size = {"elements": elements, "threads": threads}
-    return next(one for one in _machine()["rates"] if size.items() <= one.items())
+    return next(one for one in AGAINST.made["rates"] if size.items() <= one.items())
 
 
 def _busy(found: dict[str, Any]) -> str:
     return f"other programs used up to {100.0 * found['others']:.0f} % of a core"
 
 
-def _then(record: Measurement) -> str:
+def then(record: Measurement) -> str:
     """That a record is older than the compiled core, if it is."""
     return ", before the compiled core replaced the loops" if is_older(record, "the compiled core") else ""
 
 
-def _step() -> Section:
-    here = _machine()["machine"]
-    rows = []
+def step() -> Rows:
     for elements, asked in SIZES.items():
-        for threads, words in ((1, "one core"), (2, "two cores")):
-            found = _rate(elements, threads)
-            spread = f"{found['now']['min']:.0f}–{found['now']['max']:.0f} M/s; {_busy(found)}"
-            rows.append(
-                Row(case=f"{words}, {_many(elements)} elements", ours=AGAINST.of(1e6 * found["now"]["median"]),
-                    form=RATE, tolerance=AtLeast(asked) if asked and threads == 1 else None, note=spread)
-            )  # fmt: skip
+        found = _rate(elements, 1)
+        if asked:
+            yield Row(f"one core, {spaced(elements)} elements", AGAINST.of(1e6 * found["now"]["median"]),
+                AtLeast(asked), RATE,
+                note=f"{found['now']['min']:.0f}–{found['now']['max']:.0f} M/s; {_busy(found)}")  # fmt: skip
     for elements in SIZES:
         gain = _rate(elements, 2)["now"]["median"] / _rate(elements, 1)["now"]["median"]
-        rows.append(Row(case=f"two cores over one, {_many(elements)} elements", ours=AGAINST.of(gain),
-                        form=Form(style=".2f"), tolerance=AtLeast(1.9), note=_busy(_rate(elements, 2))))  # fmt: skip
-    rows.append(
-        Row(case="a Python callback each 100 steps, 10 000 elements", form=PERCENT, tolerance=AtMost(0.01),
-            ours=CALLBACK.number("share of an output in the steps between two"),
-            note="processor time of a call, with few elements, over that of the steps between two")
-    )  # fmt: skip
-    return Section(
-        title="Bond-steps",
-        before=f"The rows are medians on {here['processor']}, {here['vector']}, {_machine()['started'][:10]}"
-        f"{_then(AGAINST)}.",
-        rows=tuple(rows),
-    )
+        yield Row(f"two cores over one, {spaced(elements)} elements", AGAINST.of(gain), AtLeast(1.9),
+            Form(style=".2f"), note=_busy(_rate(elements, 2)))  # fmt: skip
+    yield Row("a Python callback each 100 steps, 10 000 elements",
+        CALLBACK.number("share of an output in the steps between two"), AtMost(0.01), PERCENT,
+        note="processor time of a call, with few elements, over that of the steps between two")  # fmt: skip
 
 
 #: What was measured, its place in the results, how rows call it, and how many elastic steps it may cost.
@@ -150,11 +99,8 @@ FAILURES = (
     (FAILING, "MohrCoulomb", "cells, Mohr–Coulomb on the traction of facets, brittle", 1.25),
     (FAILING, "Rankine", "cells, Rankine on the stress of cells", 1.6),
     (FAILING, "MohrCoulomb, softening", "cells that yield, facets that soften", 1.6),
-    (TOUCHING, "whole", "beams that may break and touch, whole", None),
     (TOUCHING, "in pieces", "beams that may break and touch, in pieces", 2.0),
-    (TOUCHING_CELLS, "whole", "cells that yield, soften and touch, whole", None),
     (TOUCHING_CELLS, "in pieces", "cells that yield, soften and touch, in pieces", 2.0),
-    (TOUCHING_CELLS, "in dust", "cells that yield, soften and touch, in dust", None),
 )
 
 
@@ -162,59 +108,27 @@ def _least(data: dict[str, Any], found: dict[str, Any]) -> str:
     """The ratio of the least times, and what was broken and touched as the first step was timed."""
     words = f"least over least {found['ratio_of_least']:.2f}"
     if "broken" in found:
-        words += f"; of {_many(data['bonds'])} bonds {_many(found['broken'])} broken, {_many(found['cracked'])}"
-        words += f" cracked or broken, {_many(found['contacts'])} contacts"
+        words += f"; of {spaced(data['bonds'])} bonds {spaced(found['broken'])} broken, {spaced(found['cracked'])}"
+        words += f" cracked or broken, {spaced(found['contacts'])} contacts"
     return words
 
 
-def _failing() -> Section:
-    rows = [
-        Row(case=words, ours=measured.number(name, "median_ratio"), form=Form(style=".2f"),
-            tolerance=None if asked is None else AtMost(asked),
-            note=_least(measured.data, measured.data[name]))
-        for measured, name, words, asked in FAILURES
-    ]  # fmt: skip
-    return Section(
-        title="Failure and contact, in elastic steps",
-        before=(
-            f"The bodies have {_many(FAILING.at('elements'))} elements, those of cells that touch "
-            f"{_many(TOUCHING_CELLS.at('elements'))}, on one thread. The processor time of their steps, measured "
-            "alternately with steps of the elastic body, is given in elastic steps; nothing breaks in the first "
-            "three."
-        ),
-        rows=tuple(rows),
-        after=(
-            "A crack that is closed or softens is computed separately, at many times the cost of a facet: the cost "
-            "of a body of cells depends on the number of such cracks."
-        ),
-    )
+def failing() -> Rows:
+    for measured, name, words, asked in FAILURES:
+        yield Row(words, measured.number(name, "median_ratio"), AtMost(asked), Form(style=".2f"),
+            note=_least(measured.data, measured.data[name]))  # fmt: skip
 
 
-def _peers() -> Section:
-    rows = []
-    for code, factor in (("lammps", 12.0), ("yade", 25.0)):
+def peers() -> Rows:
+    for code, words, factor in (
+        ("lammps", "LAMMPS bpm/rotational", 12.0),
+        ("yade", "Yade CohFrictMat, bonds only", 25.0),
+    ):
         for elements in (10_000, 100_000):
             found = PEERS.at("specimens", {"elements": elements}, "codes", code)
-            many = _many(elements)
-            rows.append(
-                Row(case=f"bondem over {NAMES[code]}, one thread each, {many} elements", form=RATIO,
-                    tolerance=AtLeast(factor), ours=PEERS.of(found["ratio_median"]))
-            )  # fmt: skip
-    found = KRATOS.at("specimens", 0, "codes", "kratos")
-    own = KRATOS.at("specimens", 0, "codes", "non-local")
-    rows += [
-        Row(case="bondem over Kratos DEM_KDEM, one thread each, 12 000 elements", form=RATIO, tolerance=AtLeast(20.0),
-            ours=KRATOS.of(found["ratio_median"])),
-        Row(case="bondem with the non-local law and Rankine over Kratos DEM_KDEM, the same run", form=RATIO,
-            tolerance=AtLeast(20.0), ours=KRATOS.of(found["ratio_median"] / own["ratio_median"])),
-    ]  # fmt: skip
-    return Section(
-        title="Peers",
-        rows=tuple(rows),
-        after=(
-            f"The numbers are medians of {date(PEERS)}{_then(PEERS)}; those with Kratos are of "
-            f"{date(KRATOS)}{_then(KRATOS)}. The motion of all codes is compared before any ratio, except that of "
-            "Kratos, whose bonds differ (normal and tangential springs; stresses and the effect of ν are switched "
-            "off)."
-        ),
-    )
+            yield Row(f"bondem over {words}, one thread each, {spaced(elements)} elements",
+                PEERS.of(found["ratio_median"]), AtLeast(factor), RATIO)  # fmt: skip
+    found, own = (KRATOS.at("specimens", 0, "codes", code)["ratio_median"] for code in ("kratos", "non-local"))
+    yield Row("bondem over Kratos DEM_KDEM, one thread each, 12 000 elements", KRATOS.of(found), AtLeast(20.0), RATIO)
+    yield Row("bondem with the non-local law and Rankine over Kratos DEM_KDEM, the same run", KRATOS.of(found / own),
+        AtLeast(20.0), RATIO)  # fmt: skip

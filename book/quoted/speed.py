@@ -1,7 +1,6 @@
-"""Speed: the same bonds in bondem and in other codes."""
+"""Speed: the same bonds in bondem and in other codes, and what makes a step slow."""
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Iterator
 
 from book.chapters.cost import CALLBACK, FAILING, KRATOS, PEERS
 from book.chapters.runs import OUTPUT
@@ -10,56 +9,39 @@ from book.quoting import Quoted
 
 RATIO, FINE = Form(style=".0f"), Form(style=".2f")
 MILLISECONDS, SHARE = Form("ms", 1e-3, ".0f"), Form("%", 1e-2, ".1f")
-_NAMES = {"lammps": "LAMMPS bpm/rotational", "yade": "Yade CohFrictMat", "kratos": "Kratos DEM_KDEM"}
 
 
-def quoted() -> Sequence[Quoted]:
+def quoted() -> Iterator[Quoted]:
     """All quoted speeds."""
-    specimen = PEERS.at("specimens", 0)
-    found = [
-        Quoted(name=f"speed.{code}", says=f"speed of bondem over that of {words}", size=_size(specimen), record=PEERS,
-               form=RATIO, values=(specimen["codes"][code]["ratio_median"],))
-        for code, words in _NAMES.items()
-    ]  # fmt: skip
-    specimen = KRATOS.at("specimens", 0)
-    ratio = {code: one["ratio_median"] for code, one in specimen["codes"].items()}
-    found.append(Quoted(
-        name="speed.kratos_non_local", says="speed of the non-local law of bondem over that of Kratos",
-        size=_size(specimen), record=KRATOS, form=RATIO, values=(ratio["kratos"] / ratio["non-local"],),
-    ))  # fmt: skip
-    return [*found, *_slow()]
-
-
-def _size(specimen: Any) -> str:
-    return f"{specimen['elements']} spheres, {specimen['bonds']} bonds, one thread"
-
-
-def _slow() -> Sequence[Quoted]:
-    """What a step takes, and what makes it slow."""
+    sizes = "{elements} spheres, {bonds} bonds, one thread"
+    peers, kratos = (record.at("specimens", 0) for record in (PEERS, KRATOS))
+    for code, words in (
+        ("lammps", "LAMMPS bpm/rotational"), ("yade", "Yade CohFrictMat"), ("kratos", "Kratos DEM_KDEM"),
+    ):  # fmt: skip
+        yield Quoted(f"speed.{code}", f"speed of bondem over that of {words}", sizes.format(**peers), PEERS,
+            (peers["codes"][code]["ratio_median"],), RATIO)  # fmt: skip
+    theirs, ours = (kratos["codes"][code]["ratio_median"] for code in ("kratos", "non-local"))
+    yield Quoted("speed.kratos_non_local", "speed of the non-local law of bondem over that of Kratos",
+        sizes.format(**kratos), KRATOS, (theirs / ours,), RATIO)  # fmt: skip
     cases = {one["kind"]: one for one in OUTPUT.at("cases")}
-    body = f"{cases['cells']['elements']} elements"
+    cells, body = cases["cells"], f"{cases['cells']['elements']} elements"
+    yield Quoted("slow.size", "elements of the bodies whose steps are timed", body, OUTPUT, (cells["elements"],),
+        Form("elements", style=",.0f"))  # fmt: skip
+    for kind in ("cells", "beams"):
+        yield Quoted(f"slow.{kind}_step", f"time of a step of {kind}, one thread", body, OUTPUT,
+            (cases[kind]["step"]["median"],), MILLISECONDS)  # fmt: skip
+    share = cells["snapshot"]["median"] / (2000 * cells["step"]["median"])
+    yield Quoted("slow.cells_cost", "cost of a snapshot each 2000 steps, over the run", body, OUTPUT, (share,), SHARE)
     failing = f"{FAILING.at('elements')} cells, one thread"
-    step = "time of a step of {}, one thread"
-    return [
-        Quoted(name="slow.size", says="elements of the bodies whose steps are timed", size=body, record=OUTPUT,
-               form=Form("elements", style=",.0f"), values=(cases["cells"]["elements"],)),
-        *(Quoted(name=f"slow.{kind}_step", says=step.format(kind), size=body, record=OUTPUT, form=MILLISECONDS,
-                 values=(cases[kind]["step"]["median"],)) for kind in ("cells", "beams")),
-        Quoted(name="slow.cells_cost", says="cost of a snapshot each 2000 steps, over the run", size=body,
-               record=OUTPUT, form=SHARE, values=(_snapshots(cases["cells"]),)),
-        Quoted(name="slow.failing", says="cells of the bodies that fail", size=failing, record=FAILING,
-               form=Form("cells", style=",.0f"), values=(FAILING.at("elements"),)),
-        *(Quoted(name=f"slow.{name}", says=f"step with {words}, in elastic steps", size=failing, record=FAILING,
-                 form=FINE, values=(FAILING.at(kind, "median_ratio"),))
-          for name, kind, words in (("brittle", "MohrCoulomb", "brittle facets"),
-                                    ("rankine", "Rankine", "a criterion on the stress of cells"),
-                                    ("softening", "MohrCoulomb, softening", "yielding cells and softening facets"))),
-        Quoted(name="slow.callback", says="time of a callback over that of the 100 steps between two",
-               size=f"{CALLBACK.at('many', 'elements')} elements, one thread", record=CALLBACK, form=SHARE,
-               values=(CALLBACK.at("share of an output in the steps between two"),)),
-    ]  # fmt: skip
-
-
-def _snapshots(case: Any) -> float:
-    """Time of a snapshot over that of 2000 steps."""
-    return case["snapshot"]["median"] / (2000 * case["step"]["median"])
+    yield Quoted("slow.failing", "cells of the bodies that fail", failing, FAILING, (FAILING.at("elements"),),
+        Form("cells", style=",.0f"))  # fmt: skip
+    for name, kind, words in (
+        ("brittle", "MohrCoulomb", "brittle facets"),
+        ("rankine", "Rankine", "a criterion on the stress of cells"),
+        ("softening", "MohrCoulomb, softening", "yielding cells and softening facets"),
+    ):
+        yield Quoted(f"slow.{name}", f"step with {words}, in elastic steps", failing, FAILING,
+            (FAILING.at(kind, "median_ratio"),), FINE)  # fmt: skip
+    yield Quoted("slow.callback", "time of a callback over that of the 100 steps between two",
+        f"{CALLBACK.at('many', 'elements')} elements, one thread", CALLBACK,
+        (CALLBACK.at("share of an output in the steps between two"),), SHARE)  # fmt: skip

@@ -7,12 +7,14 @@ import sys
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 
 from book import pages
 from book.__main__ import main
 from book.chapter import Chapter, Section
+from book.chapter_file import ChapterFile
 from book.chart import chart
 from book.counting import counted
 from book.errors import BookError
@@ -27,7 +29,7 @@ from book.outcomes import TESTS
 from book.results import RESULTS, ROOT, Measurement
 from book.row import Measured, Origin, Row, Verdict
 from book.shown import shown
-from book.tolerances import AtLeast, AtMost, Near, So, Spans, Tolerance
+from book.tolerances import AtLeast, AtMost, Near, So, Tolerance
 
 ORIGIN = Origin("bondem measure", "benchmarks/results/it.json")
 
@@ -56,15 +58,12 @@ def fast(tmp_path_factory) -> Path:
         ((-0.0148,), 0.0120, AtMost(), Verdict.MISSED),
         ((-0.0119,), 0.0120, AtMost(), Verdict.MET),
         ((54.0, 66.0), None, AtLeast(60.0), Verdict.MISSED),
-        ((1.0, 5.0), "1–5", Spans(1, 5), Verdict.MET),
-        ((1.0, 10.0), "1–5", Spans(1, 5), Verdict.MISSED),
         ((1.0,), None, So(), Verdict.MET),
         ((1.0,), None, So(wanted=False), Verdict.MISSED),
-        ((3.0,), None, None, Verdict.NO_PAPER),
     ],
 )
 def test_verdicts_follow_from_the_numbers(
-    values: tuple[float, ...], paper: float | str | None, tolerance: Tolerance | None, verdict: Verdict
+    values: tuple[float, ...], paper: float | str | None, tolerance: Tolerance, verdict: Verdict
 ):
     row = Row(case="it", ours=ours(*values), paper=paper, tolerance=tolerance)
     assert row.verdict is verdict
@@ -87,7 +86,7 @@ def test_a_row_is_met_with_its_scatter_or_says_that_it_is_not():
 
 
 def test_what_makes_no_verdict_is_an_error():
-    with pytest.raises(BookError, match="needs a tolerance"):
+    with pytest.raises(TypeError, match="tolerance"):
         Row(case="it", ours=ours(1.0), paper=1.0)
     with pytest.raises(BookError, match="say it as a note"):
         Row(case="it", ours=ours(1.0), tolerance=AtMost(0.5), reason="we were tired")
@@ -150,7 +149,7 @@ def test_rows_that_are_met_for_one_requirement_share_a_line_and_misses_never_do(
     lines = shown([
         row("bar, 300 cells: error", 0.1), row("bar, 1000 cells: error", 0.5), row("bar, 3000 cells: error", 2.0),
         row("bar, 10 000 cells: error", 3.0), row("bar: number of cells", 0.1),
-        Row(case="bar, 300 cells: error", ours=ours(0.3)), row("bar, 300 cells: error", 0.2, source="fig. 1"),
+        row("bar, 300 cells: error", 0.2, source="fig. 1"),
     ])  # fmt: skip
     assert [(line.case, line.ours, line.verdict) for line in lines] == [
         ("bar, 300 / 1000 cells: error (2 cases)", "0.1–0.5", Verdict.MET),
@@ -220,13 +219,12 @@ def test_a_chapter_with_misses_says_in_words_what_failed(monkeypatch):
 
 def test_the_front_page_hides_no_missed_row():
     missed = Row(case="the one", ours=ours(2.0), tolerance=AtMost(1.0))
-    rows = Section(title="Its rows", rows=(missed, Row(case="aside", ours=ours(1.0))))
+    rows = Section(title="Its rows", rows=(missed,))
     one = Chapter(name="surface", title="It", summary="", misses="It is too large.", sections=(rows,))
     text = front([one])
     assert "| [It](validation/surface.md) | 1 |  |  | **1** |  |" in text
     assert "- [It](validation/surface.md), 1 of 1: It is too large." in text
     assert "- [the one](validation/surface.md#its-rows): **2**, required ≤ 1" in text
-    assert "aside" not in text
     with pytest.raises(BookError, match="chapter of no question"):
         front([replace(one, name="it")])
 
@@ -238,9 +236,8 @@ def test_the_chart_has_a_mark_for_every_comparison_and_draws_misses_right_of_the
         Row(case="tenth", ours=ours(10.1), paper=10.0, tolerance=Near(absolute=1.0)),
         Row(case="so", ours=ours(1.0), tolerance=So()),
         Row(case="three times", ours=ours(4.0), paper=1.0, tolerance=Near(relative=1.0), reason="known"),
-        Row(case="aside", ours=ours(1.0)),
     ]
-    assert [row.used for row in rows] == [0.5, 2.0, pytest.approx(0.1), None, 3.0, None]
+    assert [row.used for row in rows] == [0.5, 2.0, pytest.approx(0.1), None, 3.0]
     section = Section(title="A", rows=tuple(rows))
     one = Chapter(name="surface", title="It", summary="", misses="x", sections=(section,))
     legend, drawn = chart([one]).split("Surface correction")
@@ -250,6 +247,11 @@ def test_the_chart_has_a_mark_for_every_comparison_and_draws_misses_right_of_the
     assert all((float(x) > limit) is (kind != "met") for kind, x in marks)
     for row in (row for chapter in pages.chapters() for row in chapter.rows if row.used is not None):
         assert (row.used > 1.0 + 1e-9) is row.verdict.is_miss, row.case
+
+
+def test_a_text_of_a_chapter_that_names_what_its_module_lacks_is_an_error():
+    with pytest.raises(BookError, match=r"cells.md: 'MODULI' is undefined"):
+        ChapterFile(ModuleType("book.chapters.cells")).chapter()
 
 
 def test_links_follow_a_page_into_its_folder():
@@ -297,7 +299,7 @@ def test_what_tests_record_stands_in_the_book_and_is_kept():
 
 def test_every_row_of_the_papers_tables_is_there():
     rows = [row for chapter in pages.chapters() for row in chapter.rows]
-    # Table 1 of André and Table 3 of Chen are inputs: the fast part holds them, and the book has no rows of them
+    # Table 1 of André and Table 3 of Chen are inputs: the fast part and tests/validation/test_chen_cases.py hold them
     for source, fewest in (("Table 2", 3), ("Table 3", 3), ("Table 4", 4 + 8), ("Table 5", 24)):
         found = [row for row in rows if row.source == source and row.paper is not None]
         assert len(found) >= fewest, source
@@ -348,7 +350,7 @@ def test_every_kept_result_names_its_command_and_what_code_made_it():
 def test_the_fast_part_is_measured_from_nothing_and_meets_its_tolerances(fast):
     text = (fast / "fast.md").read_text(encoding="utf-8")
     assert "**missed**" not in text
-    assert len(list(fast_chapter(fast).rows)) > 80
+    assert len(list(fast_chapter(fast).rows)) > 60
 
 
 @pytest.mark.validate

@@ -63,7 +63,7 @@ def recording(package: str, name: str, module: types.ModuleType) -> click.Comman
     has.
 
     Args:
-        package: of the command, `python -m PACKAGE NAME`.
+        package: of the command, `python -m PACKAGE NAME`; or a script, `python SCRIPT`.
         name: of the command, and of the record unless `--out` is given.
         module: with `measure`, `draw` or both.
     """
@@ -80,7 +80,8 @@ def recording(package: str, name: str, module: types.ModuleType) -> click.Comman
         options.append(click.Option(["--figures"], type=_FILE, metavar="DIR", help=text, required=not options))
 
     def carry_out(out: Path = usual, figures: Path | None = None, **given: Any) -> None:
-        record = Record(out, command_line(["python", "-m", package, *sys.argv[1:]]))
+        called = [package] if package.endswith(".py") else ["-m", package]
+        record = Record(out, command_line(["python", *called, *sys.argv[1:]]))
         if figures is None:
             module.measure(record, **given)
             click.echo(out)
