@@ -63,7 +63,10 @@ def no_attribute(module: str, name: str, known: Iterable[str], instead: Mapping[
 
 
 def no_member(thing: object, name: str) -> str:
-    """Return the message for a missing attribute, with the same name in a member, a function or a similar name."""
+    """Return the message for a missing attribute, with a suggestion unless its name is private.
+
+    The suggestion is the attribute of this name of a member, else a function for the quantity, else a similar name.
+    """
     message = f"{type(thing).__name__} has no attribute '{name}'"
     if name.startswith("_"):
         return message

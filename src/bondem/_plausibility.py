@@ -122,7 +122,7 @@ _IDEAL, _NEVER = 0.1, 10.0
 
 
 def physical(owner: str, name: str, value: object, *, quantity: str = "", advice: str = "") -> float:
-    """Return a positive value of a quantity of `_RANGES`; warn if its unit may be wrong.
+    """Return a positive value of a quantity of `_RANGES`; warn if the user's code gave it and its unit may be wrong.
 
     Args:
         owner: class or function that was called.
@@ -159,7 +159,7 @@ def _by_user() -> bool:
 
 
 def question_material(name: str, E: float, rho: float) -> None:
-    """Warn about a modulus [Pa] or density [kg/m³] of no solid, or some 10³ times that of the named material."""
+    """Warn about E [Pa], ρ [kg/m³] or √(E/ρ) of no solid, or E or ρ off the named material by a factor of 300."""
     words = re.findall(r"[a-z]+", name.lower())
     named = [word for word in words if word in _USUAL]
     soft = any(word in _SOFT for word in words)
@@ -224,7 +224,7 @@ def question_strength(strength: float, E: float, density: float, energy: float) 
 
 
 def strength_doubts(strength: float, E: float, density: float, energy: float) -> list[str]:
-    """Return a sentence per doubt about strength [Pa] or fracture energy [J/m²]; none for soft or heavy materials."""
+    """List doubts about strength [Pa] or fracture energy [J/m²]; none for soft or heavy bodies, or above 10 E."""
     if E < _STIFF or density > _LIGHT or strength > _NEVER * E:
         return []
     if strength > _IDEAL * E:

@@ -72,8 +72,8 @@ def quantity(name: str, text: str, unit: str) -> float:
 
     Args:
         name: name of the quantity, for messages.
-        text: a number and a unit: SI units with prefixes, t, in, ft, bar, min, deg, °, %; products (·, * or a blank),
-            quotients (/) and powers (^2, ², 2).
+        text: a number and a unit: m, g, s, Hz, N, Pa, J, rad with prefixes, t, in, ft, psi, ksi, bar, min, deg, °, %;
+            products (·, * or a blank), quotients (/) and powers (^2, ², 2).
         unit: the SI unit of the result, which also defines the dimension; "-" for a plain number or a percentage.
 
     Returns:

@@ -81,7 +81,7 @@ class UnitWarning(UserWarning):
 
 
 class StrengthWarning(UserWarning):
-    """Warning of strengths that imply a fracture energy far above that of real materials of this stiffness."""
+    """Warning of a strength or implied fracture energy that no solid has, or of a test that reaches no peak load."""
 
 
 class FillingWarning(UserWarning):
@@ -125,7 +125,7 @@ class UnprotectedClusterWarning(UserWarning):
 
 
 class UnstableRunError(BondemError):
-    """Error for an unstable run whose result another computation needs."""
+    """Error for a run whose result is needed, but which became unstable or lost its energy balance."""
 
 
 class RunInterrupted(KeyboardInterrupt):
@@ -142,11 +142,11 @@ class RunInterrupted(KeyboardInterrupt):
 
 
 class StudyError(InputError):
-    """Error for a study file with an unknown name or without a required entry."""
+    """Error for a study file that cannot be read, or with an entry that is unknown, missing or invalid."""
 
 
 class RunFileError(BondemError):
-    """Error for a run file that cannot be written, read or resumed."""
+    """Error for a run file that cannot be read or resumed, or for any file that cannot be written."""
 
 
 class MissingDependencyError(BondemError, ImportError):

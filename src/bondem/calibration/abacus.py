@@ -56,9 +56,9 @@ class Curve:
         return float(self.nu.min()), float(self.nu.max())
 
     def value_for(self, nu: float) -> float | None:
-        """Parameter value for a given ν [-], or None outside the range of the curve.
+        """Parameter value for a given ν [-], or None outside the range of its monotone branch.
 
-        This is the inverse of `nu_at`. For a curve that is not monotone, it uses the longest monotone branch.
+        This is the inverse of `nu_at` on the longest monotone branch, the whole curve if that is monotone.
         """
         first, last = self._branch
         low, high = sorted((self.nu[first], self.nu[last]))

@@ -27,12 +27,12 @@ class AffineEstimate:
 
     Attributes:
         stiffness: C = 1/V Σ kn δn δn + ks δs·δs over the bonds, for six unit strains [Pa], (6, 6).
-        E: Young's modulus [Pa]: along x for a bar, otherwise of the isotropic average.
-        nu: Poisson's ratio [-]: along x for a bar, otherwise of the isotropic average.
+        E: Young's modulus [Pa]: along x for a bar, otherwise that of the isotropic average over 1 - `wall`.
+        nu: Poisson's ratio [-]: along x for a bar, otherwise that of the isotropic average.
         coordination: mean over the bonds of the mean number of bonds of their two elements [-].
         looseness: mean over the bonds of 1/z_i + 1/z_j, with z the numbers of bonds of the two elements [-]. It
             measures the relaxation.
-        wall: mean radius times the side area of a bar over its volume [-]; for other shapes times half the surface;
+        wall: R̄ S_side / V of a bar with the side area S_side, R̄ S / (2 V) of other shapes with the surface S [-];
             0 for periodic cells.
         shear: ratio Σ ks L² / Σ kn L² [-].
         bending: ratio Σ kb / Σ kn L² [-].
@@ -58,9 +58,9 @@ def affine_estimate(lattice: Lattice, law: BondAssignment, *, bar: bool | None =
     """Compute the affine estimate of a lattice.
 
     For a bar, the sum is over the bonds in the middle half of its length, as in `static_tension`. For other shapes
-    and periodic cells the sum is over all bonds, and E is the mean over all directions. Loads act at centres of
-    elements, so that the loaded length is shorter than the body by a radius at either end. A surface S has the mean
-    projected area S/4 (Cauchy), so that the loaded volume is smaller than the body by R̄ S/2.
+    and periodic cells the sum is over all bonds, and E and ν are those of the isotropic average. Loads act at centres
+    of elements, a radius below the walls. A surface S has the mean projected area S/4 (Cauchy), so that the loaded
+    volume is smaller than the body by R̄ S/2. E of other shapes than bars is therefore divided by 1 - `wall`.
 
     Args:
         lattice: elements and bonds.

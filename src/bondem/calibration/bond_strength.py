@@ -42,7 +42,7 @@ def calibrate_bond_strength(
         density: density of the elements [kg/m³].
 
     Raises:
-        InputError: a target that is not positive, a UCS below the tensile strength, or a periodic cell.
+        InputError: a target that is not positive, a UCS not above the tensile strength, or a periodic cell.
         UnstableRunError: a test failed at the start.
     """
     targets = {"ucs": number("calibrate", "ucs", ucs, unit="Pa", above=0.0),

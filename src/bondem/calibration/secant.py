@@ -6,7 +6,7 @@ import numpy as np
 
 from bondem._types import Floats
 
-# Changes of parameters of the size of the noise of a test do not determine slopes, in logarithms.
+# Change of log(parameters) whose effect is about the noise of a test, so that smaller ones hardly change slopes.
 _NOISE = 0.02
 # Singular values of the weighted slopes below this share of the largest are neglected.
 _SINGULAR = 1e-3

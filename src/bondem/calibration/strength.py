@@ -183,9 +183,9 @@ def calibrate_strength(
 ) -> StrengthCalibration:
     """Calibrate failure parameters so that tests give target strengths.
 
-    The method is Broyden's secant method in logarithms: strengths are approximately powers of the parameters, so that
-    one step covers products of them. It makes a run at the start, one run for each unknown slope, and then steps
-    until all targets are met. With `out`, each finished test is stored; a repeated call continues from the stored
+    The method is Broyden's secant method in logarithms, in which products of powers of the parameters are linear. It
+    makes a run at the start, one for each parameter whose slopes are unknown, and then steps until all targets are
+    met or no step helps. With `out`, each finished test is stored; a repeated call continues from the stored
     tests.
 
     Args:
@@ -200,7 +200,7 @@ def calibrate_strength(
         out: folder of the runs; None stores nothing.
         about: description of the tests (body, law, version of a rig); runs stored with another one are rejected.
         progress: callback, called with one line of text before each test.
-        executor: executor for all tests of a run in parallel, lists function by function: a
+        executor: executor for all tests of a run in parallel, with a task per function of a list: a
             `concurrent.futures.ProcessPoolExecutor`, or `Client.get_executor()` of a Dask cluster. Functions are sent
             to its workers by pickle. None runs the tests in sequence.
 

@@ -57,7 +57,7 @@ class Runs:
         tests: tests by name.
         about: description of the tests; a file with another description is rejected.
         folder: folder of the stored results, or None.
-        progress: callback, called with the next test.
+        progress: callback, called with one line of text before each test.
         executor: executor for all tests of a run in parallel; None runs them in sequence.
         stored: finished tests: parameters, name of the test, and strengths [Pa] or the reason for failure.
     """
@@ -91,7 +91,7 @@ class Runs:
         self.stored.extend(rows)
 
     def run(self, number: int, parameters: Mapping[str, float]) -> StrengthRun:
-        """Run all tests at given parameters, except those with stored results; `number` is for messages.
+        """Run all tests at given parameters, up to a failed one, or reuse stored results; `number` is for messages.
 
         Raises:
             InputError: a test returned something other than positive numbers.

@@ -7,10 +7,10 @@ relaxation of the elements,
 
     ln(E / E_affine) = Σ_jk c_jk f_j g_k,    ν - ν_affine = Σ_jk d_jk f_j g_k,
     f = 1, ln p, ln² p, ln(12 q / p),    p = Σ ks L² / Σ kn L²,  q = Σ kb / Σ kn L²      (the law),
-    g = 1, ln v, w, w ln v, ln z,     v = ⟨1/z_i + 1/z_j⟩,  z = ⟨z_i + z_j⟩ / 2,  w = R̄ S / V   (the lattice),
+    g = 1, ln v, w, w ln v, ln z,     v = ⟨1/z_i + 1/z_j⟩,  z = ⟨z_i + z_j⟩ / 2      (the lattice),
 
-with coefficients measured by `python -m validation surface`; v and z are relative to fixed reference values. The sum
-over bonds is as accurate as the scatter of single packings. A higher accuracy requires a test of the specimen.
+with coefficients measured by `python -m validation surface`; w is `AffineEstimate.wall`, and v and z are relative to
+reference values. The prediction is as accurate as the scatter of single packings; more requires a test.
 """
 
 import json

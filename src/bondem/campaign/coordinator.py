@@ -41,17 +41,17 @@ def run_campaign(
     Args:
         campaign: the campaign.
         out: folder for the results, on a file system that all workers share.
-        workers: number of processes of a local cluster; None for one per core.
+        workers: number of processes of a local cluster; None for the SLURM jobs of the campaign, else one per core.
         address: scheduler address of an existing cluster.
         progress: callback, called with the name of the stage and its completed share [-].
         dashboard: callback, called with the address of the cluster's status page.
 
     Returns:
-        Contents of `results.json`, such as the number "finished", "failed" with a row per specimen, and "seconds".
+        Contents of `results.json`, such as the number "finished", the rows of "failed" specimens, and "seconds".
 
     Raises:
         InputError: the folder cannot be written, another process writes to it, or no scheduler is at the address.
-        MissingDependencyError: Dask or pandas is not installed.
+        MissingDependencyError: Dask, pandas or pyarrow is not installed.
     """
     instance("run_campaign", "campaign", campaign, Campaign, "a campaign from bd.read_campaign")
     folder = place("out", out)

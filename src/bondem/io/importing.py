@@ -66,8 +66,7 @@ def read_particles(
         columns: columns of x, y, z and radius in CSV files, by name or by number from 0; in XYZ files by number.
         radius: name of the array of radii in VTK files, dumps and extended XYZ. For dumps and XYZ without one: one
             radius for all, in the unit of the file.
-        diameters: True if sizes are diameters, for CSV, Yade, and XYZ with `columns`. Columns named diameter are
-            always halved.
+        diameters: True if sizes are diameters, for CSV, Yade and XYZ. Columns named diameter are always halved.
         periodic: True to use the box of a LAMMPS or XYZ file as a periodic cell, moved to the origin. None does so if
             the file states that all borders are periodic, which data files cannot. A file that states some of its
             borders to be periodic needs False, or `period`.

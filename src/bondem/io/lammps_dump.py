@@ -28,7 +28,7 @@ _PLACES = (
 
 @dataclass
 class _Frame:
-    """Snapshot of a dump: by ITEM its line number, the rest of its line, and the numbered lines below it."""
+    """Snapshot of a dump: first line, units, and by ITEM its line number, the rest of its line and lines below it."""
 
     line: int
     units: list[tuple[int, str]]

@@ -29,7 +29,7 @@ def read_csv(
         columns: columns of x, y, z and radius, by name in the header or by number from 0. None selects the columns of
             the header with these names (x, y, z and r, radius, d or diameter in any case, with units such as "x [mm]"
             or "x_mm"); a file without a header has these four only.
-        diameters: True if the last column contains diameters; a header may state it too.
+        diameters: True if the column of radii contains diameters; a header may state it too.
         unit_given: True if the caller knows the unit of length.
 
     Raises:

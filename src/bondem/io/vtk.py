@@ -45,7 +45,8 @@ def write_vtkhdf(
         bonds: further fields of the bonds by name, each (m,) or (m, k).
 
     Raises:
-        InputError: the file cannot be written, or a field has the wrong length or a name that is in use.
+        InputError: the file cannot be written, the state is of another lattice, a field has the wrong length or a
+            name in use, or `bonds` is given for cells.
     """
     path = place("write_vtkhdf: path", path)
     instance("write_vtkhdf", "lattice", lattice, Lattice, "a lattice")

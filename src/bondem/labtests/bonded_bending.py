@@ -29,7 +29,7 @@ class BentBonds:
         test: result of the test to failure.
         load: load P of each record [N], (k,).
         deflection: deflection of each record [m], (k,).
-        stiffness: slope of the load over the deflection [N/m].
+        stiffness: slope of the load over the deflection, from 0.1 to 0.5 of the peak [N/m]; NaN for too few records.
     """
 
     test: StrengthTest
@@ -106,7 +106,10 @@ def bend_bonded(
 def _roller(
     specimen: BondedSpecimen, at: float, side: float, radius: float, friction: float, speed: float, begin: float
 ) -> CylinderWall:
-    """Create a rod along z at x = `at` [m] that touches the beam from above (side 1) or below (side -1)."""
+    """Create a rod along z at x = `at` [m] that touches the beam from above (side 1) or below (-1).
+
+    It moves along y at `speed` [m/s], which it reaches at the time `begin` [s].
+    """
     lower, upper = specimen.bounds
     reach = specimen.bare.contact_radius + radius
     away = specimen.lattice.centre[:, 0] - at

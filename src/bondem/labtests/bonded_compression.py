@@ -66,7 +66,7 @@ def compress_bonded(
 
 
 def tear_bonded(specimen: BondedSpecimen, options: RunOptions) -> StrengthTest:
-    """Pull one end layer of bonded spheres along x away from the other, until they are separated."""
+    """Pull one end layer of bonded spheres along x away from the other, until the load has dropped to a tenth."""
     lower, upper = specimen.bounds
     section = specimen.lattice.particles.envelope.section()
     near, far = specimen.layer(0, -1.0), specimen.layer(0, 1.0)

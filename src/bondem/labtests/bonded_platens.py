@@ -46,14 +46,14 @@ _MOTION, _FARTHEST, _HALVINGS = 1e-5, 1e6, 12
 # A maximum after this share of the records is not a peak, as the load still rises.
 _LATE = 0.98
 #: A peak above this share of the expected one may be that of the specimen; limit of the motion over that at the
-# expected peak, and number of records until then.
+# expected peak, and number of records until that limit.
 LEAST, REACH, RECORDS = 0.2, 20.0, 4000
 
 
 def is_cells(body: Lattice, law: object) -> bool:
     """Return True to run a test with cells, False for bonded spheres and for the non-local law.
 
-    Invalid arguments give True, as the checks of tests with cells reject them.
+    A body that is no lattice gives True, as the checks of tests with cells reject it.
     """
     kind = kind_of(next(iter(law.values()), None) if isinstance(law, Mapping) else law)
     if kind.on_facets or not isinstance(body, Lattice):
@@ -118,7 +118,7 @@ class BondedSpecimen:
         """Check the arguments of a test that loads given `faces`, and create its specimen.
 
         Raises:
-            InputError: no criterion, a shape without the faces of the test, or arguments that a model rejects.
+            InputError: no criterion, a shape without these faces, a lattice without bonds, or an invalid density.
         """
         check(test, lattice, density=density)
         shape = lattice.particles.envelope
@@ -332,7 +332,7 @@ class BondedSpecimen:
         attempt writes a file of its own, "NAME-100.h5" next to "NAME.h5".
 
         Raises:
-            UnstableRunError: the run became unstable.
+            UnstableRunError: the run became unstable or lost its energy balance.
             RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
 
         Warns:

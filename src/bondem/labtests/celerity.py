@@ -58,8 +58,9 @@ def impact(
         Measured and theoretical speed [m/s], with the velocities of both faces over time as curves.
 
     Raises:
-        InputError: the velocity at x_min has no plateau; the specimen is too coarse, or E or rho are wrong.
-        UnstableRunError: the run became unstable.
+        InputError: a shape other than a Cylinder or a Box, or no plateau of the velocity at x_min, such as for a
+            coarse specimen or wrong E or rho.
+        UnstableRunError: the run became unstable or lost its energy balance.
         RunInterrupted: Ctrl-C was pressed; its `.result` has the velocities so far.
     """
     density, E, nu, rho = constant("density", density), constant("E", E), constant("nu", nu), constant("rho", rho)

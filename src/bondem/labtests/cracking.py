@@ -41,7 +41,7 @@ class Cracking:
         dissipated: energy dissipated by facets until the end of the test, crushing included [J].
         slipped: energy dissipated by yielding cells until the end of the test [J].
         stored: elastic energy of the specimen at its peak [J].
-        fracture_energy: fracture energy G_f of the material, of the matrix for materials by region [J/m²].
+        fracture_energy: fracture energy G_f of the material, or of the matrix [J/m²]; NaN for brittle bonds.
         section: area that a single crack has to cross [m²]; NaN for a test in compression, which has no such section.
         axis: normal of that section, 0, 1 or 2.
         crushed: energy of `dissipated` that facets released beyond G_f times their area, or without cohesion [J].
@@ -122,7 +122,7 @@ class Cracking:
 
     @property
     def stored_ratio(self) -> float:
-        """Elastic energy at the peak over the energy of one crack, G_f times the section [-]; NaN without these.
+        """Elastic energy at the peak over the energy of one crack, G_f times the section [-]; NaN if it is unknown.
 
         Above 1 the specimen stores more energy than one crack dissipates: the equilibrium path snaps back, and in a
         test at a given motion the excess drives further cracks and vibrations.

@@ -232,7 +232,7 @@ def failure_outcome(
 
     Raises:
         InputError: an unknown test, or a specimen, law or criterion that the test does not support.
-        UnstableRunError: the run became unstable.
+        UnstableRunError: the run became unstable or lost its energy balance.
     """
     asked, test = dict(options or {}), FAILURE_TESTS.get(name)
     if test is not None and test.bonded and not is_cells(body, law):

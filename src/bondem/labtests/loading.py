@@ -50,7 +50,7 @@ def load_to_failure(
 
     Raises:
         InputError: a lattice without cells, or a shape without faces x_min and x_max.
-        UnstableRunError: the run became unstable.
+        UnstableRunError: the run became unstable or lost its energy balance.
         RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
     """
     options.check_traverses(test)

@@ -50,7 +50,7 @@ class StrengthTest(PlottedState):
     Attributes:
         peak: largest stress [Pa], positive in tension and in compression; the test defines its section.
         E: slope of the stress over the strain of the curve, or over that of a gauge, between a tenth and half of the
-            peak [Pa]. Some tests derive a modulus from it.
+            peak [Pa]; NaN for too few records. Some tests derive a modulus from it.
         curve: strain [-] and stress [Pa] of each record, positive along the load, shape (k, 2).
         work: work of platens and loads until the end, per area of the broken section [J/m²].
         asymmetry: largest difference of the forces on both platens until the peak, over the peak [-].

@@ -24,7 +24,7 @@ _LEAST = 3
 
 
 def step_of(model: Model, *, damping: AnyDamping | None = None, softening: float = 0.45) -> float:
-    """Return the time step of a test [s]: 0.9 times the critical step, or `softening` times it if the model softens.
+    """Return the time step of a test [s]: 0.9 of the critical step, or `softening` of it if cells can crack or yield.
 
     Cracks that open fast and slip have an energy error of second order, so that half the step gives a quarter of it.
     """
@@ -57,7 +57,7 @@ def run_test(
         **options: further options of `solve_explicit`.
 
     Raises:
-        UnstableRunError: the run became unstable.
+        UnstableRunError: the run became unstable or lost its energy balance.
         InputError: the file holds another run, or cannot be written.
         RunInterrupted: Ctrl-C was pressed; the exception contains the result of the curve so far.
     """

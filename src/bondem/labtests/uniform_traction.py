@@ -24,10 +24,10 @@ class UniformStress(StiffnessResult):
     """Elastic moduli of a body of any shape.
 
     Attributes:
-        compliance: symmetric part of the matrix of mean strains (rows, engineering shear) under unit stresses xx, yy,
-            zz, yz, xz, xy [1/Pa], (6, 6).
-        asymmetry: largest difference of compliance and its transpose, over the largest entry [-]. It is 0 for a
-            uniform material.
+        compliance: symmetric part of the measured matrix of mean strains (rows, engineering shear) under unit
+            stresses xx, yy, zz, yz, xz, xy [1/Pa], (6, 6).
+        asymmetry: largest difference of the measured matrix from its transpose, over its largest entry [-]. It is 0
+            for a uniform material.
     """
 
     compliance: Floats

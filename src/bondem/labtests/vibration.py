@@ -118,7 +118,7 @@ def free_vibration(
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
-        UnstableRunError: the run became unstable.
+        UnstableRunError: the run became unstable or lost its energy balance.
         RunInterrupted: Ctrl-C was pressed; its `.result` is the motion so far.
     """
     density, E, nu, rho = constant("density", density), constant("E", E), constant("nu", nu), constant("rho", rho)
@@ -163,7 +163,7 @@ def recorded_vibration(run: ExplicitResult, released: float, energy: float) -> F
     """Evaluate a run with `end_gauges`, from the time of release [s] and the energy at release [J].
 
     Raises:
-        UnstableRunError: the run became unstable.
+        UnstableRunError: the run became unstable or lost its energy balance.
     """
     if run.status.failed:
         raise UnstableRunError(run.message)

@@ -71,7 +71,7 @@ def strike(
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
-        UnstableRunError: the run became unstable.
+        UnstableRunError: the run became unstable or lost its energy balance.
         RunInterrupted: Ctrl-C was pressed; its `.result` has the velocities so far.
     """
     near, far = Face("x_max", depth), Face("x_min", depth)

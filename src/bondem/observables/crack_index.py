@@ -26,9 +26,9 @@ def crack_index(
     """Compute the index of the criterion of each facet at the stress σ* (see `bd.Rankine`).
 
     Broken facets have index 0, softening ones 1. For `bd.Rankine` the index is the largest principal stress of σ*
-    over the strength. It is at most the opening traction along the principal directions over the strength along
-    them, and in compression at most the index of the traction alone. For other criteria facets in compression have
-    index 0. Facets of material planes have the index of their traction.
+    over the strength. It does not exceed the opening traction along the principal directions over the strength along
+    them. In compression it does not exceed the index of the traction alone. For other criteria facets in compression
+    have index 0. Facets of material planes have the index of their traction.
 
     Args:
         model: model whose facets may crack.

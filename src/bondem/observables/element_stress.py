@@ -28,6 +28,7 @@ class ElementStress:
     antisymmetric part balances them.
 
     Attributes:
+        lattice: the elements.
         stress: σ [Pa], shape (n, 3, 3).
         couple_stress: μ about the centre of each element [N/m], shape (n, 3, 3).
         volume: V [m³], shape (n,); the sum is the volume of the shape, shared in proportion to the spheres.

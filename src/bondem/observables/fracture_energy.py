@@ -30,7 +30,7 @@ class FractureEnergy:
         area: own area of the facets, or of the sections of the beams [m²].
         dissipated: energy dissipated by these facets or beams [J].
         crushed: part of `dissipated` beyond the fracture energy [J].
-        entered: mean energy that fracture can absorb per own area [J/m²]; NaN for brittle bonds.
+        entered: mean energy that fracture can absorb per own area [J/m²]; NaN for brittle bonds or without breakage.
     """
 
     region: Region | tuple[Region, Region] | None

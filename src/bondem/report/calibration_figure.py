@@ -12,12 +12,7 @@ from bondem.report.style import BLUE, GREY, INK, ORANGE, sheet
 
 
 def draw_calibration(path: Path, fit: Calibration) -> None:
-    """Draw ν and E/E_μ over the free parameter, and E and ν of every calibrating packing.
-
-    Args:
-        path: PNG to write.
-        fit: the calibration.
-    """
+    """Draw ν and E/E_μ over the free parameter, and E and ν of every calibrating packing, into a PNG."""
     known, free = curve(type(fit.law)), fit.law.free
     trial = np.array([(one.value, one.nu, one.stiffness_ratio) for one in fit.table]).T
     with sheet(path, 10.2, 3.5, 1, 3) as (_, (left, middle, right)):

@@ -21,12 +21,7 @@ _EXAGGERATED = 0.15
 
 
 def draw_body(path: Path, body: Lattice) -> None:
-    """Draw cells coloured by size, one half whole and the other cut open along the axis.
-
-    Args:
-        path: PNG to write.
-        body: lattice of cells.
-    """
+    """Draw the cells of a body coloured by size, one half whole and the other cut open along the axis, into a PNG."""
     size = body.elements.relative_size
     norm = Normalize(float(size.min()), float(size.max()))
     lower, upper = body.particles.envelope.bounds
@@ -43,12 +38,7 @@ def draw_body(path: Path, body: Lattice) -> None:
 
 
 def draw_bent(path: Path, specimen: Examined) -> None:
-    """Draw the exaggerated bending of a body along y with the axial stress of its cells, and an axial section.
-
-    Args:
-        path: PNG to write.
-        specimen: body with a bending test.
-    """
+    """Draw a body in its test `static_bending`, exaggerated, and a section, coloured by axial stress, into a PNG."""
     body, curves = specimen.lattice, specimen.outcomes["static_bending"].curves
     solid = polyhedra(body)
     stress, moved = curves["axial_stress"] / 1e6, curves["displacement"]

@@ -49,7 +49,7 @@ class Examined:
         rho: mass of the connected elements over the volume of the shape [kg/m³], or None.
         outcomes: results of the tests, by name.
         frequencies: natural frequencies if a dynamic test was requested, or None.
-        law: law of the body, by region if it has aggregates.
+        law: law of the body, by region if it has aggregates; None for a study without a material.
         aggregates: aggregates of the specimen, or None.
     """
 
@@ -87,7 +87,7 @@ class Findings:
         title: title of the report.
         material: continuum to reproduce; None for a study that packs and checks only.
         bonds: bonds of the tests; None for a study that packs and checks only.
-        chart: evaluations over the range of the free parameter, for the calibration curve.
+        chart: evaluations at 0.6 to 1.4 times the calibrated parameter, for the calibration curve; empty without it.
         calibrating: number of packings of the calibration, the first ones.
         specimens: all packings.
         results: contents of `results.json`.

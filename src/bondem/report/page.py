@@ -108,6 +108,9 @@ def write_report(
         figures: True to draw figures.
         progress: callback, called with the completed share [-], 0 … 1.
 
+    Raises:
+        RunFileError: a file cannot be written, such as on a full disk.
+
     Warns:
         ReportWarning: a figure was not drawn.
     """

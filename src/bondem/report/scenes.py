@@ -40,7 +40,8 @@ def render_run(
         axes: True to draw coordinate axes.
 
     Raises:
-        InputError: The field, snapshot, camera or suffix is unknown.
+        InputError: the field, object, snapshot, camera or suffix is unknown, the file cannot be written, or a film
+            lacks imageio.
         RunFileError: the file is not a run file.
     """
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)  # no messages about a missing screen

@@ -20,12 +20,7 @@ _VIEW = View(azimuth=math.radians(28.0), elevation=math.radians(24.0))
 
 
 def draw_specimen(path: Path, lattice: Lattice) -> None:
-    """Draw elements coloured by radius on one half, and the bonds alone on the other.
-
-    Args:
-        path: PNG to write.
-        lattice: the specimen.
-    """
+    """Draw elements coloured by radius on one half of a specimen, and its bonds alone on the other, into a PNG."""
     particles = lattice.particles
     x = particles.position[:, 0]
     shown = x < x.min() + 0.55 * np.ptp(x)
@@ -71,7 +66,7 @@ def draw_contacts(path: Path, lattice: Lattice) -> None:
 
 
 def draw_geode(path: Path, quality: Fabric) -> None:
-    """Draw bond directions on the 320 faces of a geodesic sphere, from the side and along x, and their histogram."""
+    """Draw the density of bond directions over an isotropic one on 320 faces of a sphere: two views, a histogram."""
     sphere = direction_sphere()
     density = quality.face_density
     spread = max(0.05, float(np.abs(density - 1.0).max()))

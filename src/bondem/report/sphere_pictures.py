@@ -15,7 +15,7 @@ def draw_spheres(
     ax: Axes, lattice: Lattice, colour: Floats, *, view: View, moved: Floats | None = None, shown: Mask | None = None,
     scale: float = 1e3,
 ) -> None:  # fmt: skip
-    """Draw elements as spheres, without those displaced from the median by more than half of the extent.
+    """Draw elements as spheres, without those whose displacement is more than half the extent off the median.
 
     Args:
         ax: axes to draw on.

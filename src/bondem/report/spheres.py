@@ -88,7 +88,7 @@ def _rendered(positions: bytes, radii: bytes, colours: bytes, view: View, width:
 
 
 def tubes(start: Floats, end: Floats, radius: float) -> tuple[Floats, Ints]:
-    """Represent segments (k, 3) to (k, 3) as rows of overlapping spheres; return centres and segment numbers."""
+    """Represent segments between points (k, 3) by overlapping spheres; return their centres and segment numbers."""
     count = np.maximum(2, np.ceil(np.linalg.norm(end - start, axis=1) / (0.7 * radius))).astype(int)
     segment = np.repeat(np.arange(len(start)), count)
     step = np.arange(len(segment)) - np.repeat(np.cumsum(count) - count, count)
@@ -144,7 +144,7 @@ def _shaded(depth: Floats, owner: Ints, centre: Floats, size: Floats, colour: Fl
 
 
 def _blurred(field: Floats, reach: float) -> Floats:
-    """Gaussian blur over `reach` pixels, on block means if they are fine enough."""
+    """Gaussian blur over `reach` pixels, on means of blocks of at most a quarter of it."""
     block = max(1, int(0.25 * reach))
     rows, columns = field.shape
     padded = np.pad(field, ((0, -rows % block), (0, -columns % block)))

@@ -94,7 +94,8 @@ def sheet(
 ) -> Iterator[tuple[Figure, Any]]:
     """Create a figure in the common style and save it to `path` at the end of the block, without global state.
 
-    Within `narrow()` it is 4.2 inches wide, with its panels in one column; the array of axes keeps its shape.
+    Within `narrow()` a wider figure is 4.2 inches wide, with its panels in one column; the array of axes keeps its
+    shape.
 
     Args:
         path: PNG to write.

@@ -25,8 +25,8 @@ class Turning:
     """Data of the rotatable picture.
 
     Attributes:
-        place: centres from -1 to 1 as 16-bit integers, three per element, base64.
-        size: radii over the largest as bytes, base64.
+        place: coordinates of the centres from -1 to 1, times 32 000, as 16-bit integers, three per element, base64.
+        size: radii over the largest, times 255, as bytes, base64.
         colour: indices of the colours as bytes, base64.
         colours: colours in the notation of HTML.
         largest: largest radius over half of the longest edge [-].
@@ -42,7 +42,7 @@ class Turning:
 
 
 def turning_of(one: Examined) -> Turning:
-    """Return data of the elements at rest, coloured by radius, or after the first test, coloured by displacement."""
+    """Return data of elements at rest, coloured by radius, or after the first test to failure, by displacement."""
     particles = one.lattice.particles
     centre, radius = particles.position, particles.radius
     chosen = np.arange(len(radius))

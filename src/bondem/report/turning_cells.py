@@ -27,8 +27,8 @@ class TurningCells:
     """Data of the rotatable picture of cells.
 
     Attributes:
-        corner: corners of the polygons from -1 to 1 as 16-bit integers, three per corner, base64.
-        size: corners of each polygon as bytes, base64.
+        corner: coordinates of the corners from -1 to 1, times 32 000, as 16-bit integers, three per corner, base64.
+        size: number of corners of each polygon as bytes, base64.
         edge: 1 for each corner that begins a drawn edge, else 0, as bytes, base64.
         colour: red, green and blue of each polygon as bytes, base64.
         axes: initial directions to the right, upwards and to the viewer, (3, 3).

@@ -62,7 +62,7 @@ def require_strength(
     """Check that tests to failure and a criterion are given together; `require` checks them against the bonds.
 
     Raises:
-        StudyError: Tests to failure or the criterion are missing, or the bonds of the study do not support them.
+        StudyError: tests to failure or the criterion are missing, or the bonds of the study do not support them.
     """
     asked = [name for name in tests if name in FAILURE_TESTS]
     if failure is None:

@@ -24,7 +24,7 @@ def line_of(text: str, key: str) -> int | None:
 
 
 def located(error: StudyError, text: str, file: str) -> StudyError:
-    """Return a copy of an error whose message states the file and the line of the first key that it names."""
+    """Return a copy of an error whose message states the file and, if found, the line of a key that it names."""
     own, places = _specimen_of(str(error), text), _places(text)
     named = [found.group(1) or found.group(2) for found in _NAMED.finditer(str(error))]
     within = [

@@ -30,7 +30,7 @@ class Series:
         name: name of the specimen.
         study: packings and tests of the specimen.
         targets: target strengths by test [Pa].
-        inputs: hash of the specimen's entries in the file, and of the files that it names.
+        inputs: hash of the study of the specimen, with its shared tables, and of the files that it names.
     """
 
     name: str

@@ -41,7 +41,7 @@ def run_programme(
 
     Raises:
         InputError: the folder cannot be written to, another process writes to it, or a study is not feasible.
-        UnstableRunError: a run became unstable. Results of finished specimens are kept.
+        UnstableRunError: a run became unstable or lost its energy balance. Finished specimens are kept.
     """
     with only_writer(Path(out), "output folder"), reported(progress) as on_stage:
         return _carry_out(programme, Path(out), fresh, on_stage)

@@ -29,8 +29,8 @@ _MOST = 1 << 62
 class TomlTable:
     """Table of a study file with its declared keys.
 
-    All methods that read a key raise StudyError for a missing or invalid value. Use the table as a context manager:
-    at its end, a key of the file that was not requested raises StudyError.
+    Methods that read a key raise StudyError for an invalid value, or a missing one without a default. Use the table
+    as a context manager: at its end, a key of the file that was not requested raises StudyError.
 
     Args:
         data: contents of the table.

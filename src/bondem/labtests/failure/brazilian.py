@@ -100,7 +100,7 @@ def brazilian(
     The platens of a plain `bd.Cylinder` constrain the free facets in two strips of its side along y only. The stress
     across the diameter at the centre is then below that of a line load. The factor is the mean of cos β (1 - 4 sin²
     β) over the pressure under a smooth rigid stamp, ∝ 1 / √(sin² α - sin² β): 0.983 at α = 5°, 0.932 at 10°. It
-    superposes chords after Timoshenko and Goodier §41; a uniform pressure (Hondros 1959) would give 0.989 and 0.955.
+    superposes chords after Timoshenko and Goodier §41; a uniform traction along y would give 0.989 and 0.955.
     For a disc whose shape has flats "top" and "bottom", the platens constrain the flats, and the factor is that of
     Wang et al. (2004), 0.960 at 10°.
 
@@ -134,7 +134,7 @@ def brazilian(
 
     Raises:
         InputError: another shape, no criterion, a criterion that this stress never reaches, or a value out of range.
-        UnstableRunError: the run became unstable.
+        UnstableRunError: the run became unstable or lost its energy balance.
         RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
 
     Warns:

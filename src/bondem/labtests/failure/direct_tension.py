@@ -50,7 +50,7 @@ def direct_tension(
 
     Raises:
         InputError: a criterion without a tensile strength, no criterion, or a shape without flat ends.
-        UnstableRunError: the run became unstable.
+        UnstableRunError: the run became unstable or lost its energy balance.
         RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
 
     Warns:

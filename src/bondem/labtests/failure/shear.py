@@ -121,7 +121,7 @@ def shear(
 
     Raises:
         InputError: a body without such borings, no criterion, a criterion without strength, or a value out of range.
-        UnstableRunError: the run became unstable.
+        UnstableRunError: the run became unstable or lost its energy balance.
         RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
 
     Warns:

@@ -33,7 +33,7 @@ _CRUMB, _BROKEN = 0.01, 0.1
 _REBOUND = 0.04
 # Largest number of bins of a profile.
 _MOST_BINS = 1_000_000
-# Length of the bins along the bar, over the mean edge of its cells.
+# Length of the bins along the bar over the mean edge of its cells, and number of steps between records.
 _BIN = 1.0
 _EVERY = 2
 
@@ -170,7 +170,7 @@ def spall(
     Raises:
         InputError: a lattice without cells, no faces x_min and x_max, a pulse longer than two passes along the bar,
             or a value out of range.
-        UnstableRunError: the run became unstable.
+        UnstableRunError: the run became unstable or lost its energy balance.
         RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
 
     Reference: Novozhilov's formula as in Schuler, Mayrhofer and Thoma, Int. J. Impact Eng. 32 (2006) 1635-1650.

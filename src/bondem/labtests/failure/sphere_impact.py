@@ -119,7 +119,7 @@ def sphere_impact(
     Raises:
         InputError: a shape other than a ball, a plane inside the ball or more than a diameter away, a velocity away
             from the plane, or a value out of range.
-        UnstableRunError: the run became unstable.
+        UnstableRunError: the run became unstable or lost its energy balance.
         RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
     """
     density = constant("density", density)

@@ -116,13 +116,13 @@ def three_point_bending(
     roller. The rollers neither constrain the beam along x nor clamp it.
 
     `bd.solve_quasistatic` follows the equilibrium path, also through snap-back, so that density and speed do not
-    enter. Tension alone decides: from `bd.MohrCoulomb` only the tensile strength and the fracture energy are used,
-    and cells do not yield.
+    enter. Tension alone decides: of `bd.MohrCoulomb` only tensile strength, fracture energy, softening curve and
+    scatter are used, and cells do not yield.
 
     The deflection is the displacement of the middle of the section at mid-span (above a notch, of the ligament)
     relative to mid-depth over the supports. It excludes the indentation by the rollers. E follows from P / (E b)
     ((L/D)³/4 + (0.6 + 0.375 ν) L/D - 0.21) (Timoshenko and Goodier §40). The last terms are the shear of beam theory
-    less the local effect of the roller, 4 % of the total at L = 3 D.
+    less the local effect of the roller, which is 4 % of the total at L = 3 D and ν = 0.2.
 
     Bonded spheres have a run over time, between rigid rods along z that touch the outermost spheres; the one above
     mid-span moves. E uses the ν of the bond law, and `cmod` is None.
@@ -146,8 +146,11 @@ def three_point_bending(
     Raises:
         InputError: an unsuitable body, a span or strip that does not fit, an unsupported criterion or option, or the
             name of a gauge used twice.
-        UnstableRunError: the run of bonded spheres became unstable.
+        UnstableRunError: the run of bonded spheres became unstable or lost its energy balance.
         RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
+
+    Warns:
+        NotQuasistaticWarning, StrengthWarning: conditions of `uniaxial_compression`, for bonded spheres.
     """
     if not is_cells(body, law):
         if strip is not None or gauges:

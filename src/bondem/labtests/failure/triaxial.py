@@ -97,7 +97,7 @@ def triaxial(
     Raises:
         InputError: a pressure that is not positive, a criterion without yielding of cells, no criterion, or a shape
             that walls cannot confine.
-        UnstableRunError: the run became unstable.
+        UnstableRunError: the run became unstable or lost its energy balance.
         RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
 
     Warns:

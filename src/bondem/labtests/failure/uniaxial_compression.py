@@ -62,7 +62,7 @@ def uniaxial_compression(
 
     Raises:
         InputError: a criterion without yielding of cells, no criterion, or a shape without flat ends.
-        UnstableRunError: the run became unstable.
+        UnstableRunError: the run became unstable or lost its energy balance.
         RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
 
     Warns:
@@ -87,7 +87,7 @@ def compressed(
     reach: float | None,
     options: RunOptions,
 ) -> StrengthTest:
-    """Compress a specimen, with the arguments of `uniaxial_compression`, in the test of a given name."""
+    """Run the compression test named `test`; arguments, result and errors are those of `uniaxial_compression`."""
     owner = f"labtests.{test}"
     number(owner, "pressure", pressure, unit="Pa", least=0.0)
     rough = number(owner, "platen_friction", platen_friction, least=0.0)
