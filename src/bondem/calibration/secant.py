@@ -39,7 +39,7 @@ class Secant:
         return float(np.abs((y - self.target) * self.weight).max())
 
     def step(self, most: float, low: Floats, high: Floats) -> Floats:
-        """Compute the Gauss–Newton step from the best point within bounds, with no component longer than `most`."""
+        """Compute the Gauss–Newton step from `x` within bounds, (k,), scaled to components of at most `most`."""
         scaled = self.slopes * self.weight[:, None]
         miss = (self.target - self.y) * self.weight
         found, free = np.zeros(len(self.x)), np.ones(len(self.x), dtype=bool)

@@ -105,7 +105,7 @@ class StrengthSearch:
         ]))  # fmt: skip
 
     def _visit(self, x: Floats, values: Floats | None = None) -> Floats | None:
-        """Run the tests at a point; return the logarithms of the mean strengths, or None if a test failed."""
+        """Run the tests at a point; return the logarithms of the mean strengths, (m,), or None if a test failed."""
         given = np.exp(x) if values is None else values
         parameters = dict(zip(self.names, map(float, given), strict=True))
         done = self.made.run(len(self.runs) + 1, parameters)

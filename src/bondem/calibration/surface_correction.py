@@ -43,13 +43,13 @@ class ExtrapolationWarning(UserWarning):
 
 
 def law_terms(shear: Any, bending: Any) -> Floats:
-    """Terms f of the model on the last axis: 1, ln p, ln² p, ln(12 q / p)."""
+    """Terms f of the model on the last axis, (…, 4): 1, ln p, ln² p, ln(12 q / p)."""
     x = np.log(shear)
     return np.stack([np.ones_like(x), x, x * x, np.log(12.0 * np.asarray(bending)) - x], axis=-1)
 
 
 def lattice_terms(coordination: Any, looseness: Any, wall: Any) -> Floats:
-    """Terms g of the model on the last axis: 1, ln v, w, w ln v, ln z."""
+    """Terms g of the model on the last axis, (…, 5): 1, ln v, w, w ln v, ln z."""
     z, v, w = np.log(np.asarray(coordination) / _COORDINATION), np.log(np.asarray(looseness) / _LOOSENESS), wall
     return np.stack([np.ones_like(z), v, np.asarray(w, dtype=float), v * w, z], axis=-1)
 

@@ -46,7 +46,7 @@ class RawSpheres:
 
 
 def numbered_lines(path: Path) -> Iterator[tuple[int, str]]:
-    """Yield the number, from 1, and the stripped text of each non-empty line of a file."""
+    """Yield number, from 1, and stripped text of each non-empty line; InputError for a file that is not text."""
     try:
         with open(path, encoding=encoding_of(path)) as file:
             for number, line in enumerate(file, start=1):

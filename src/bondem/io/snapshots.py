@@ -168,7 +168,7 @@ def _single(values: Any) -> Any:
 
 
 def _drawn(model: Model) -> np.ndarray:
-    """Numbers of the bonds that do not cross the border of a periodic cell."""
+    """Numbers of the bonds that do not cross the border of a periodic cell, (b,)."""
     if model.lattice.particles.period is None:
         return np.arange(len(model.lattice.pairs))
     position, pairs = model.lattice.particles.position, model.lattice.pairs

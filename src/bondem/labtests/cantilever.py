@@ -122,7 +122,7 @@ class Cantilever:
         return solution, specimen_faces(self.lattice, depth).motion(model, solution, "x_max")
 
     def profile(self, displacement: Floats, component: int) -> dict[str, Floats]:
-        """Evaluate component 0 … 5 of the rigid motion of the cross-sections [m or rad] over x [m], for figures."""
+        """Evaluate the curves "x" [m] and "profile", component 0 … 5 of the motion of sections [m or rad]."""
         chosen = self.lattice.connected
         x, motion = profile(self.lattice.centre[chosen], displacement[chosen])
         return {"x": x, "profile": motion[:, component]}

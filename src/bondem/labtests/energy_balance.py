@@ -37,7 +37,7 @@ def _of_run(test: StrengthTest | BrazilianTest | TriaxialTest) -> dict[str, Floa
 
 
 def _of_path(path: QuasistaticResult) -> dict[str, Floats]:
-    """Compute the energies along a path [J], from load and roller motion.
+    """Compute the energies along a path of k events [J], (k + 1,) each, from load and roller motion.
 
     Each failure event occurs at constant load. Between events, motion and load are proportional.
     """

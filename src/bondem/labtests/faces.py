@@ -144,7 +144,7 @@ class WalledFaces(SpecimenFaces):
         return free.cell, free.centroid, free.area[:, None] * free.normal
 
     def _surface(self, model: Model, solution: StaticResult) -> Floats:
-        """Displacements of the free facets under the loads of the model [m], in the order of `cells.free`."""
+        """Displacements of the free facets under the loads of the model [m], (k, 3), in the order of `cells.free`."""
         traction = loads_on_facets(model) / self.elements.cells.free.area[:, None]
         return surface_displacement(model, solution.displacement, solution.rotation, traction=traction)
 

@@ -65,7 +65,8 @@ class CellForces:
             result: a linear `StaticResult`, or a `State`.
 
         Raises:
-            InputError: The model has another law, or the result belongs to another model.
+            InputError: The model has another law, the result is of another model, or a state with cracks was changed
+                after its last step.
         """
         refusal = "cell_stress: the model has no cells; give a body of cells and bond=bd.CellBond(...)"
         model.interaction.require_facets(refusal)

@@ -30,7 +30,7 @@ def cell_stress(model: Model, result: SmallMotion | State) -> Floats:
             solution as a state with its pose.
 
     Raises:
-        InputError: The result belongs to another model.
+        InputError: The result belongs to another model, or a state with cracks was changed after its last step.
     """
     instance("cell_stress", "model", model, Model, "bd.Model(...)")
     found = stress_fields(model, result)

@@ -83,7 +83,7 @@ def fracture_energies(state: State) -> tuple[FractureEnergy, ...]:
 
 
 def _broken(model: Model, state: State) -> tuple[Ints, Floats, Floats]:
-    """Return internal numbers of broken bonds, their dissipated energy, and the energy that fracture can absorb [J].
+    """Return internal numbers of broken bonds, dissipated energy and energy that fracture can absorb [J], (b,) each.
 
     Brittle bonds can absorb an infinite energy, so that none of their energy counts as crushing.
     """

@@ -132,7 +132,7 @@ def section_through(solid: Polyhedra, axis: int, at: float) -> CellSection:
 
 
 def draw_section(ax: Axes, section: CellSection, colour: Floats, *, scale: float = 1e3) -> None:
-    """Draw a section in the colours of all cells, (n, 3), on axes in units of a metre over `scale`."""
+    """Draw a section in the colours of all cells, (n, 3), on axes with `scale` units per metre."""
     face = colour[section.cell]
     ax.add_collection(
         PolyCollection([scale * one for one in section.outline], facecolors=face, edgecolors="white", linewidths=0.35)

@@ -66,7 +66,7 @@ def draw_elements(
     ax: Axes, body: Lattice, colour: Floats, moved: Floats, corners: Callable[[Polyhedra], Floats], *,
     view: View, shown: Mask | None = None, piece: np.ndarray | None = None, scale: float = 1e3,
 ) -> None:  # fmt: skip
-    """Draw cells as polyhedra, or elements as spheres, on axes in units of a metre over `scale`.
+    """Draw cells as polyhedra, or elements as spheres, on axes with `scale` units per metre.
 
     Colours and drawn displacements of the centres [m] have shape (n, 3), the mask `shown` and the fragment `piece` of
     each element (n,). `corners` returns the drawn displacements of the corners of the polygons of cells [m], (v, 3).

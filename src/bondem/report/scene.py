@@ -162,7 +162,7 @@ class Scene:
         return mesh
 
     def _corners(self, mesh: Any, elements: Any) -> Floats:
-        """Return the corners of rotated cells with magnified displacements [m]."""
+        """Return the corners of rotated cells with magnified displacements [m], (c, 3)."""
         moved = mesh.cell_data["displacement"]
         start = vtk_to_numpy(mesh.GetCells().GetOffsetsArray())
         cell = np.repeat(np.arange(mesh.n_cells), np.diff(start))
@@ -210,7 +210,7 @@ class Scene:
 
 
 def _direction(camera: str) -> tuple[Floats, Floats]:
-    """Return unit vectors from the body to the camera, and upwards.
+    """Return unit vectors from the body to the camera and upwards, (3,) each.
 
     Raises:
         InputError: no such camera.

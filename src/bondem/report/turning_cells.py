@@ -89,13 +89,13 @@ def _clearest(place: Floats, solid: Polyhedra, seen: Ints, label: Ints) -> View:
 
 
 def _seen(solid: Polyhedra, label: Ints) -> Ints:
-    """Return the polygons on the boundary and between two fragments."""
+    """Return the numbers of the polygons on the boundary and between two fragments, (p,)."""
     other = np.maximum(solid.neighbour, 0)
     return np.flatnonzero((solid.neighbour < 0) | (label[solid.cell] != label[other]))
 
 
 def _rows(start: Ints, chosen: Ints) -> tuple[Ints, Ints]:
-    """Return the rows of the corners of chosen polygons, and the number of corners of each."""
+    """Return the rows of the corners of chosen polygons, (v,), and the number of corners of each, (p,)."""
     count = np.diff(start)[chosen]
     first = np.repeat(start[chosen] - np.append(0, np.cumsum(count))[:-1], count)
     return first + np.arange(int(count.sum())), count

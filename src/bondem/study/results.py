@@ -69,7 +69,7 @@ def _macro(bonds: Bonding, specimens: Sequence[Examined]) -> dict[str, Any]:
 
 
 def deviation(values: Sequence[float]) -> float | None:
-    """Return the standard deviation of a sample; None for a single value."""
+    """Return the standard deviation of a sample; None for fewer than two values."""
     return float(np.std(values, ddof=1)) if len(values) > 1 else None
 
 

@@ -232,7 +232,7 @@ class _Core:
 
 
 def _boring(shape: Shape, lower: Floats, upper: Floats, end: float) -> tuple[float, float, float]:
-    """Measure the inner radius, outer radius and depth of the ring boring in the end at x = `end` [m]."""
+    """Measure inner and outer radius and depth [m] of the ring boring at x = `end` [m]; InputError if missing."""
     middle, length = 0.5 * (lower + upper), float(upper[0] - lower[0])
     way = 1.0 if end == lower[0] else -1.0
     start = np.array([end + way * 1e-6 * length, middle[1], middle[2]])
