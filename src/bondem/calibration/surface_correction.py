@@ -10,7 +10,7 @@ relaxation of the elements,
     g = 1, ln v, w, w ln v, ln z,     v = ⟨1/z_i + 1/z_j⟩,  z = ⟨z_i + z_j⟩ / 2      (the lattice),
 
 with coefficients measured by `python -m validation surface`; w is `AffineEstimate.wall`, and v and z are relative to
-reference values. The prediction is as accurate as the scatter of single packings; more requires a test.
+reference values. Errors are about the scatter of single packings. A higher accuracy requires a test of the specimen.
 """
 
 import json

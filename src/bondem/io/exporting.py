@@ -242,7 +242,7 @@ def _meshio_format(suffix: str) -> str:
 
 
 def _polyhedra(frame: _Frame) -> tuple[Floats, list[tuple[str, Any]], list[Ints]]:
-    """Return points [m], (c, 3), cells in blocks of equal numbers of corners, and cell numbers by block."""
+    """Return points [m], (c, 3), cells in blocks of equal corner counts for meshio, and cell numbers by block."""
     corners = Corners(frame.lattice)
     points = corners.place if frame.state is None else corners.moved(frame.lattice, frame.state)
     faces: list[list[Ints]] = [[] for _ in frame.position]

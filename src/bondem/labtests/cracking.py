@@ -40,7 +40,7 @@ class Cracking:
         integrity: largest integrity of a facet that counts as cracked [-].
         dissipated: energy dissipated by facets until the end of the test, crushing included [J].
         slipped: energy dissipated by yielding cells until the end of the test [J].
-        stored: elastic energy of the specimen at its peak [J].
+        stored: elastic energy of the specimen at its peak, or its largest if fragments fly apart [J].
         fracture_energy: fracture energy G_f of the material, or of the matrix [J/m²]; NaN for brittle bonds.
         section: area that a single crack has to cross [m²]; NaN for a test in compression, which has no such section.
         axis: normal of that section, 0, 1 or 2.

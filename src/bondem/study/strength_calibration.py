@@ -78,7 +78,7 @@ class StrengthPlan:
 def run_strength(
     plan: StrengthPlan, out: str | Path | None = None, *, progress: Callable[[str], None] | None = None
 ) -> StrengthCalibration:
-    """Pack, test and calibrate cells by a plan; `progress` is called with a line of text for each run.
+    """Pack, test and calibrate cells by a plan; `progress` is called with a line of text before each test.
 
     With a folder `out`, every test is stored there, and a later call continues from the stored tests.
 
