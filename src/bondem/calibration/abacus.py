@@ -56,7 +56,7 @@ class Curve:
         return float(self.nu.min()), float(self.nu.max())
 
     def value_for(self, nu: float) -> float | None:
-        """Parameter value for a given ν [-], or None outside the range of its monotone branch.
+        """Parameter value for a given ν [-], or None outside the range of the curve's monotone branch.
 
         This is the inverse of `nu_at` on the longest monotone branch, the whole curve if that is monotone.
         """

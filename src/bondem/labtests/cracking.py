@@ -122,7 +122,7 @@ class Cracking:
 
     @property
     def stored_ratio(self) -> float:
-        """Elastic energy at the peak over the energy of one crack, G_f times the section [-]; NaN if it is unknown.
+        """Elastic energy at the peak over the energy of one crack, G_f times the section [-]; NaN without either.
 
         Above 1 the specimen stores more energy than one crack dissipates: the equilibrium path snaps back, and in a
         test at a given motion the excess drives further cracks and vibrations.

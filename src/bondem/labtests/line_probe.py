@@ -11,7 +11,7 @@ _POINTS, _HALVINGS = 2000, 40
 
 
 def walls_along(shape: Shape, start: Floats, end: Floats) -> tuple[bool, Floats]:
-    """Find the intersections of a line with the walls of a shape; two within 1/2000 of its length may be missed.
+    """Find where a line intersects the walls of a shape; two walls within 1/2000 of its length may be missed.
 
     Args:
         shape: shape with walls.

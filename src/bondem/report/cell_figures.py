@@ -38,7 +38,7 @@ def draw_body(path: Path, body: Lattice) -> None:
 
 
 def draw_bent(path: Path, specimen: Examined) -> None:
-    """Draw a body in its test `static_bending`, exaggerated, and a section, coloured by axial stress, into a PNG."""
+    """Draw the exaggerated body of `static_bending` and its axial section, coloured by axial stress, into a PNG."""
     body, curves = specimen.lattice, specimen.outcomes["static_bending"].curves
     solid = polyhedra(body)
     stress, moved = curves["axial_stress"] / 1e6, curves["displacement"]

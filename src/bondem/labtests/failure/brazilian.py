@@ -138,7 +138,7 @@ def brazilian(
         RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
 
     Warns:
-        NotQuasistaticWarning: `StrengthTest.unbalance` is above 0.02 for bonded spheres; for cells as in `solve_explicit`.
+        NotQuasistaticWarning: `.test.unbalance` is above 0.02 for bonded spheres; for cells as in `solve_explicit`.
         StrengthWarning: the load of bonded spheres still rises at the limit of the motion.
 
     Reference: ISRM, Int. J. Rock Mech. Min. Sci. 15 (1978) 99–103; Wang et al., ibid. 41 (2004) 245–253.

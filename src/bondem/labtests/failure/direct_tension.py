@@ -55,7 +55,7 @@ def direct_tension(
 
     Warns:
         FractureEnergyWarning: the work per section is not a fracture energy.
-        NotQuasistaticWarning: `StrengthTest.unbalance` is above 0.02 for bonded spheres; for cells as in `solve_explicit`.
+        NotQuasistaticWarning: `.unbalance` is above 0.02 for bonded spheres; for cells as in `solve_explicit`.
         StrengthWarning: the load of bonded spheres still rises at the limit of the motion.
     """
     options = RunOptions.of(density, traverses, out, progress)

@@ -125,7 +125,7 @@ def shear(
         RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
 
     Warns:
-        NotQuasistaticWarning: `StrengthTest.unbalance` is above 0.02 for bonded spheres; for cells as in `solve_explicit`.
+        NotQuasistaticWarning: `.unbalance` is above 0.02 for bonded spheres; for cells as in `solve_explicit`.
         StrengthWarning: the load of bonded spheres still rises at the limit of the motion.
     """
     owner, options = "labtests.shear", RunOptions.of(density, traverses, out, progress)

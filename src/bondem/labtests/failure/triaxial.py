@@ -101,7 +101,7 @@ def triaxial(
         RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
 
     Warns:
-        NotQuasistaticWarning: `StrengthTest.unbalance` is above 0.02 for bonded spheres; for cells as in `solve_explicit`.
+        NotQuasistaticWarning: `.test.unbalance` is above 0.02 for bonded spheres; for cells as in `solve_explicit`.
         StrengthWarning: the load of bonded spheres still rises at the limit of the motion.
     """
     advice = "a positive pressure; without one it is labtests.uniaxial_compression"

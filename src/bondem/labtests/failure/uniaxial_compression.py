@@ -66,7 +66,7 @@ def uniaxial_compression(
         RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
 
     Warns:
-        NotQuasistaticWarning: `StrengthTest.unbalance` is above 0.02 for bonded spheres; for cells as in `solve_explicit`.
+        NotQuasistaticWarning: `.unbalance` is above 0.02 for bonded spheres; for cells as in `solve_explicit`.
         StrengthWarning: the load of bonded spheres still rises at the limit of the motion.
     """
     return compressed(
