@@ -17,7 +17,7 @@ _MOST = 2**16
 
 
 def half_width(n: int, *, kind: Kind, level: float) -> float:
-    """Half-width of an interval over the standard deviation of n packings [-]; see `Sample.interval`, also for errors."""
+    """Half-width of an interval over the standard deviation of n packings [-]; for errors see `Sample.interval`."""
     choice("interval", "kind", kind, Kind)
     if not 0.0 < level < 1.0:
         raise InputError(f"level = {level}: not a probability; give a number between 0 and 1, such as 0.95")
