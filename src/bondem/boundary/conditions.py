@@ -158,6 +158,9 @@ class Load:
         force: total force [N], (3,).
         moment: total moment [N·m], (3,).
         schedule: factor over time [-], or a number for a constant factor; 1 from t = 0 by default.
+
+    Raises:
+        InputError: A vector is not three finite numbers, or a region or schedule is another object.
     """
 
     region: Region

@@ -81,6 +81,9 @@ class CylinderWall:
         outside: True for elements outside of it (a rod), False for elements inside (a vessel).
         motion: motion of the wall; None for a fixed wall. A servo changes the radius.
         friction: μ against the elements [-]; None for that of the contact law.
+
+    Raises:
+        InputError: A value is out of range, or a direction has no length.
     """
 
     radius: float
@@ -117,6 +120,9 @@ class SphereWall:
         inside: True for elements inside of it.
         motion: motion of the wall; None for a fixed wall. A servo changes the radius.
         friction: μ against the elements [-]; None for that of the contact law.
+
+    Raises:
+        InputError: A value is out of range.
     """
 
     radius: float

@@ -118,7 +118,7 @@ class StressIndex:
         return self.indices(factors[:, None, None] * directions) < 1.0
 
     def nearest(self) -> float:
-        """Return the least size √(σ:σ) of a stress that reaches the criterion, over some hundred directions [Pa]."""
+        """Return the least size √(σ:σ) of a stress that reaches the criterion, over about 200 directions [Pa]."""
         drawn = ndtri(uniform_by_counter(0, 9 * _DIRECTIONS)).reshape(-1, 3, 3)
         tried = np.concatenate([TRIED, -TRIED, drawn + drawn.transpose(0, 2, 1)])
         size = np.array([np.linalg.norm(matrix) for matrix in tried])

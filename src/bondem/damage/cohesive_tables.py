@@ -55,7 +55,7 @@ def new_cohesive_cracks(state: FailingState, listed: np.ndarray, slide: float) -
 
 
 def _columns_of_cracks(cracks: CohesiveCracks) -> list[tuple[int | slice, Floats, int | slice]]:
-    """Return columns of `State.cracks`, each with the table of a run and its columns that have the same numbers."""
+    """Return columns of `State.cracks`, each with a table of a run and its columns for the same values."""
     def columns(first: int, number: int) -> slice:
         return slice(first, first + number)
 

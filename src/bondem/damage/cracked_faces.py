@@ -19,7 +19,7 @@ class CrackedFaces:
         state: state of the run.
 
     Attributes:
-        outer: distance within which two cells may touch by faces, as a sum of both [m], (n,).
+        outer: reach of the faces of each cell [m], (n,): two cells may touch by faces within the sum of both.
     """
 
     def __init__(self, joints: CrackJoints, state: FailingState) -> None:

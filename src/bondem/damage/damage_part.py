@@ -95,7 +95,7 @@ class DamageTables:
         )
 
     def keep(self, integrity: np.ndarray, state: FailingState) -> None:
-        """Write the events since the last call, and the integrity of bonds (m,) or longer, into a state."""
+        """Write the events since the last call, if any, and the integrity of bonds, (m,) or longer, into a state."""
         count = int(self.log.written[LogCount.EVENTS])
         if count:
             state.broken = np.concatenate([state.broken, self.log.event[:count]])

@@ -51,11 +51,7 @@ def criteria_of(failure: object) -> tuple[Criterion, ...]:
 
 
 def _check_combined(found: tuple[Criterion, ...]) -> None:
-    """Reject criteria of different kinds, because a run evaluates all of its bonds by one function.
-
-    Raises:
-        InputError: The criteria cannot be combined.
-    """
+    """Raise InputError for criteria of different kinds, because a run evaluates all of its bonds by one function."""
     first, *others = found
     if not others:
         return

@@ -18,9 +18,9 @@ def strengths_of(table: FailureTable) -> Strengths:
 
 
 def traction_indices(normal: PerBond3, traction: PerBond3, area: PerBond, table: FailureTable) -> PerBond:
-    """Return the failure index of each facet under its traction [Pa], which is proportional to it [-], (m,).
+    """Return the failure index of each facet [-], (m,), which is proportional to its traction.
 
-    Normals and tractions, (m, 3), and areas [m²], (m,), are in internal order.
+    Normals [-] and tractions [Pa], (m, 3), and areas [m²], (m,), are in internal order.
     """
     found = np.zeros(len(area))
     loaded = LoadedTractions(normal, traction, area)

@@ -55,7 +55,7 @@ def cells_of_bands(
         Start of the list of each cell, (n + 1,), and all lists, one after the other.
 
     Raises:
-        InputError: A periodic edge is shorter than the width of a band.
+        InputError: A periodic edge is shorter than a band and half a cell together.
     """
     n, period = len(order), body.particles.period
     own = np.flatnonzero(yields)

@@ -146,6 +146,6 @@ class CoreLoop:
 
 
 def noticeable(model: Model, dt: float) -> float:
-    """Return the energy that guards ignore [J]: that of negligible motion, and that which adhesion may release."""
+    """Return the energy that guards ignore [J]: that of negligible motion plus the most that adhesion may release."""
     rest = 0.5 * float(model.mass.sum()) * (_STILL * model.lattice.particles.mean_radius / dt) ** 2
     return rest + model.contact_laws.released(model.contact_radius)

@@ -12,8 +12,8 @@ class LocalDamping:
     """Local damping: each component of force and torque is reduced against the motion, F_i - γ |F_i| sign(v_i).
 
     It vanishes in equilibrium and where the net force vanishes, and does not depend on the mass; it has no
-    counterpart in a real material. A free oscillation loses the factor √((1 - γ) / (1 + γ)) of its amplitude every
-    half period. Reference: Chen et al. (2022) eqs (11), (12), where the printed F U/U stands for F.
+    counterpart in a real material. A free oscillation keeps √((1 - γ) / (1 + γ)) of its amplitude per half period.
+    Reference: Chen et al. (2022) eqs (11), (12), where the printed F U/U stands for F.
 
     Attributes:
         gamma: damping coefficient γ [-], in [0, 1); other values raise InputError.

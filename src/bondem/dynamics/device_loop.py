@@ -180,7 +180,7 @@ class DeviceLoop:
         return size
 
     def _stopped(self) -> int | None:
-        """Return the step whose end an out-of-date list of contacts has reached, or None."""
+        """Return the last completed step if an out-of-date list of contacts has halted the launches, else None."""
         span = self._run.span
         self._tables.fetch(span.halted)
         if span.halted[0] == 0:
@@ -216,7 +216,7 @@ class DeviceLoop:
         return int(found[GuardNumber.WIDE]), int(found[GuardNumber.LOST]), int(found[GuardNumber.ENDING])
 
     def _set_clock(self) -> None:
-        """Set the clock of the device to the step of the state, and empty its records and logs of events."""
+        """Set the clock of the device to the step of the state, and its counts of records and events to zero."""
         clock = self._run.span.clock
         clock[:] = 0
         clock[_STEP] = self.state.step
@@ -244,7 +244,7 @@ class _Records:
         self.prepare()
 
     def prepare(self) -> None:
-        """Prepare the launches of the present parts."""
+        """Prepare the launches that write a row, of the present parts."""
         self.row = self._loop._tables.prepared(self._loop._recording(self._rows))
 
     def finished(self, steps: Sequence[int]) -> np.ndarray:

@@ -12,11 +12,11 @@ from bondem.errors import ImbalanceWarning
 from bondem.model.model import Model
 from bondem.model.state import State
 
-# A balance counts once it has been beyond a limit for this many steps: a sudden load sets the shortest waves in
+# An imbalance counts once it has been beyond a limit for this many steps: a sudden load sets the shortest waves in
 # motion, whose energy the scheme resolves worst and which soon is a small part of all.
 _SUSTAINED = 200
-# Displacement per step over the mean radius, and in units of the rounding of a coordinate: energies of motions below
-# it are those of rounding errors.
+# Displacement per step over the mean radius, and in units of the rounding of the largest coordinate. Energies of
+# motions below the sum of both are rounding errors.
 _STILL, _ROUNDING = 1e-9, 1e3
 # Velocity Verlet lets the energy of the shortest waves oscillate, by a quarter of that of noise at 0.9 of the
 # critical step. This oscillation does not grow. An error up to this share of the vibration energy therefore stops no
@@ -54,7 +54,7 @@ class EnergyCheck:
         """Examine further records; return a text about a balance beyond the second limit, else an empty text.
 
         Warns:
-            ImbalanceWarning: The balance is beyond the first limit; given once.
+            ImbalanceWarning: The balance is beyond the first limit, but not the second; given once.
         """
         if not len(records):
             return ""

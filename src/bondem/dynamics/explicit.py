@@ -45,6 +45,8 @@ def integrate(
 ) -> ExplicitResult:
     """Carry out a plan from rest, or continue from `state` and `history` of the same plan.
 
+    A given dt is not checked, because `settled` has done so.
+
     Args:
         model: model to run; its geometry is the reference configuration.
         plan: parameters of the run.
@@ -57,8 +59,6 @@ def integrate(
             change the state, and ends the run by returning True.
         remark: addition to the message of the result.
         halt: function called repeatedly; the run stops, with a checkpoint, if it returns a signal.
-
-    A given dt is not checked, because `settled` has done so.
 
     Raises:
         InputError: A callback is given without records, or a value does not fit the model.

@@ -29,7 +29,7 @@ def _members(model: Model, gauge: AnyGauge) -> np.ndarray:
         InputError: The wall does not exist.
     """
     if isinstance(gauge, StrainGauge):
-        return np.zeros(1, dtype=np.int64)  # the core fills its columns with the motion of any element
+        return np.zeros(1, dtype=np.int64)  # the core writes a motion there, which `StrainGauges` overwrites
     if isinstance(gauge, Gauge):
         return np.sort(model.layout.rank[gauge.region.select(model.lattice)])
     if not 0 <= gauge.wall < len(model.walls):

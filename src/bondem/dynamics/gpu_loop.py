@@ -7,7 +7,7 @@ from bondem.errors import InputError
 from bondem.model.model import Model
 from bondem.model.state import State
 
-# Numbers of bonds, and of facets that may crack, from which on an index or that of half a crack needs over 32 bits.
+# Bounds of the numbers of bonds, and of facets that may crack: indices of bonds and of halves of cracks have 32 bits.
 _MOST_BONDS, _MOST_FACETS = 2**31, 2**30 - 1
 
 

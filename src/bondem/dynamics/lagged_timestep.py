@@ -44,8 +44,8 @@ def lagged_limits(
         scheme: time integration scheme.
         terms: coefficients of damping.
         springs: ω_max of all bonds [rad/s].
-        matters: factor over the critical step above which the value without dashpots is computed [-]; if it is not
-            larger, the critical step is returned twice.
+        matters: factor over the critical step [-]. Only longer steps are tried without dashpots; if none of these is
+            stable, the critical step is returned twice.
 
     Warns:
         StepWarning: Lagged steps are unstable at any share.
@@ -104,9 +104,10 @@ def _fastest_decay(model: Model, law: LaggedInteraction, kn: PerBond, beta: PerB
 
 
 def growth(model: Model, law: LaggedInteraction, dt: float, terms: DampingTerms, *, steps: int = _STEPS) -> float:
-    """Return the growth of small motions over the last half of some steps [-], infinite where they overflow.
+    """Return the largest Σ m v² of small motions in the last quarter of some steps over that in the second [-].
 
-    Local and bond damping act. The motions start from a fixed random field, and no element is constrained.
+    It is infinite where the motions overflow. Local and bond damping act. The motions start from a fixed random
+    field, and no element is constrained.
     """
     weight = np.repeat(np.column_stack([model.mass, model.inertia]), 3, axis=1)
     speed = np.random.default_rng(0).standard_normal(weight.shape) / np.sqrt(weight)

@@ -27,7 +27,7 @@ class FoundContacts:
     Attributes:
         pairs: pairs of elements.
         whole: distance at which pairs touch as spheres [m], (c,).
-        least: distance at which each pair touches: `whole`, or less after contact by faces inside it [m], (c,).
+        least: distance at which each pair touches [m], (c,): `whole`, or less where faces brought a pair nearer.
         faces: faces by which pairs touch, as one number, 0 for none, (c,).
         own: normal stiffness of the pairs of bonds, or 0 [N/m], (c,).
         of_bond: place of the pair of each bond in the list, or -1, (m,).
@@ -67,7 +67,7 @@ class ContactSearch:
             contacts: contacts of the model.
             state: state with the pose of the elements.
             joints: `Joints.integrity` and `Joints.apart` of the damage pipeline; passes write both arrays.
-            outer: distance within which two cells may touch by faces, as a sum of both [m], (n,); None without.
+            outer: reach of the faces of each cell [m], (n,): cells may touch by faces within their sum; None without.
         """
         self._size = contacts.radius if outer is None else np.maximum(contacts.radius, outer)
         self._contacts = contacts

@@ -28,7 +28,7 @@ Callback = Callable[[State, History], bool | None]
 
 __all__ = ["Callback", "ExplicitResult", "Loop", "Plan", "Status", "settled"]
 
-# More steps than these take weeks on two elements: a duration in other units.
+# Largest number of steps: more would take weeks for two elements, and indicate a duration in another unit.
 _MOST = 10**12
 
 
@@ -120,7 +120,7 @@ class ExplicitResult(Solution, PlottedState):
     balance over its largest entry (NaN without records).
 
     Attributes:
-        state: final state; after an unstable run, the last good state, at most 10 000 steps earlier.
+        state: final state; after an unstable run, the last good state, fewer than 6 000 steps earlier.
         history: records of the run.
         dt: time step [s].
         message: one line about the end of the run.

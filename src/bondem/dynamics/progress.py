@@ -1,4 +1,4 @@
-"""Progress of an explicit run, sent about once a second to a listener such as a terminal or a log.
+"""Progress of an explicit run, sent about once a second or more often to a listener such as a terminal or a log.
 
 Laboratory tests and studies call runs through many functions. A listener belongs to the context (`contextvars`), so
 that none of these functions has to pass it.

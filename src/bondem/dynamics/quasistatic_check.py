@@ -1,9 +1,8 @@
 """Measurement of runs that are meant to be quasi-static: kinetic energy, forces at both ends and of servo walls.
 
-A run with a servo wall counts as meant to be quasi-static. A run that loads the specimen between two ends, one of
-them driven, counts on one of two conditions. Either it has local or mass damping, or it records a force and reaches
-its largest elastic energy only after many transits of a wave. Impacts, waves, vibrations and pulses of pressure are
-not checked.
+Runs with a servo wall are checked. A run that loads the specimen between two ends, one of them driven, is checked if
+it has local or mass damping. It is also checked if it records a force and reaches its largest elastic energy only
+after many transits of a wave. Other runs, such as impacts, waves, vibrations and pulses of pressure, are not checked.
 """
 
 from collections.abc import Iterator

@@ -42,8 +42,8 @@ def begin(model: Model, state: State | None) -> State:
             fit them, or displacements would jump.
 
     Warns:
-        StageWarning: A schedule that was not in the run that made the state began before its time. Or a load or
-            strain differs from that of the equilibrium from which the run begins.
+        StageWarning: A schedule that is new in this run no longer has its first value at the time of the state. Or a
+            load or strain differs from that of the equilibrium from which the run begins.
         ContactWarning: A wall faces away from all elements, or elements begin behind a wall.
     """
     if state is not None:
@@ -66,11 +66,7 @@ def begin(model: Model, state: State | None) -> State:
 
 
 def check_gauges(model: Model, plan: Plan) -> None:
-    """Reject force gauges that can only record zero.
-
-    Raises:
-        InputError: A force gauge has a region where nothing is held, driven or loaded.
-    """
+    """Raise InputError for a force gauge that can only record zero: nothing is fixed, driven or loaded there."""
     row_of = model.constraints.row_of
     for name, gauge in plan.gauges.items():
         if not isinstance(gauge, Gauge) or gauge.quantity != "force":

@@ -23,9 +23,9 @@ def goes_on(model: Model, state: State) -> bool:
 def stage_walls(model: Model, state: State) -> Floats:
     """Return the initial places [m] and orientations of walls that hold facets of cells, as `State.grips`, (g, 7).
 
-    A wall that held a facet along an axis continues from its place, even if another condition moves it now. A wall
-    that did not begins at the facet. The facet then initially carries the loads on it that have been removed, or
-    nothing. If a wall resists the rotation of its facet more than before, the moment on the cell does not jump.
+    A wall that held a facet along an axis continues from its place, even if another condition moves it now. Any other
+    wall begins at its facet. The facet then initially carries the loads on it that have been removed, or nothing. If
+    a wall resists the rotation of its facet more than before, the moment on the cell does not jump.
 
     Args:
         model: model of the new stage.

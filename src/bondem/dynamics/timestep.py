@@ -37,10 +37,10 @@ def critical_step(
 ) -> float:
     """Return the largest stable time step of a scheme on a model [s]; infinite without bonds and contacts.
 
-    It also holds for contacts that form later, because every element counts with the largest number of contacts that
-    it can have. Local damping multiplies a decelerating force by 1 + γ, and with it the effective stiffness and
-    dashpots. Dashpots lower the limit by √(1 + ζ²) - ζ, with 2 ζ ω the largest eigenvalue of M⁻¹ C. Mass damping and
-    absorbing boundaries do not. For a law that lags, trial steps find it (`bondem.dynamics.lagged_timestep`).
+    The step also holds for contacts that form later, because every element counts with the largest number of contacts
+    that it can have. Local damping multiplies a decelerating force by 1 + γ, and with it the effective stiffness and
+    dashpots. Dashpots multiply the step by √(1 + ζ²) - ζ, with 2 ζ ω the largest eigenvalue of M⁻¹ C. Mass damping
+    and absorbing boundaries do not. Trial steps find that of a law that lags (`bondem.dynamics.lagged_timestep`).
 
     Args:
         model: model that will move.
@@ -143,10 +143,10 @@ def choose_step(
     safety: float,
     damping: AnyDamping | tuple[AnyDamping, ...] | None = None,
 ) -> Step:
-    """Return the time step to use: the given one if it is stable, else `safety` times the critical one.
+    """Return the given step after a check, or for None `safety` times the critical one, less for short collisions.
 
     Raises:
-        UnstableStepError: dt is not positive or exceeds the critical step.
+        UnstableStepError: dt is not positive or exceeds the critical step, or the lattice has no stiffness.
 
     Warns:
         StepWarning: The given dt is above 0.9 of the critical step, or dashpots of bonds make the default step more
@@ -180,7 +180,7 @@ def _default_step(model: Model, critical: float, free: float, safety: float) -> 
         model: model that will move.
         critical: critical step [s].
         free: critical step without dashpots of bonds [s].
-        safety: share of it [-].
+        safety: share of the critical step to use [-].
     """
     step, remark = safety * critical, ""
     if free > _DAMPED * critical:

@@ -1,8 +1,8 @@
 """Division of surfaces into patches: faces between sharp edges, as in a CAD program.
 
 Neighbouring triangles belong to one patch if the angle between their normals is below a limit. A plane that passes
-smoothly into a rounding, as beside a fillet, is a patch of its own if it is several times larger than every strip
-beside it. The normal of a very thin triangle is a rounding error: it joins the triangle beyond its longest side.
+smoothly into a rounding, as beside a fillet, is a patch of its own if it is at least four times as large as each flat
+piece beside it. A very thin triangle, whose normal is a rounding error, joins the one beyond its longest side.
 """
 
 from dataclasses import dataclass

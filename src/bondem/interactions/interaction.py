@@ -37,11 +37,11 @@ from bondem.interactions.stiffness_product import Product, loads_in, product_by
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.ordering import Layout
 
-#: Arrays of a state that a law owns, by name, with the integrity of its bonds.
+#: #: Arrays of a state that belong to a law, by name, with the integrity of its bonds.
 Arrays = Mapping[str, np.ndarray]
 #: Boundary conditions of a model.
 Boundary = Sequence[BoundaryCondition]
-#: What a criterion evaluates: forces of beams, tractions of facets, or the mean stress of two elements.
+#: #: Quantity that a criterion evaluates: forces of beams, tractions of facets, or the mean stress of two elements.
 Evaluated = Literal["force", "traction", "stress"]
 
 
@@ -371,13 +371,13 @@ class Interaction(ABC):
         return product_by(len(pose), lambda by: calls.multiply_beams(Poses(pose), by, beams))
 
     def gradient(self, pose: Floats) -> tuple[PerElement6, PerElement6]:
-        """Return the derivative of the energy by displacements and spins, and wall loads [N, N·m], internal order."""
+        """Return the energy of intact bonds derived by displacements and spins, and wall loads [N, N·m], (n, 6)."""
         beams, sums = self._beams(np.zeros(0), np.ones(len(self.layout.i))), lines(len(pose))
         load_beams(pose, beams, BeamSums(beams.i, beams.j, sums))
         return -loads_in(sums), np.zeros((len(pose), 6))
 
     def bond_tangents(self, pose: Floats) -> Floats:
-        """Return the second derivative of each bond's energy by the motions of its ends in a pose, (12, 12, m)."""
+        """Return the second derivative of each intact bond's energy by (u, θ) of its ends in a pose, (12, 12, m)."""
         beams = self._beams(np.zeros(0), np.ones(len(self.layout.i)))
         found = BondTangents(np.empty((12, 12, len(beams.i))))
         run_pass(calls.differentiate_beams(Poses(pose), beams, found))

@@ -71,7 +71,7 @@ class Stiffness:
         return np.asarray(force, dtype=float)
 
     def diagonal_blocks(self) -> Floats:
-        """Return the diagonal blocks without S, (n, 6, 6)."""
+        """Return the diagonal blocks of K without S, (n, 6, 6)."""
         n = self.shape[0] // 6
         row = np.repeat(np.arange(n), np.diff(self.bonds.indptr))
         blocks = self.bonds.data[self.bonds.indices == row]
@@ -83,7 +83,7 @@ class Stiffness:
         return np.asarray(blocks, dtype=float)
 
     def scaled(self, root: Floats) -> "Stiffness":
-        """Return Sᵀ K S, with the blocks `root` of S for each element, (n, 6, 6)."""
+        """Return Rᵀ K R with the block-diagonal matrix R of the blocks `root` of the elements, (n, 6, 6)."""
         B, F = self.bonds, self.forms
         row = np.repeat(np.arange(len(root)), np.diff(B.indptr))
         turned = np.swapaxes(root, 1, 2)
@@ -131,7 +131,7 @@ def _squares(forms: bsr_array, weight: Floats) -> Floats:
 
 
 def _by_columns(forms: bsr_array, root: Floats) -> bsr_array:
-    """Return F S, with the blocks `root` of S for each element, (n, 6, 6)."""
+    """Multiply `forms` from the right by the block-diagonal matrix of blocks `root` of the elements, (n, 6, 6)."""
     return bsr_array((forms.data @ root[forms.indices], forms.indices, forms.indptr), shape=forms.shape)
 
 

@@ -66,14 +66,14 @@ class Model:
         walls: rigid planes, cylinders and spheres; they need a `contact` law.
         failure: criterion by which bonds or facets break, such as `bd.PeripheralStress(...)`, or criteria of one kind
             by region: {region: criterion, (region, region): criterion}. None for bonds that never break. Bonds break
-            in `solve_explicit` and `solve_quasistatic`; linear and relaxed statics and modes reject a model with it.
+            in `solve_explicit` and `solve_quasistatic`; other solvers reject a model with it.
         mass_matrix: "lumped", the mass and inertia of each element, or "dispersion-corrected" for cells that cannot
             fail, in explicit runs and modes: waves of pressure have their celerity to 0.5 % at 10 elements per wave.
             A step takes longer, and energy is not conserved exactly where cells rotate.
 
     Raises:
-        InputError: A density is not positive, boundary conditions contradict each other, or masses and stiffnesses
-            exceed the range of numbers.
+        InputError: A density is not positive, laws, criteria, walls or conditions contradict the lattice or each
+            other, or masses and stiffnesses exceed the range of numbers.
         EmptyRegionError: A region selects no connected element.
     """
 

@@ -53,7 +53,7 @@ class State(StateMotion):
     - `history`: data that the law stores per bond: force and moment of the incremental formulation, (6, m), or gap,
       extra force and its work of the non-local law, (7, m); else (6, 0).
     - `stress`: stress of each element in its own frame, xx, yy, zz, xy, xz, yz [Pa], (n, 6), for the non-local law;
-      else (0, 6). A law may own arrays of other names, which follow all others in run files.
+      else (0, 6). A law may define arrays of other names, which follow all others in run files.
     - `eigenstrain`: ε* of each bond [-], whose rest length is L (1 + ε*); shape (m,), or (0,) if none was set.
     - `reaction`: minus the bond forces on the rows of the boundary [N, N·m], shape (r, 6).
     - `work`: work of loads, drives and walls that constrain cells on each row since the start [J], shape (r,). The
@@ -70,7 +70,7 @@ class State(StateMotion):
     - `released`: energy that breaking bonds have released since the start [J], shape (1,).
     - `crushed`: energy released before the start by facets or beams beyond their fracture energy [J], shape (1,).
     - `cracks`: facets that have begun to crack, in order of time (`bondem.damage.crack_columns`), shape (c, 30).
-    - `plastic`, `held_slip`: memory of cells that yield (`bondem.damage.crack_columns`), shapes (n, 17) and (n,).
+    - `plastic`, `held_slip`: memory of cells that yield (`PlasticColumn`), shapes (n, 17) and (n,), or no rows.
     - `softened`: beams that have begun to soften, in order of time (`SoftColumn`), shape (c, 7).
     - `grips`: origins of walls that constrain facets of cells (`bondem.boundary.wall_constraints`), shape (g, 7).
     - `facet_force`: force of each facet on its cell i [N], (3, m), if facets may crack; else (3, 0).
@@ -278,7 +278,7 @@ class State(StateMotion):
 
     @property
     def contacts(self) -> Pairs:
-        """Pairs of elements in contact, without bonded pairs, user's order, shape (c, 2)."""
+        """Pairs of elements in contact, without bonded ones unless `parallel=True`, user's order, shape (c, 2)."""
         return freeze(self.layout.order[self.touching[in_contact(self.stretch)]])
 
     @property

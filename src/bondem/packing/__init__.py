@@ -103,7 +103,7 @@ def pack(
         spread: κ = (R_max - R_min) / R̄ [-], radii uniform in R̄ (1 ± κ/2) (André et al. 2012, eq 10); 0.25 unless
             `sizes` is given. Equal spheres (0) order at walls.
         sizes: law of the radii, in place of `spread`: Uniform, Lognormal or Sieve.
-        method: "quench", "growth", "compression", "shear" (Box and Cylinder) or "even".
+        method: "quench", "growth" (exact walls only), "compression", "shear" (Box and Cylinder) or "even".
         seed: number that selects one of the random packings.
         coordination_number: target z = 2 contacts / spheres [-], ± 0.01; 6.2 if no target is given. Contacts are
             counted as by `bd.connect` with tolerance 0, over all spheres, including rattlers and those at walls.

@@ -28,7 +28,7 @@ _RATE = 0.02
 # Reduced pressure p V / N kT at which spheres count as jammed: gaps are about its inverse, in diameters.
 _JAMMED = 1e3
 
-# Gaps up to which spheres are neighbours, over the mean radius: flying, and caged from the third, a reduced pressure.
+# Gaps up to which spheres are neighbours, over the mean radius: below and above the reduced pressure `_CAGED`.
 _SKIN_FLYING, _SKIN_CAGED, _CAGED = 0.5, 0.15, 30.0
 
 # Share of the neighbour gap reserved for growth; the rest is for flight.

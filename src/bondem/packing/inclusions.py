@@ -1,9 +1,9 @@
-"""Coarse aggregates of a grading curve at random places of a shape, and centres of cells that follow their surfaces.
+"""Coarse aggregates of a grading curve at random places of a shape, and centres of cells that end on their surfaces.
 
-Two layers of centres face each other across the surface of a ball. For each direction one centre lies half the size
-of a cell inside, and one as far outside. The plane half-way between them touches the ball. A point of the surface is
-nearest to the two centres of the direction closest to it, so that cells end on these planes alone. The planes form a
-polyhedron around the ball, scaled to the volume of the ball.
+Directions are spread evenly about the centre of each ball. On each direction two centres lie half the size of a cell
+inside and outside of a sphere about the ball's centre. The plane half-way between them touches this sphere. Each
+point of the sphere is nearest to the two centres of the direction closest to it, so that cells end on these planes
+alone. The sphere has the radius at which the polyhedron of all planes has the volume of the ball.
 """
 
 import math

@@ -11,8 +11,8 @@ from bondem.packing.start import thrown
 from bondem.packing.targets import Jammed, Target
 
 # Initial volume fraction, far above jamming: spheres come to rest fast, and decompression leaves a denser and more
-# even packing than a quench near jamming. It keeps that density down to jamming (0.643 for equal spheres), so that
-# the second value, just above jamming, is used if jamming is the target.
+# even packing than a quench near jamming. Such a packing also jams at a higher density (0.643 for equal spheres). The
+# second value, just above jamming, is used if jamming is the target.
 _START_FRACTION, _START_JAMMED = 0.75, 0.655
 # Widely spread radii jam denser: φ = φ₁ + 0.0658 δ + 0.0857 S δ², with δ the standard deviation over the mean and S
 # the skewness (Desmond and Weeks, Phys. Rev. E 90, 022204, 2014). Below δ = _WIDE the difference does not matter.

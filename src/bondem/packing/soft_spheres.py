@@ -150,7 +150,7 @@ class SoftSpheres:
         return float(np.max(overlap / np.minimum(radius[i], radius[j]), initial=0.0))
 
     def near(self, skin: float, share: float, *, threads: int = 1) -> Near:
-        """Return neighbours with gaps up to `skin` [m], valid until a centre has moved by `share` of it.
+        """Return neighbours with gaps up to `skin` [m], valid until a centre has moved by `share` of `skin`.
 
         Centres are wrapped into the periodic cell first.
         """

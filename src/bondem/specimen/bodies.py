@@ -35,11 +35,7 @@ class Bodies:
         return freeze(np.bincount(self.label, minlength=len(self.names)))
 
     def require_one(self, owner: str) -> None:
-        """Reject a scene of several bodies.
-
-        Raises:
-            InputError: There are several bodies.
-        """
+        """Raise InputError for a scene of several bodies."""
         if len(self.names) > 1:
             several = len(self.names)
             raise InputError(f"{owner} takes one body, not a scene of {several}; give the body before bd.join")

@@ -39,9 +39,9 @@ from bondem.specimen.tessellation.facets import Cells, Facets
 class Lattice:
     """Elements and bonds, both in the user's order.
 
-    Pieces of a body other than its largest one are rattlers if they have fewer than max(10, 0.1 % of n) elements.
-    Rattlers stay in `particles` but are left out of matrices, loads, faces and fits. Several bodies in one lattice
-    come from `bd.join` or `bd.replicate`; the elements of a body without bonds are no rattlers.
+    Pieces of a body other than its largest one are rattlers if they have fewer elements than max(10, 0.1 % of the
+    body). Rattlers stay in `particles` but are left out of matrices, loads, faces and fits. Several bodies in one
+    lattice come from `bd.join` or `bd.replicate`; the elements of a body without bonds are no rattlers.
 
     Attributes:
         particles: the elements.

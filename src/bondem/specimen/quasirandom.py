@@ -23,7 +23,7 @@ def spread_points(count: int) -> Floats:
 
 
 def _mirrored_digits(count: int, base: int) -> Floats:
-    """Return 1, 2, ... `count` with their digits mirrored at the point (van der Corput)."""
+    """Return 1, 2, ... `count` with their digits in `base` mirrored at the point (van der Corput), (count,)."""
     left, value, place = np.arange(1, count + 1), np.zeros(count), 1.0
     while left.any():
         place /= base

@@ -17,7 +17,7 @@ from bondem.specimen.quasirandom import points_inside
 _SAMPLES = 1 << 16
 _THICKNESS = 2.0  # least thickness of a slice, in mean diameters
 _MOST = 12  # largest number of slices along an axis
-_CHANCE_DENSITY = 0.20  # σ(φ)/φ of n spheres between planes, times √n^(4/3): measured on random packings
+_CHANCE_DENSITY = 0.20  # σ(φ)/φ of n spheres between planes, times n^(2/3): measured on random packings
 _WAVES = (0.65, 1.25)  # wavelengths of layers, in mean diameters
 _SURE = 2.0  # standard deviations by which chance may exceed its mean
 _SHORTEST = 4.0  # least extent for layers that differ from those at walls, in mean diameters

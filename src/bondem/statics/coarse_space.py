@@ -48,7 +48,7 @@ def parted(clump: Ints, position: PerElement3, i: Ints, j: Ints, lost: PerBond) 
 
     Elements without a connection by bonds of at least half their stiffness are put into different clusters. A cluster
     that is still connected, but has bonds that have lost stiffness, is cut. The plane passes through their mean
-    position, normal to their direction.
+    position, and its normal is their main direction.
 
     Args:
         clump: number of the cluster of each element, (n,).

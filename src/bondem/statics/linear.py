@@ -104,7 +104,10 @@ class System:
         return motion - self.loose @ (self.loose.T @ (self._weight * motion))
 
     def balanced(self, load: Floats) -> Floats:
-        """Return a load (6 n,) without the rounding errors of its work on `loose`."""
+        """Return a load (6 n,) [N, N·m] without its part that does work on the rigid motions `loose`.
+
+        For a load in equilibrium this part is a rounding error.
+        """
         if self.loose.shape[1] == 0:
             return load
         return load - self._weight * (self.loose @ (self.loose.T @ load))
@@ -307,7 +310,7 @@ class Matrix(Protocol):
 def conjugate_gradients(
     matrix: Matrix, precondition: Callable[[Floats], Floats], residual: Floats, stop: float, *, energy: float = 0.0
 ) -> tuple[Floats, int]:
-    """Return x with |residual - K x| <= stop, and the number of iterations.
+    """Return x with |residual - K x| <= stop, and the number of iterations; ConvergenceError if there is none.
 
     The iteration also ends at r·z <= `energy`, with the remaining residual r and its preconditioned form z: r·z is
     about twice the energy of the error.

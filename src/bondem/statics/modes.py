@@ -102,9 +102,9 @@ def solve_modes(
         PrestressWarning: The model has loads or strains, and no `prestress` is given.
 
     Raises:
-        InputError: The model has fewer modes than `count`, contacts or walls. Or `prestress` is not an equilibrium of
-            the model, or an unstable one.
-        ConvergenceError: The iteration stopped before the tolerance of 1e-6 on frequencies.
+        InputError: The model has fewer modes than `count`, no bonds or potential, or contacts, walls or a criterion.
+            Or `prestress` is not an equilibrium of the model, or an unstable one.
+        ConvergenceError: The iteration did not reach an estimated error of 1e-8 in ω².
     """
     instance("solve_modes", "model", model, Model, "bd.Model(...)")
     count = whole_number("solve_modes", "count", count, least=1)

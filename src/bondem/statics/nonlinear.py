@@ -1,6 +1,6 @@
 """Equilibrium at large rotations: the minimum of the energy of bonds and loads, found by Newton's method.
 
-The tangent is the second derivative of the bond energy by displacements and spins, each bond's exact to rounding.
+The tangent is the second derivative of the bond energy by displacements and spins, exact to rounding for each bond.
 Loads keep their direction; the forces of a moment rotate with its region. Load and prescribed motion grow together in
 steps that rotate no element by more than a fraction of a radian. This follows the path from rest.
 """

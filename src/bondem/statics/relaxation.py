@@ -46,8 +46,8 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
         most: largest number of steps.
 
     Raises:
-        InputError: The model has contacts or walls, no supports or a prescribed velocity, or the tolerance is outside
-            (0, 1).
+        InputError: The model has contacts, walls, a criterion, cells, no potential, too few supports or a prescribed
+            velocity. Or `tolerance` or `most` is out of range.
         ConvergenceError: Forces do not balance in `most` steps, or bonds turned too far.
     """
     instance("solve_relaxed", "model", model, Model, "bd.Model(...)")

@@ -124,9 +124,9 @@ def solve_static(model: Model, *, nonlinear: bool = False, guess: StaticResult |
             it, and a nonlinear path begins at rest.
 
     Raises:
-        InputError: Loads are unbalanced on a specimen that is free to move, a velocity is prescribed, or the model
-            has contacts or walls. Or a guess is given for a nonlinear path, or belongs to another lattice.
-        ConvergenceError: No bond resists the load.
+        InputError: Loads drive a rigid motion that is free, a velocity is prescribed, or the model has contacts,
+            walls, a criterion or no bonds. Or a guess is given for a nonlinear path, or belongs to another lattice.
+        ConvergenceError: No bond resists the load, or no equilibrium is found.
     """
     instance("solve_static", "model", model, Model, "bd.Model(...)")
     instance("solve_static", "nonlinear", nonlinear, bool, "True or False")

@@ -18,7 +18,7 @@ from bondem.damage.cohesive_softening import Softening
 from bondem.damage.scatter import Normal, Weibull
 from bondem.interactions.beams.bond_law import BondStiffness, Section
 
-#: Names of the modes of breakage, the largest part of the index. States and run files store the number of the name.
+#: Names of the modes of breakage: the mode is the largest part of the index. States and run files store its number.
 MODES = tuple(mode.name.lower() for mode in FailureMode)
 
 #: Stresses by which criteria evaluate facets.
@@ -99,7 +99,7 @@ class Criterion(ABC):
     def principal(self) -> tuple[float, float, float] | None:
         """Factors a, b and c [1/Pa] of the limit max(a σ1, b σ1 - c σ3) = 1 of bonds that mean stresses break.
 
-        The value is None for a criterion that is not a function of principal stresses; such bonds cannot have it.
+        The value is None for a criterion that is not a function of principal stresses, which such bonds cannot have.
         """
         return None
 

@@ -48,8 +48,8 @@ class DruckerPrager(Criterion):
     Reference: Drucker and Prager (1952).
 
     Raises:
-        InputError: The strengths are not two, a strength is not positive, or no cone passes through them. A fracture
-            energy is not positive, or that of shear or a dilatancy is given without that of tension.
+        InputError: The strengths are not two, or no cone passes through them; a value is out of range; or a parameter
+            of yielding is given without the fracture energy of tension.
     """
 
     tension: float | None = None

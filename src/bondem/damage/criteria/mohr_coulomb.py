@@ -56,8 +56,8 @@ class MohrCoulomb(BondCriterion):
         curve: softening curve of cracks between cells; None for a straight line, the only one for beams.
 
     Raises:
-        InputError: A strength or fracture energy is not positive, or an angle is outside [0, π/2). Or a fracture
-            energy of shear or a dilatancy is given without the fracture energy of tension.
+        InputError: A strength, energy or width is not positive, φ is outside [0, π/2) or ψ outside [0, φ]. Or a
+            parameter of softening or yielding is given without the fracture energy of tension.
     """
 
     kind: ClassVar[str] = "mohr_coulomb"

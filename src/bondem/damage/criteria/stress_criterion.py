@@ -36,10 +36,10 @@ class StressCriterion(Criterion):
         failure = bd.StressCriterion(largest, tension=4e6, fracture_energy=50.0)
 
     The function takes the stresses of many facets at once: symmetric matrices (k, 3, 3) [Pa], in global axes, tension
-    positive, as in `bd.cell_stress`. It returns k indices. It is called once a step, and only in steps in which a
-    facet is near to failure. Strengths that scatter divide the stress. A crack softens up to the opening 2 G_f / f_t,
-    as for `bd.Rankine`. Here f_t is the least uniaxial tension along x, y or z at which the function reaches 1.
-    Without a fracture energy a facet breaks at once.
+    positive, as in `bd.cell_stress`. It returns k indices. It is called at most twice per step, and only in steps in
+    which a facet is near to failure. Where strengths scatter, it receives the stress over the strength factor of the
+    facet. A crack softens up to the opening 2 G_f / f_t, as for `bd.Rankine`. Here f_t is the least uniaxial tension
+    along x, y or z at which the function reaches 1. Without a fracture energy a facet breaks at once.
 
     The address of a C function, such as of cffi or `numba.cfunc`, is faster than a function of Python. Its parameters
     are those given, in this order::

@@ -51,7 +51,7 @@ def earlier_pairs(run: Translation, pairs: ContactPairs) -> EarlierPairs:
 
 
 EARLIER: Made = {EarlierPairs: lambda run, given: earlier_pairs(run, given[ContactPairs])}
-#: Elements, where there are contacts of pairs or of walls.
+#: Numbers of elements for launches, 0 without contacts of pairs or with walls.
 WHERE_PAIRS = elements_where(ContactPairs, lambda pairs: pairs.first)
 WHERE_WALLS = elements_where(WallContacts, lambda contacts: contacts.wall)
 _BY_WALL: Made = {

@@ -74,7 +74,7 @@ def _loads(
     damage: DamageTables | None,
     soft: SofteningTables | None,
 ) -> StepEntry:
-    """Return the pass of beam forces for shared or separate constants, and for beams that break, soften or last."""
+    """Return the pass of forces of beams with shared or separate constants, which break, soften or do neither."""
     if damage is None:
         if uniform is None:
             return steps.add_beam_loads(moving, table, blocks)

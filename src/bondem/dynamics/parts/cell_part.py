@@ -163,7 +163,7 @@ def _changing(
 
 
 def _places(blocks: StepBlocks, i: np.ndarray, n: int) -> np.ndarray:
-    """Return the row of V θ that each facet adds to for its cell i, uint32, (m,); from n on rows of other domains."""
+    """Return the row of V θ to which each facet adds for its cell i, uint32, (m,); rows from n on link domains."""
     row = blocks.row_i[: len(i)].astype(np.int64)
     return np.where(row < blocks.parts, i, n + row - blocks.parts).astype(np.uint32)
 

@@ -45,7 +45,7 @@ class ContactTables:
         state: state of the run; its arrays are shared.
         shared: tables of all parts.
         gauges: gauges of the run.
-        joints: bonds as joints, whose elements touch only after they have failed.
+        joints: bonds as joints, whose elements touch only after the bond has failed.
         dt: time step [s].
     """
 

@@ -27,7 +27,7 @@ def bond_stiffness(lattice: Lattice, bond: BondAssignment | None) -> tuple[BondS
     pair. Later entries override earlier ones.
 
     Raises:
-        InputError: A bond follows no law, an entry is not a bond law, or the laws have different formulations.
+        InputError: A bond follows no law, an entry is no bond law, a key is no region, or formulations differ.
     """
     if bond is None:
         if len(lattice.pairs):

@@ -133,7 +133,7 @@ class BondLaw(ABC):
 
     @classmethod
     def with_radius(cls, given: Mapping[str, Any]) -> dict[str, Any]:
-        """Return the parameters fixed while ν varies: those given, and r̃ = 1 unless r̃ varies or a radius is given."""
+        """Return the parameters that calibration fixes: those given, and r̃ = 1 if no radius is given or free."""
         if cls.free.is_radius or {"radius_ratio", "radius"} & set(given):
             return dict(given)
         return {RADIUS_RATIO.name: 1.0} | dict(given)

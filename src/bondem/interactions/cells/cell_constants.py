@@ -142,7 +142,7 @@ class CellConstants:
     def stress_of(self, swelling: PerElement) -> PerElement:
         """Return σ_p = ∂U/∂θ_p / V_p of each cell [Pa], (n,), for V θ without the openings of free facets [m³], (n,).
 
-        It is λ_p θ_p, and with gradients of the dilatation the forces of the springs between cells.
+        It is λ_p θ_p plus, with gradients of the dilatation, the stress of the springs between cells.
         """
         stress = self.weight * swelling
         return np.asarray(stress + self.weight * self.gradients.differences(stress), dtype=float)

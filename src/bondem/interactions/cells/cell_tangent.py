@@ -104,7 +104,7 @@ class CellsAtAnyPose(Interaction):
         return Stiffness(bonds, self._current_forms(pose, pattern), self.constants.weight, *self._gradients_at(pose))
 
     def gradient(self, pose: Floats) -> tuple[PerElement6, PerElement6]:
-        """Return the derivative of the energy and wall loads, (n, 6); store the stresses of cells in the pose."""
+        """Return the derivative of the energy, and wall loads [N, N·m], (n, 6) each; store stresses in the pose."""
         body = BodyTables.of(self, self.constants, np.ones(len(self.layout.i)))
         sums, walls = lines(len(pose)), np.zeros((len(pose), 6))
         body.load(pose, self._rest, sums)
@@ -112,7 +112,7 @@ class CellsAtAnyPose(Interaction):
         return -loads_in(sums), walls
 
     def bond_tangents(self, pose: Floats) -> Floats:
-        """Return the second derivative of the energy of facets at the stresses stored in the pose, (12, 12, m)."""
+        """Return the second derivative of the energy of intact facets at the stresses in the pose, (12, 12, m)."""
         m = len(self.layout.i)
         facets = BodyTables.of(self, self.constants, np.ones(m)).facets
         found = BondTangents(np.empty((12, 12, len(facets.i))))

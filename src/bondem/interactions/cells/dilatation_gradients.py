@@ -77,7 +77,7 @@ class GradientConstants:
         Args:
             body: a lattice with facets and cells.
             G, lame: shear modulus and Lamé's λ of each cell [Pa], (n,).
-            layered: λ_p of each cell [Pa], (n,).
+            layered: λ_p of each cell, which its free facets reduce [Pa], (n,).
             walls: directions across which the cells are free.
             shares: shares of the facets in both cells [m²], (m, 3) each.
             supports: walls that hold facets.

@@ -41,7 +41,7 @@ class Loaded:
         tensor: σ of each cell, xx, yy, zz, xy, xz, yz [Pa], (n, 6).
         cracked: facets that have lost integrity, (c,).
         opening: traction of cracked facets as if they had full integrity [Pa], (c, 3).
-        opened: |F⁺| / A of cracked facets, its pulling part [Pa], (c,).
+        opened: size of the pulling part of `opening`, |F⁺| / A [Pa], (c,).
         turned: mask of the halves of cracked facets that have to be closed or opened now, (c, 2).
         wall: force of the walls on the facets that they hold [N], (g, 3).
         stress: λ θ of each cell [Pa], (n,).

@@ -1,4 +1,4 @@
-"""Check of equilibria whose cracks open beside a pressure, which they lose with the crack."""
+"""Check for cracks that open under pressure along them, which an equilibrium loses as a crack opens."""
 
 import warnings
 

@@ -272,7 +272,7 @@ def _next(
 ) -> tuple[Ints, float]:
     """Return the facets that fail next, in the user's order, and the load factor; none if nothing fails.
 
-    `following` is the factor beyond its curve of the next event of each softening facet [-], inf for none.
+    `following` is the load at the next event of each softening facet over that of its curve [-], inf for none.
     """
     limit, going = np.full(len(found.cracked), np.inf), np.isfinite(following[found.cracked])
     softening = found.cracked[going]
