@@ -22,7 +22,7 @@ class Gauge:
         quantity: "displacement" [m], "velocity" [m/s], "rotation" [rad], "angular_velocity" [rad/s] or
             "force" [N], which is the force of loads and supports on the region.
         reduction: "mean", "sum" or "max_abs" over the elements, component by component. The default is the sum for
-            forces and the mean for all other quantities.
+            forces and the mean for all other quantities. Unknown names raise InputError.
     """
 
     region: Region
@@ -42,7 +42,7 @@ class WallGauge:
     """Three components of a quantity of a wall over time, sampled within the steps.
 
     Attributes:
-        wall: index of the wall among the walls of the model.
+        wall: index of the wall among the walls of the model; a run raises InputError if there is none.
         quantity: "displacement" [m]; "velocity" [m/s], for a driven wall that of the last step; "force" of the
             elements on the wall [N]; "growth", whose components are the change of the radius [m], the force that
             would change it [N], and the sum of the normal forces [N]; "rotation", a vector of at most π [rad];
@@ -66,7 +66,7 @@ class StrainGauge:
     A run with such a gauge stops at each record to evaluate it.
 
     Attributes:
-        region: elements whose centres the field fits, at least four that do not lie in a plane.
+        region: elements whose centres the field fits, four or more not in a plane; others raise InputError in a run.
     """
 
     region: Region

@@ -38,7 +38,7 @@ class Constant(Schedule):
     """A value that is the same at all times.
 
     Attributes:
-        value: the value, finite.
+        value: the value; one that is not finite raises InputError.
     """
 
     value: float
@@ -57,7 +57,7 @@ class Ramp(Schedule):
 
     Attributes:
         start, end: values before and after.
-        duration: duration of the change [s].
+        duration: duration of the change [s]; a value that is not positive raises InputError.
         begin: time at which it begins [s].
     """
 
@@ -86,7 +86,7 @@ class Table(Schedule):
     """A piecewise linear function of time; two equal times define a jump.
 
     Attributes:
-        times: times in non-decreasing order [s], (k,).
+        times: times in non-decreasing order [s], (k,); other lists raise InputError.
         values: values at these times, (k,).
     """
 

@@ -39,8 +39,8 @@ class ListedContacts(NamedTuple):
 class ContactCheck:
     """Check that warns once of overlaps beyond the law, and once of motion beyond the step.
 
-    The loop calls `examine` after each call of the core: at the end of its steps, and when the neighbour list is out
-    of date, every few steps for fast elements.
+    The loop calls `examine` after each call of the core. A call ends after its steps, or when the neighbour list is
+    out of date, every few steps for fast elements.
     """
 
     def __init__(self, contacts: ContactModel, dt: float) -> None:
@@ -82,8 +82,8 @@ class ContactCheck:
     def _fastest(self, c: ListedContacts, velocity: Floats) -> float:
         """Return the largest relative velocity over the smaller radius [1/s].
 
-        The velocities are those of listed pairs without a bond, of elements relative to walls, and of elements
-        relative to the mean of all.
+        The velocities are those of listed pairs without an intact bond, of elements relative to walls, and of
+        elements relative to the mean of all.
         """
         speed = [np.linalg.norm(velocity - velocity.mean(axis=0), axis=1) / self._radius]
         free = (c.bond < 0) | (c.joined[np.maximum(c.bond, 0)] <= 0.0) if len(c.joined) else c.bond < 0

@@ -53,7 +53,7 @@ class LoadDrop(Event):
         load: factors of the three components of gauges, by the name of the gauge [-]; the load is their weighted sum.
             {"end": (1.0, 0.0, 0.0)} is the component along x of the gauge "end".
         share: share of the largest load so far below which the event occurs [-], in [0, 1); others raise InputError.
-        least: largest load that must have been exceeded before [N].
+        least: load that the largest load so far must have exceeded [N].
     """
 
     load: Mapping[str, tuple[float, float, float]]

@@ -48,7 +48,7 @@ def lagged_limits(
             stable, the critical step is returned twice.
 
     Warns:
-        StepWarning: Lagged steps are unstable at any share.
+        StepWarning: Lagged steps are unstable at any share; the least share is returned.
     """
     highest, bound = _of_springs(model, law, scheme, terms, springs)
     if springs == 0.0:

@@ -38,8 +38,8 @@ def begin(model: Model, state: State | None) -> State:
     """Return a state to run `model` from: a new one at rest, or a copy of `state`, whose time continues.
 
     Raises:
-        InputError: The state belongs to a model with other elements, masses or bonds or has an array that does not
-            fit them, or displacements would jump.
+        InputError: The state belongs to a model with other elements, masses or bonds, or has an array or damage that
+            does not fit `model`, or displacements would jump.
 
     Warns:
         StageWarning: A schedule that is new in this run no longer has its first value at the time of the state. Or a

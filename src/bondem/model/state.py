@@ -175,7 +175,7 @@ class State(StateMotion):
         total formulation may differ too, because their forces follow from the poses.
 
         Raises:
-            InputError: The state belongs to a model with other elements, masses or bonds.
+            InputError: The state is of other elements, masses or bonds, or has damage unknown to the criterion.
         """
         other = difference(self.model, model)
         if other:

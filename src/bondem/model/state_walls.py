@@ -47,7 +47,7 @@ def _set_momentum(row: np.void, was: object, motion: Free) -> None:
 
 
 def known_walls(before: Sequence[Wall], walls: Sequence[Wall]) -> list[int]:
-    """Return the number of each wall in the previous run, identified by its definition, or -1 for a new wall."""
+    """Return the number of each wall in the previous run, identified by kind, place and size, or -1."""
     rows = [wall.row.tolist() for wall in before]
     previous: list[int] = []
     for wall in walls:

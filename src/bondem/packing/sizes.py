@@ -44,7 +44,7 @@ class Uniform(SizeLaw):
     """Radii distributed uniformly in R̄ (1 ± κ/2) (André et al. 2012, eq 10).
 
     Args:
-        spread: κ = (R_max - R_min) / R̄ [-], at least 0 and below 2.
+        spread: κ = (R_max - R_min) / R̄ [-], in [0, 2); other values raise InputError.
     """
 
     spread: float = SPREAD
@@ -63,9 +63,9 @@ class Lognormal(SizeLaw):
     """Radii distributed log-normally.
 
     Args:
-        cv: coefficient of variation before truncation, standard deviation over mean [-].
-        cut: truncation of both tails, in standard deviations of the logarithm [-]. A sphere far larger than the
-            others would make every neighbour list long.
+        cv: standard deviation over mean before truncation [-], in (0, 1]; other values raise InputError.
+        cut: truncation of both tails, in standard deviations of the logarithm [-], in (0, 4]. A sphere far larger
+            than the others would make every neighbour list long.
     """
 
     cv: float
@@ -92,7 +92,7 @@ class Sieve(SizeLaw):
 
     Args:
         diameters: sieve openings [m or any other unit, because the packing sets the scale], ascending.
-        mass_passing: share of the mass that passes each sieve [-], ascending from 0 to 1.
+        mass_passing: share of the mass that passes each sieve [-], from 0 to 1; descending lists raise InputError.
     """
 
     diameters: tuple[float, ...]

@@ -118,7 +118,7 @@ class Index(Region):
         size: number of elements that the lattice must have, such as the length of a mask; None for any number.
 
     Args:
-        elements: one index, indices (k,), or truth values (n,).
+        elements: one index, indices (k,), or truth values (n,); other values raise InputError.
         size: number of elements that the lattice must have; None for any number.
     """
 

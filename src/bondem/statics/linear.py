@@ -51,7 +51,7 @@ class System:
         matrix: K of all degrees of freedom [N/m, N, N·m], (6 n, 6 n).
         position: centres, with rattlers at the centroid [m], shape (n, 3).
         length: R̄, which converts rotations to displacements [m].
-        free: mask of the degrees of freedom that are neither fixed nor a rattler's, shape (n, 6).
+        free: mask of the degrees of freedom that are not fixed or driven, nor those of a rattler, shape (n, 6).
         loose: rigid motions (u, θ) that the supports permit, orthonormal with u·u + R̄² θ·θ, shape (6 n, k).
     """
 

@@ -30,8 +30,8 @@ def about_equilibrium(model: Model, system: System, prestress: StaticResult | St
         prestress: a static solution of the model, or a state of it at rest.
 
     Raises:
-        InputError: The value is another object, belongs to another model, is not an equilibrium or has broken bonds.
-            Or the supports leave the specimen free, or the bonds are incremental.
+        InputError: The value is another object, of another model, an unbalanced solution or a state with broken
+            bonds. Or the supports leave the specimen free, or the bonds are incremental.
     """
     instance("solve_modes", "prestress", prestress, (StaticResult, State), "a solution of solve_static, or a state")
     if len(prestress.displacement) != len(model.lattice.particles):

@@ -30,8 +30,8 @@ class DruckerPrager(Criterion):
 
     With a fracture energy the cone has two sides. For I1 > 0 facets in tension crack as for `bd.Rankine`, up to the
     opening 2 G_f / f_t. For I1 ≤ 0 cells yield on their mean stress, √J2 + α I1 ≥ r k. r falls from 1 to 0 with the
-    mean slip of the cells half a band width away, as a band dissipates the fracture energy of shear per area.
-    Friction (α) remains. Facets of a cell that has slipped and has no cohesion break.
+    mean slip of the cells half a band width away, so that a band dissipates G_II per area. Friction (α) remains.
+    Facets of a cell that has slipped and has no cohesion break.
 
     Attributes:
         tension: f_t [Pa].

@@ -31,8 +31,8 @@ class MohrCoulomb(BondCriterion):
         (σ1 - σ3)/2 + (σ1 + σ3)/2 sin φ ≥ r c cos φ
 
     on their mean stress. The cohesion falls (r from 1 to 0) with the mean slip of the cells half a band width away,
-    as a band dissipates the fracture energy of shear per area. Friction remains. Facets of a cell that has slipped
-    and has no cohesion break.
+    so that a band dissipates G_II per area. Friction remains. Facets of a cell that has slipped and has no cohesion
+    break.
 
     An entry of `failure=` for a pair of regions describes a plane between them, by the traction of its facets. A
     facet opens from t_n = tension on and slips from |t_s| + t_n tan φ = c on, with G_f and G_II per facet area.

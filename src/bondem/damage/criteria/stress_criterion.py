@@ -46,9 +46,9 @@ class StressCriterion(Criterion):
 
         void function(int64_t count, const double *stress, const double *parameter, double *index)
 
-    To save time, the facets of a cell without cracks are not evaluated while the size √(σ:σ) of its stress is far
-    below that of all stresses at which the function reaches 1. An index that has reached 1 must therefore not fall
-    below 1 again as the stress grows. For bodies of cells only.
+    To save time, the facets of a cell without cracks are skipped while the size √(σ:σ) of its stress is far below all
+    sizes at which the function reaches 1. An index that has reached 1 must therefore not fall below 1 again as the
+    stress grows. For bodies of cells only.
 
     Args:
         function: function of the stresses and the parameters that returns the indices [-], or the address of a C

@@ -1,8 +1,8 @@
 """Common part of all linear bond laws: a bond is a cylinder, and a law is four stiffnesses and a contact point.
 
-Chen et al. (2022) show that the parallel-bond, Euler–Bernoulli and Timoshenko models differ only in the
-normal, shear, bending and twisting stiffness of the bond and in the place of the contact point along it.
-A law is therefore data, computed once per bond; `core/laws/beam.hpp` is the physics of them all.
+Chen et al. (2022) show that the parallel-bond, Euler–Bernoulli and Timoshenko models differ only in four stiffnesses
+of the bond (normal, shear, bending, twisting) and in its contact point. A law is therefore data, computed once per
+bond; `core/laws/beam.hpp` is the physics of them all.
 """
 
 from abc import ABC, abstractmethod

@@ -18,7 +18,7 @@ class Obermayr(BondLaw):
     Tension is positive. Reference: Chen et al. (2022) §4.3.
 
     Attributes:
-        alpha_s: shear correction factor α_s [-]; 9/10 is the stubby limit of Timoshenko.
+        alpha_s: positive shear correction factor α_s [-], else InputError; 9/10 is the stubby limit of Timoshenko.
     """
 
     title: ClassVar[str] = "Obermayr"

@@ -18,7 +18,7 @@ class ParallelBond(BondLaw):
     Chen et al. (2022) Tables 1 and 9, eqs (2) and (8).
 
     Attributes:
-        kappa: normal to shear stiffness ratio κ [-]; 2 (1 + ν) by default.
+        kappa: positive ratio κ of normal to shear stiffness [-], else InputError; 2 (1 + ν) by default.
     """
 
     title: ClassVar[str] = "parallel"

@@ -3,10 +3,10 @@
     F_n = max(kn u + cn u', 0)        |F_t| <= μ F_n,  F_t = ks ξ + cs ξ' while it sticks
 
 with u the overlap and ξ the stretch of the tangential spring, which turns with the pair and slides at Coulomb's
-limit. Stiffness of the linear law follows from an effective modulus, kn = E A / L with A = π min(Ri, Rj)² and L = Ri
-+ Rj (at a wall A = π R², L = R), as that of a bond does; that of `HertzMindlin` grows with the overlap. Contacts only
-repel, unless the law has `Adhesion`. A pair whose bond is broken carries compression as the bond did, from its rest
-length on and with its kn (docs/decisions/0020-contact-after-breakage.md). References: Cundall and Strack,
+limit. The linear law takes its stiffness from an effective modulus, as a bond does: kn = E A / L with A = π min(Ri,
+Rj)² and L = Ri + Rj (at a wall A = π R², L = R). The stiffness of `HertzMindlin` grows with the overlap. Contacts
+only repel, unless the law has `Adhesion`. A pair whose bond is broken carries compression as the bond did, from its
+rest length on and with its kn (docs/decisions/0020-contact-after-breakage.md). References: Cundall and Strack,
 Géotechnique 29 (1979) 47–65; Luding, Granular Matter 10 (2008) 235–246, for the turning of the spring.
 """
 
