@@ -135,7 +135,7 @@ class GrowingHistory:
     """Records of a run to which further rows are appended, in a time proportional to these rows on average."""
 
     def __init__(self, history: History) -> None:
-        """Begin with the records so far."""
+        """Begin with the records of `history`."""
         self._rows, self._count, self._gauges = history.records, len(history), history.gauges
 
     def append(self, records: Floats) -> None:

@@ -130,7 +130,7 @@ def _angles(normal: Floats, pairs: Ints) -> PerElement:
 
 
 def _planes(piece: Ints, content: Floats, area: Floats, thin: np.ndarray, beside: Ints) -> np.ndarray:
-    """Return a mask of the coplanar pieces that are planes: much larger than their smooth neighbours, (pieces,)."""
+    """Return a mask of coplanar pieces that are planes: four times as large as smooth neighbours, (pieces,)."""
     count = piece.max() + 1
     own = np.bincount(piece, weights=content, minlength=count)
     whole = np.stack([np.bincount(piece, weights=part, minlength=count) for part in area.T], axis=1)

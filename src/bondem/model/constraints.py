@@ -259,7 +259,7 @@ class Constraints:
         return body, strain, strain + bool(len(self.strain_part)) + bool(self.supported or len(self.press_schedule))
 
     def final_motion(self, n: int) -> Floats:
-        """Return prescribed displacements and rotations at the end of all schedules [m, rad], shape (n, 6).
+        """Return prescribed displacements and rotations at the end of all schedules [m, rad], internal order, (n, 6).
 
         Raises:
             InputError: A velocity is prescribed, which has no static meaning.

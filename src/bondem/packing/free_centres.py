@@ -25,7 +25,7 @@ Nearest = Callable[[PerElement3], PerElement]
 def thrown_free(
     shape: Shape, count: int, nearest: Nearest, clear: float, h: float, random: np.random.Generator
 ) -> PerElement3:
-    """Draw random centres outside the layers along surfaces [m], (count, 3).
+    """Draw random centres in a shape, outside the layers along surfaces [m], (count, 3).
 
     Args:
         shape: shape to fill.

@@ -201,7 +201,7 @@ class Elimination:
         self._iteration = Iteration(system) if singular else None
 
     def solve(self, load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> tuple[Floats, int]:
-        """Return the solution by elimination, as `Solver.solve`; only a mechanism requires `guess` and `rtol`."""
+        """Return the solution by elimination, as `Solver.solve`; `guess` and `rtol` only count for a mechanism."""
         if self._iteration is not None:
             return self._iteration.solve(load, guess=guess, rtol=rtol)
         right = self._scale * load[self._live]

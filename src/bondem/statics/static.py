@@ -152,7 +152,7 @@ def solve_static(model: Model, *, nonlinear: bool = False, guess: StaticResult |
 
 
 class Statics:
-    """Linear statics of a model: one matrix and one factorisation for any number of loads."""
+    """Linear statics of a model: one matrix and one solver for any number of loads."""
 
     @one_blas_thread
     def __init__(self, model: Model) -> None:

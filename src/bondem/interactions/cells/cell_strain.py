@@ -75,7 +75,7 @@ class CellStrain:
         return constants.k[:, None] * self.gap + stress[i] * constants.share_i + stress[j] * constants.share_j
 
     def nodal(self, body: Lattice, constants: CellConstants) -> PerElement6:
-        """Return forces and torques of the facets on the elements [N, N·m], (n, 6)."""
+        """Return forces and torques of the facets and walls on the elements [N, N·m], (n, 6)."""
         i, j = body.pairs.T
         force = self.forces(body, constants)
         bent, at_wall = constants.gradients.moments(self.turn, self.rotation)

@@ -47,7 +47,7 @@ class NonLocalConstants:
         """Return the constants of a body or lattice.
 
         Raises:
-            InputError: Areas of facets are requested without facets, or weighted areas for a body.
+            InputError: Areas of facets are requested without facets, or weighted areas for a body or without bonds.
         """
         build = _of_body if law.areas == "facet" else _of_spheres
         area, span, normal, lever_i, lever_j, volume = build(lattice, law)

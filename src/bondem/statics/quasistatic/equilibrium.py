@@ -57,7 +57,7 @@ class Eliminated:
 
 
 class Iterated:
-    """Solver by conjugate gradients from the last solution, with a preconditioner that is renewed when it is slow.
+    """Solver by conjugate gradients from a guess, with a preconditioner that is renewed when it is slow.
 
     Attributes:
         rounds, solutions: numbers of iterations and equilibria so far.
