@@ -87,7 +87,7 @@ class StressOnset:
         return whole[near], factor[near]
 
     def along(self, found: Loaded, facets: Ints, traction: Floats) -> SofteningSearch:
-        """Return the parts of tractions [Pa], (c, 3), that open facets along the directions of their criterion."""
+        """Return `softening_along` of facets for tractions as if they had full integrity [Pa], (c, 3)."""
         body = self._body
         return softening_along(body.facets(found), self._strengths, facets, traction, body.integrity[facets])
 
