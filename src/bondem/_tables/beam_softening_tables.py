@@ -8,7 +8,7 @@ from bondem._types import Floats, Ints, Singles
 class SofteningBounds(NamedTuple):
     """Beams that may soften: bounds of whole beams, their criterion, and the data that softening changes."""
 
-    limit: Singles  #: bound of the load as in `FailureBounds`, inf once a beam softens, (m,)
+    limit: Singles  #: bound of the size of a load as in `FailureBounds`, inf once a beam softens, (m,)
     of_force: float  #: factor of |F|² in the size of a load [1/N²]
     of_moment: float  #: factor of |M|² in the size of a load [1/(N·m)²]
     coefficient: Floats  #: coefficients of the criterion, as in `Strengths`, (bonds, 4)
@@ -18,7 +18,8 @@ class SofteningBounds(NamedTuple):
     integrity: Floats  #: 1 whole … 0 broken [-], (m,)
     per_length: Floats  #: integrity over rest length of beams that share their constants [1/m], (*,)
     press: Floats  #: stiffness of the softened part of a beam in compression, (1 - s) kn [N/m], (m,)
-    onset: Floats  #: openings [√J] and energies [J] of beams that begin in this step, (bonds, 4)
+    #: of beams that begin to soften in this step: first and last λ [√J], Y and dissipation [J], (bonds, 4)
+    onset: Floats
 
 
 class SofteningBeams(NamedTuple):

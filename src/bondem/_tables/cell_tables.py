@@ -45,7 +45,8 @@ class DilatationGradients(NamedTuple):
     difference: Floats  #: Σ c (σ_p - σ_q) of each cell [m³], (n,)
     layer: Ints  #: start of the facets of cell p within its layer; layered is n, or 0, (layered + 1,)
     next: Uint32s  #: cell on the other side, (turns,)
-    #: n × s of the cell and of the other one for both directions, with the signs for the cell as i [m²], (turns, 12)
+    #: n × s of the cell and of the other one for both directions, n normal to the layer, signs for the cell as i
+    #: [m²], (turns, 12)
     way: Floats
     wall_start: Ints  #: start of the walls that hold cell p of a layer, (layered + 1,)
     wall: Ints  #: number of the wall, (layer_walls,)
@@ -76,7 +77,7 @@ class CellEnergies(NamedTuple):
 
 
 class CellPoses(NamedTuple):
-    """Poses of cells, whose stresses passes write."""
+    """Poses of cells; passes write the stresses λ θ in them."""
 
     pose: Floats  #: (n, 8)
     rest: Floats  #: centres in the reference [m], (n, 3)
@@ -85,16 +86,16 @@ class CellPoses(NamedTuple):
 class FacetForces(NamedTuple):
     """Forces of facets and moments of cells, which criteria of cracks and yielding need."""
 
-    bends: Floats  #: factor 4 k / A² of bending in T_b² [1/(N m³)], (m,)
+    bends: Floats  #: factor 4 k / A² of v·H v in T_b² [N/m⁵], (m,)
     force: Floats  #: force of each facet on its cell i in the last step [N], (3, m)
     moment: Floats  #: V σ of each cell, xx, yy, zz, xy, xz, yz [J], and Σ T_b² of its facets [Pa²], (n, 7)
-    sums: Floats  #: sums of these columns in rows as `StepBlocks.sums`, (*, 8)
+    sums: Floats  #: V σ and Σ T_b² (xx, yy, zz, Σ T_b², xy, xz, yz, 0) in rows as `StepBlocks.sums`, (*, 8)
 
 
 class FacetsOfCells(NamedTuple):
     """Facets of each cell: first those of which it is j, then those of which it is i."""
 
-    in_start: Ints  #: facets in_start[p] … in_start[p + 1] have j = p, (n + 1,)
+    in_start: Ints  #: facets in_start[p] … in_start[p + 1] - 1 have j = p, (n + 1,)
     out_start: Ints  #: facets with i = p are out_bond[out_start[p]] …, (n + 1,)
     out_bond: Uint32s  #: facets by their cells i, (*,)
 
@@ -153,8 +154,8 @@ class CellStrains(NamedTuple):
     """Stress-free strains of cells that change in time."""
 
     schedule: Ints  #: (strains,)
-    base_i: Floats  #: levers of the reference [m], (3, strained)
-    base_j: Floats  #: levers of the reference [m], (3, strained)
+    base_i: Floats  #: levers of cells i in the reference [m], (3, strained)
+    base_j: Floats  #: levers of cells j in the reference [m], (3, strained)
     still: Floats  #: 1 + ε* of each facet without the strains that change, (strained,)
     part: Floats  #: strain of each facet at factor 1, (strains, strained)
     wall_base: Floats  #: levers of walls [m], (supports, 3)
@@ -163,7 +164,7 @@ class CellStrains(NamedTuple):
     place: int  #: place of their work in the list of works
     factor: Floats  #: rows: factors, their changes, ∂U/∂factor before and after [J], (4, strains)
     power: Ints  #: exact sums of ∂U/∂factor [J], zero between steps, (strains, 68)
-    due: Bytes  #: 1 where ∂U/∂factor is needed, and where levers have changed, (2,)
+    due: Bytes  #: flags by `strain_due`: ∂U/∂factor is needed; levers have changed, (2,)
 
 
 class WallTime(NamedTuple):
@@ -173,7 +174,7 @@ class WallTime(NamedTuple):
 
 
 class TurnedVectors(NamedTuple):
-    """Vectors, k of them, and their rotations by unit quaternions."""
+    """Vectors, and their rotations by unit quaternions."""
 
     quaternion: Floats  #: w x y z, (vectors, 4)
     vector: Floats  #: (vectors, 3)

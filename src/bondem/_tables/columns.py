@@ -150,14 +150,16 @@ class LoadColumn(IntEnum):
 
 
 class StrainDue(IntEnum):
-    """Flags of strains that change: whether ∂U/∂factor is needed, and whether lengths or levers have changed."""
+    """Flags of stress-free strains in a step: ∂U/∂factor is needed; lengths or levers have changed."""
 
     POWER = 0
     LEVERS = 1
 
 
 class ListCount(IntEnum):
-    """Counts of lists of cracks: treated one by one, resting, cells of treated cracks, and parted in this step."""
+    """Counts of the lists of cracks: active cracks, resting cracks, cells of active cracks, cracks parted in this
+    step.
+    """
 
     TREATED = 0
     RESTING = 1
@@ -173,8 +175,8 @@ class CrackNumber(IntEnum):
 
 
 class CrackKind(IntEnum):
-    """Kinds of cracks: of the material; with one integrity for all directions, of a material plane or a cell without
-    cohesion; and of the material that no longer transmits shear along it, with a spring of friction.
+    """Kinds of cracks. A crack of the material has an integrity for each direction. An isotropic one has a single
+    integrity: on a material plane, or at a cell without cohesion. `let_go`: of the material without grip.
     """
 
     OF_MATERIAL = 0
@@ -183,8 +185,8 @@ class CrackKind(IntEnum):
 
 
 class CrackStatus(IntEnum):
-    """Ways in which cracks are treated: one by one; as a facet of less stiffness; not at all, once their faces have
-    parted.
+    """Statuses of cracks: `active`, evaluated by itself in each step; `resting`, a facet of reduced stiffness;
+    `parted`, faces apart, no force.
     """
 
     ACTIVE = 0
@@ -206,8 +208,8 @@ class TouchState(IntEnum):
 
 
 class WallKind(IntEnum):
-    """Kinds of walls: a plane, a cylinder around the elements and one among them, a sphere around them and one among
-    them, a disc.
+    """Kinds of walls: a plane, a cylinder around the elements or among them, a sphere around them or among them, a
+    disc.
     """
 
     PLANE_WALL = 0

@@ -52,8 +52,8 @@ class NearPairs(NamedTuple):
 
     near: Uint32s  #: pairs that may touch, (pairs + 1,)
     close: Uint32s  #: pairs that touch or have just parted, (pairs + 1,)
-    #: of close pairs: force on the later element [N], loss to dashpots [J], torque over radius [N], loss to friction
-    #: [J], (pairs, 8)
+    #: of close pairs: force on the later element [N], dashpot loss [J], torque over radius [N], friction loss [J],
+    #: (pairs, 8)
     output: Floats
     counts: Ints  #: numbers of near and of close pairs of each portion of elements, (element_portions, 2)
     width: float  #: motion of an element after which distances are measured again [m]
@@ -101,7 +101,8 @@ class FacePairs(NamedTuple):
     earlier: Uint32s  #: these pairs, (pairs,)
     chosen: Floats  #: the two faces by which each pair touches as one number, 0 for none, (pairs,)
     whole: Floats  #: reach of the pair as spheres [m], (pairs,)
-    #: pairs that touch by faces or did a step ago, ascending, those of a portion from its first on, (pairs,)
+    #: pairs that touch by faces or did a step ago, ascending, each portion from its first pair; on devices 1 or 0,
+    #: (pairs,)
     close: Uint32s
     #: of pair k: force on the later element [N], loss to dashpots [J], torque on it [N·m], loss to friction [J],
     #: torque on the earlier one [N·m], (pairs, 12)

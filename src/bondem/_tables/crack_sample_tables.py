@@ -15,7 +15,7 @@ class SofteningSamples(NamedTuple):
     kink: float  #: κ of the softening curve [-]
     steep: float  #: m of the softening curve [-]
     wide: int  #: 1 to evaluate by lanes, 0 by single numbers
-    #: s_1, s_2, s_3 and grip after softening, and the traction below which a plane loses no integrity [Pa], (5, m)
+    #: s_1, s_2, s_3 and grip after softening, and the traction below which s_1 does not fall [Pa], (5, m)
     left: Floats
 
 
@@ -39,8 +39,8 @@ class YieldSamples(NamedTuple):
     strength: Floats  #: cohesion [Pa], slope, dilation, stiffness [Pa], slip carried over, (5, m)
     cone: int  #: 1 for Drucker and Prager, 0 for Mohr and Coulomb
     wide: int  #: 1 to evaluate by lanes, 0 by single numbers
-    #: bound of F [Pa], Δγ, its part for the next step, strain xx, yy, zz, xy, xz, yz; principal stresses [Pa]; F and
-    #: the cohesion [Pa], (13, m)
+    #: bound of F [Pa], Δγ, its part for the next step, strain xx, yy, zz, xy, xz, yz; principal stresses [Pa]; F
+    #: plus the cohesion [Pa], (13, m)
     found: Floats
 
 
@@ -50,4 +50,5 @@ class StressBoundSamples(NamedTuple):
     stress: Floats  #: [Pa], (6, m)
     bent: Floats  #: T_b [Pa], (m,)
     wide: int  #: 1 to evaluate by lanes, 0 by single numbers
-    found: Floats  #: bounds of σ_1 and σ_3, T_b less the pressure, and an upper bound of the latter [Pa], (4, m)
+    #: bounds of σ_1 and σ_3; T_b less the largest pressure, at least 0, and an upper bound of that [Pa], (4, m)
+    found: Floats

@@ -79,7 +79,7 @@ class CohesiveCracks(NamedTuple):
     lever: Int32s  #: levers of cells i and j in the reference, each with an unused number [pitch], (facets, 8)
     pitch: Floats  #: unit of levers [m], (3,)
     order: Ints  #: cracked facets in the order in which they began, (facets,)
-    listed: Bytes  #: 0 for whole facets, else 1 and the status of the crack, (m,)
+    listed: Bytes  #: 0 for whole facets, else 1 plus the `crack::CrackStatus`, (m,)
     integrity: Floats  #: integrity of cracks, array of the state [-], (facets,)
     size: Ints  #: number of cracks, and 1 where lists are out of date, (2,)
     slide: float  #: largest slip of faces of material planes that face each other, over √A, at most 1 [-]
@@ -97,36 +97,35 @@ class CellSlack(NamedTuple):
 
 
 class CrackLists(NamedTuple):
-    """Lists of a step, and data of the cracks on them."""
+    """Lists of active and of resting cracks in a step, and data of the cracks on them."""
 
-    #: numbers of cracks treated one by one, of resting ones, of cells of the former, and of `parted`, (4,)
-    size: Ints
-    treated: Ints  #: cracks; lanes after the last one repeat it, (places,)
-    resting: Ints  #: cracks; lanes after the last one repeat it, (places,)
-    treated_i: Uint32s  #: cells i of these cracks, (places,)
-    treated_j: Uint32s  #: cells j of these cracks, (places,)
-    resting_i: Uint32s  #: cells i of these cracks, (places,)
-    resting_j: Uint32s  #: cells j of these cracks, (places,)
+    size: Ints  #: numbers of entries by `list_count`, (4,)
+    treated: Ints  #: active cracks; lanes after the last one repeat it, (places,)
+    resting: Ints  #: resting cracks; lanes after the last one repeat it, (places,)
+    treated_i: Uint32s  #: cells i of active cracks, (places,)
+    treated_j: Uint32s  #: cells j of active cracks, (places,)
+    resting_i: Uint32s  #: cells i of resting cracks, (places,)
+    resting_j: Uint32s  #: cells j of resting cracks, (places,)
     parted: Ints  #: facets whose faces have parted in this step, (places,)
-    cell: Uint32s  #: cells of cracks that are treated one by one, (*,)
-    head: Int32s  #: first half of each cell, (n,)
-    next: Int32s  #: half of its cell that follows a half, (halves,)
-    flag: Bytes  #: `crack::Flag` of treated cracks, by place, (places,)
+    cell: Uint32s  #: cells of active cracks, (*,)
+    head: Int32s  #: first half of an active crack at each cell, 0 without, (n,)
+    next: Int32s  #: half at the same cell that follows a half, 0 at the end, (halves,)
+    flag: Bytes  #: `crack::Flag` of active cracks, by place, (places,)
     waking: Bytes  #: `crack::Flag` of resting cracks, by place, (places,)
-    flagged: Ints  #: above 0 for a portion of treated cracks with a flag, (crack_portions,)
+    flagged: Ints  #: above 0 for a portion of active cracks with a flag, (crack_portions,)
     woken: Ints  #: above 0 for a portion of resting cracks with a flag, (crack_portions,)
     outdated: Bytes  #: 1 for cells whose stress has to be found again, (n,)
     leader: Int32s  #: facet of the leading crack of each cell, -1 without, (n,)
-    base: Floats  #: V θ without cracks that are treated one by one [m³], (n,)
-    #: `SwellingHalf` by the number of the half (`half_of`) and, once forces are known, `crack::LoadColumn`, (halves,
-    #: 16): one memory for both, because the data of many cracks exceed the caches., (halves, 16)
+    base: Floats  #: V θ without active cracks [m³], (n,)
+    #: `SwellingHalf` of each half by its number (`half_of`), replaced by loads (`crack::LoadColumn`) once forces are
+    #: known: one memory for both, because the data of many cracks exceed the caches, (halves, 16)
     half: Floats
     sum: Floats  #: sums of the first eight columns of loads over the halves of each cell, (n, 8)
-    slip: Floats  #: by how much the cracks of a cell slip in this step [m], and `crack::Slipping`, (n, 4)
+    slip: Floats  #: slip of the cracks of each cell in this step [m], and `crack::Slipping`, (n, 4)
     lost: Ints  #: exact sum of the energy dissipated in a step [J], (1, 68)
 
 
 class PartedReach(NamedTuple):
-    """Distances at which elements touch once their facet has parted."""
+    """Distances of centres at which two cells touch once their facet has parted."""
 
     apart: Floats  #: distance of each facet [m], (*,)

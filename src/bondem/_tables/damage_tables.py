@@ -8,7 +8,7 @@ from bondem._types import Bytes, Floats, Ints, Singles, Uint32s
 class FailureBounds(NamedTuple):
     """Bounds of the loads of bonds, below which no bond fails."""
 
-    limit: Singles  #: bound of of_force |F|² + of_moment |M|²; inf for bonds that cannot fail, (m,)
+    limit: Singles  #: bound of of_force |F|² + of_moment (|M_i|² + |M_j|²), inf for bonds that cannot fail, (m,)
     of_force: float  #: [1/N²]
     of_moment: float  #: [1/(N·m)²]
 
@@ -36,8 +36,8 @@ class Postponed(NamedTuple):
     flag: Bytes  #: not 0 for elements that are postponed, (n,)
     element: Uint32s  #: lists of these elements, (n,)
     row: Uint32s  #: rows of their sums, (n,)
-    first_row: int  #: first row of the sums of a step that keeps sums of postponed elements, one row per element
-    sum: Floats  #: these rows, (n, 8)
+    first_row: int  #: first of the rows of `StepBlocks.sums` that keep sums of postponed elements, one per element
+    sum: Floats  #: these rows: sums of postponed elements until they resume, (n, 8)
 
 
 class EventLog(NamedTuple):
@@ -63,7 +63,7 @@ class FailureIndices(NamedTuple):
 
 
 class LoadedTractions(NamedTuple):
-    """Facets under tractions."""
+    """Facets with given tractions, for which a criterion is evaluated."""
 
     normal: Floats  #: [-], (m, 3)
     traction: Floats  #: [Pa], (m, 3)
@@ -71,7 +71,7 @@ class LoadedTractions(NamedTuple):
 
 
 class StressCandidates(NamedTuple):
-    """Bonds of which a criterion evaluates a stress."""
+    """Bonds or facets whose stress a criterion evaluates in a step, with their stresses."""
 
     bond: Ints  #: bonds; those of a portion begin at the number of its first bond, (candidates,)
     stress: Floats  #: symmetric [Pa], (candidates, 3, 3)

@@ -16,12 +16,12 @@ class DeviceSpan(NamedTuple):
 
 
 class Tick(NamedTuple):
-    """Change of the clock."""
+    """Change of the clock of a device."""
 
     ahead: int  #: number of steps ahead
     goes_on: int  #: 1 if elements open the next step
     still: int  #: 1 for a step of duration 0
-    first: int  #: 1 at a time that no step has reached
+    first: int  #: 1 at the start of a call of the loop, before its first step
 
 
 class LoadsOfBonds(NamedTuple):
@@ -41,13 +41,13 @@ class BondMarks(NamedTuple):
 class BondsOfElements(NamedTuple):
     """Bonds of each element, both lists ascending."""
 
-    in_start: Int32s  #: bonds in_start[p] … in_start[p + 1] have j = p, (n + 1,)
+    in_start: Int32s  #: bonds in_start[p] … in_start[p + 1] - 1 have j = p, (n + 1,)
     out_start: Int32s  #: start of the bonds with i = p in `out_bond`, (n + 1,)
     out_bond: Uint32s  #: bonds by their elements i, (*,)
 
 
 class EarlierPairs(NamedTuple):
-    """Pairs of contact whose earlier element each element is, ascending."""
+    """Contact pairs of each element as the earlier one of the pair, ascending."""
 
     start: Int32s  #: start of the pairs of each element, (n + 1,)
     pair: Uint32s  #: numbers of these pairs, (pairs,)

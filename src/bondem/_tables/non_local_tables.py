@@ -15,7 +15,7 @@ class NonLocalBonds(NamedTuple):
     lever_i: Floats  #: from the element i to the contact point in the reference [m], (3, m)
     lever_j: Floats  #: from the element j to the contact point in the reference [m], (3, m)
     nu: float  #: ν [-]
-    limited: int  #: whether the extra shear force is limited
+    limited: int  #: 1 to limit the extra shear force
     history: Floats  #: gap [m], extra force [N] and its work [J], in the frame of element i, (7, m)
     output: Floats  #: force on i, torque on i, minus torque on j, now [N, N·m], (9, m)
 
@@ -27,7 +27,7 @@ class SmallPairs(NamedTuple):
     area: Floats  #: [m²], (m,)
     kt: Floats  #: [N/m], (m,)
     nu: float  #: ν [-]
-    limited: int  #: whether the extra shear force is limited
+    limited: int  #: 1 to limit the extra shear force
     normal: Floats  #: [-], (m, 3)
     stress: Floats  #: of the elements, xx, yy, zz, xy, xz, yz [Pa], (n, 6)
     gap: Floats  #: [m], (m, 3)
@@ -44,7 +44,7 @@ class SmallSprings(NamedTuple):
 
 
 class SmallSteps(NamedTuple):
-    """Steps of small motions (u, θ) of n elements; stresses and gaps are those of `SmallPairs`."""
+    """Steps of small motions (u, θ) of n elements; `stress` and `gap` are the arrays of `SmallPairs`."""
 
     dt: float  #: [s]
     gamma: float  #: local damping [-]
@@ -60,6 +60,6 @@ class SmallSteps(NamedTuple):
 
 
 class ExtraForces(NamedTuple):
-    """Extra forces of bonds."""
+    """Extra forces of the bonds of the non-local law."""
 
     force: Floats  #: [N], (m, 3)

@@ -43,7 +43,7 @@ class Relaxing(NamedTuple):
     """Criteria for the end of a relaxation, and data that the descent keeps between calls."""
 
     tolerance: float  #: converged when the rms force is below this share of the mean contact force [-]
-    loose: float  #: spheres with a mean overlap below this do not press on each other [m]
+    loose: float  #: mean overlap below which a relaxation ends: the spheres do not press on each other [m]
     steps: int  #: largest number of steps
     fire: Floats  #: time step, mixing, steps downhill; zeros at the beginning, (3,)
     part: Floats  #: sums of each block of spheres, (blocks, 8)
@@ -82,7 +82,7 @@ class SphereGrid(NamedTuple):
     cell: Ints  #: cell of each sphere, (n,)
     first: Ints  #: where the members of each cell begin, (cells + 1,)
     member: Uint32s  #: spheres, cell by cell, (n,)
-    place: Floats  #: their centres and radii [m], in that order, (4, n + 8): several are read at once, (4, n + 8)
+    place: Floats  #: centres and radii of `member` [m], and room to read several at once, (4, n + 8)
     start: Ints  #: where the neighbours of each sphere begin, (n + 1,)
 
 

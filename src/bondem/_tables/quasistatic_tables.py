@@ -53,7 +53,7 @@ class ScaledMatrix(NamedTuple):
     block: Floats  #: B, (b, 6, 6)
     form: Floats  #: F, (b, 6)
     rounded_block: Singles  #: B in half the memory, (b, 6, 6)
-    rounded_form: Singles  #: F, (b, 6)
+    rounded_form: Singles  #: F in half the memory, (b, 6)
     weight: Floats  #: W, (n,)
 
 

@@ -102,9 +102,9 @@ class StepScheme(NamedTuple):
     """One step of time integration; see `bondem.dynamics.schemes`."""
 
     dt: float  #: [s]
-    finish: float  #: [s]
-    begin: float  #: [s]
-    extra: float  #: [s²]
+    finish: float  #: change of the velocity per acceleration that closes a step [s]
+    begin: float  #: change of the velocity per acceleration that opens a step [s]
+    extra: float  #: displacement of a step per acceleration, in addition to that by the velocity [s²]
     gamma: float  #: of local damping [-]
     origin: float  #: time of step 0 [s]
 
@@ -179,7 +179,7 @@ class Resistance(NamedTuple):
 
     gamma: float  #: of local damping [-]
     alpha: float  #: of mass damping [1/s]
-    viscous: int  #: whether there is mass damping or any dashpot
+    viscous: int  #: 1 with mass damping or dashpots
     dashed: Floats  #: the sums of `Dashpots`, empty without, (*, 8)
     absorbing: Floats  #: dashpots of each row, xx, yy, zz, xy, xz, yz [N·s/m], empty without, (*, 6)
 
@@ -190,13 +190,13 @@ class Strain(NamedTuple):
     schedule: Ints  #: (strains,)
     bond: Uint32s  #: (strained,)
     part: Floats  #: strain of each bond at factor 1 [-], (strains, strained)
-    still: Floats  #: 1 and the strains that do not change [-], (strained,)
+    still: Floats  #: 1 plus the strains that do not change [-], (strained,)
     length: Floats  #: L without strain [m], (strained,)
     shear: Floats  #: ks without strain [N/m], (strained,)
     lever: Floats  #: a without strain [m], (strained,)
     factor: Floats  #: rows: factors a step ago and now, ∂U/∂factor [J] a step ago and now, (4, strains)
     power: Ints  #: exact sums of ∂U/∂factor [J], zero between steps, (strains, 68)
-    due: Bytes  #: 1 where ∂U/∂factor is needed, and where lengths have changed, (2,)
+    due: Bytes  #: flags by `strain_due`: ∂U/∂factor is needed; lengths have changed, (2,)
     place: int  #: place of the work in the list of works
 
 
@@ -229,7 +229,7 @@ class StepPasses(NamedTuple):
 
     present: Ints  #: bring boundary conditions to the time of the clock, (*, 8)
     opening: Ints  #: elements open a step after a pause, (*, 8)
-    travel: Ints  #: walls move, and lists of contacts may be out of date, (*, 8)
+    travel: Ints  #: walls move, and it is checked whether the list of contacts is valid, (*, 8)
     forces: Ints  #: forces, and the motion of elements by them, (*, 8)
     resume: Ints  #: postponed elements find their acceleration without failed bonds, (*, 8)
     reopening: Ints  #: postponed elements open the next step, (*, 8)

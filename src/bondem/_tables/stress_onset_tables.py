@@ -12,7 +12,7 @@ class CandidateFacets(NamedTuple):
     area: Floats  #: [m²], (m,)
     tension: float  #: f_t without scatter [Pa]
     least: float  #: size √(σ:σ) below which no stress reaches the criterion [Pa]
-    hot: float  #: f_t below which the facets of a cell are not evaluated [Pa]
+    hot: float  #: strength by which cells are evaluated: stresses of a cell count tension / hot times [Pa]
     along: Floats  #: largest principal stress at which a facet began to crack, else its f_t [Pa], (m,)
     bond: Ints  #: arrays of `StressCandidates`, (candidates,)
     stress: Floats  #: (candidates, 3, 3)
@@ -38,7 +38,7 @@ class OnsetSearch(NamedTuple):
     whole: Ints  #: numbers of the facets, (whole,)
     below: float  #: largest factor of interest
     spread: float  #: largest factor over the least of all
-    factor: Floats  #: inf of facets that are not evaluated, or never begin, (whole,)
+    factor: Floats  #: load factor at onset, inf of facets that are not evaluated or never begin, (whole,)
 
 
 class SofteningSearch(NamedTuple):
@@ -50,8 +50,8 @@ class SofteningSearch(NamedTuple):
     #: load factor where the integrity along each of three directions falls below `integrity`, inf for never,
     #: (listed, 3)
     factor: Floats
-    #: traction along each as if the facet were whole, that where it begins to soften, and that where it has no
-    #: integrity, 0 of brittle ones [Pa], (listed, 3, 3)
+    #: for each direction [Pa]: traction as of a whole facet, at onset of softening, at zero integrity (0 if
+    #: brittle), (listed, 3, 3)
     line: Floats
     direction: Floats  #: these directions, by rows; without meaning for material planes, (listed, 3, 3)
     ended: Floats  #: load factors at which the integrity is zero in all directions, (listed,)

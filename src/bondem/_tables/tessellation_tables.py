@@ -119,7 +119,9 @@ class FaceGroups(NamedTuple):
     first: Ints  #: start of each group in `plus`, (groups + 1,)
     minus: Ints  #: faces on the other side, group by group, (back,)
     second: Ints  #: start of each group in `minus`, (groups + 1,)
-    shift: Floats  #: vector from the centre of the corners of the first side to that of the other side, (groups, 3)
+    #: vector from the centre of the element on the plus side to that of the element on the minus side [m], (groups,
+    #: 3)
+    shift: Floats
     tolerance: float  #: patches of less area are left out [m²]
     work: Floats  #: polygons, (512, 3)
     other: Floats  #: polygons, (512, 3)
@@ -137,7 +139,7 @@ class PolygonMeasures(NamedTuple):
 
 
 class Bulk(NamedTuple):
-    """Volumes, surfaces and moments of solids, all about the centre of the element."""
+    """Volumes, moments and extents of solids, all about the centre of the element."""
 
     volume: Floats  #: [m³], (solids,)
     first: Floats  #: ∫ x dV [m⁴], (solids, 3)

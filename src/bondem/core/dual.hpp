@@ -4,8 +4,8 @@
 
 namespace bondem {
 
-// Value and derivative of a number, or of lanes of numbers. A constant has the derivative 0; after inlining, the compiler
-// knows where it is one. A product is fused with the number that it is added to, as in an expression of numbers.
+// Value and derivative of a number, or of lanes of numbers. A constant has the derivative 0; after inlining, the
+// compiler knows where it is one. A product is fused with the number added to it, as in an expression of numbers.
 template <class S> struct Dual {
     S v{}, d{};
     bool moves = false;
@@ -49,7 +49,7 @@ template <class T> BONDEM_INLINE T written(T a) { return a; }
 template <class S> BONDEM_INLINE S written(Dual<S> a) { return a.d; }
 template <class S> BONDEM_INLINE Vector3<S> written(Vector3<Dual<S>> a) { return {a.x.d, a.y.d, a.z.d}; }
 
-// Conversion of constants to duals.
+// A constant vector or tensor in numbers of type T, such as duals.
 template <class T> BONDEM_INLINE Vector3<T> constant(const Vector &a) { return {a.x, a.y, a.z}; }
 template <class T> BONDEM_INLINE Symmetric3<T> constant(const Symmetric3<double> &a) {
     return {a.xx, a.yy, a.zz, a.xy, a.xz, a.yz};

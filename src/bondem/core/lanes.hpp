@@ -1,8 +1,7 @@
 // Several numbers in one register: the number type of the laws in passes over many bonds or elements.
 //
 // The templates of laws/ use `Lanes` as a number with + - * /, negation, square root and rounding; each lane has the
-// bits of the scalar result. Rows of eight numbers become eight columns of lanes by a transposition, which writing
-// reverses.
+// bits of the scalar result. Rows of eight numbers are transposed to eight columns of lanes, and back.
 #pragma once
 #include "scalars.hpp"
 
@@ -206,7 +205,7 @@ BONDEM_INLINE PairOfRows<Lanes> gather(const double *table, const Short *first, 
     }
     return rows;
 }
-// Gathers a row of each table entry in `first` and `second`, and returns the sums of the two rows.
+// Sums of the rows at the places `first` and `second` of a table, one lane per pair of places.
 BONDEM_INLINE Row<Lanes> gather_sums(const double *table, const Short *first, const Short *second) {
     Row<Lanes> rows;
     for (int n = 0; n < lanes; n++) {

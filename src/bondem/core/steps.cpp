@@ -1,3 +1,4 @@
+// The steps of a run on the CPU: lists of passes, called for blocks, for portions or once (`steps.hpp`).
 #include "steps.hpp"
 
 #include "registered.hpp"
@@ -163,10 +164,10 @@ Clock clock_at(const StepScheme &scheme, Index step) {
 
 }  // namespace
 
-// Carries out the steps of a span.
+// Takes the steps of a span, or records the present state without a step; returns how the call has ended.
 //
-// The acceleration is that of the present state on entry and on return. Where no record and no guard comes between two
-// steps, the end of one and the start of the next are one pass over the elements.
+// The acceleration is that of the present state on entry and on return. Where no record and no guard comes between
+// two steps, the end of one and the start of the next are one pass over the elements.
 Index take_steps(Index threads, const StepPasses &passes, const StepBlocks &blocks, const StepScheme &scheme,
                  const StepSpan &span, const Ledger &ledger) {
     const StepDriver driver(threads, blocks, span);

@@ -7,10 +7,10 @@
 // continue from those that are postponed (`passes/damage/`): further passes over elements are called for either, for
 // the latter with a clock that stands still.
 //
-// Passes over blocks that follow each other go block by block, so that a block stays in the cache from its bonds to the
-// motion of its elements; each domain is on a thread of its own. Bonds that follow elements in the list begin when all
-// elements are done. At the end of a step postponed elements resume: a pass lists them all, passes over elements find
-// their acceleration with a clock that stands still, and others open the next step.
+// Passes over blocks that follow each other go block by block, so that a block stays in the cache from its bonds to
+// the motion of its elements; each domain is on a thread of its own. Bonds that follow elements in the list begin
+// when all elements are done. At the end of a step postponed elements resume: a pass lists them all, passes over
+// elements find their acceleration with a clock that stands still, and others open the next step.
 #pragma once
 #include "tables/columns.hpp"
 #include "tables/step_tables.hpp"
@@ -20,10 +20,10 @@ namespace bondem {
 // Time of a call of passes, and the coefficients of the scheme.
 struct Clock {
     double time, dt;  // [s]
-    double finish, begin, extra;  // coefficients of the scheme [s, s, s²]
+    double finish, begin, extra;  // coefficients as in `StepScheme` [s, s, s²]
     Index step;
-    Index first;  // whether the time was not reached by a step
-    Index goes_on;  // whether elements open the next step
+    Index first;  // 1 at the start of a call of the core, before its first step
+    Index goes_on;  // 1 if elements open the next step
     Index record;  // row of the history
 };
 

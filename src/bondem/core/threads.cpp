@@ -1,3 +1,4 @@
+// Threads that start at the first use and stay: they share the tasks of one caller at a time.
 #include "threads.hpp"
 
 #include <pthread.h>
@@ -7,8 +8,7 @@ namespace bondem {
 namespace {
 
 constexpr int most_threads = 256;
-// Number of times that a thread reads the flag before it sleeps, some microseconds, which saves most wake-ups between
-// two passes.
+// Number of times that a thread reads the flag before it sleeps, some microseconds: saves wake-ups between passes.
 constexpr int spins = 2000;
 
 inline void pause() {

@@ -15,7 +15,7 @@ namespace bondem {
 struct Adhesion {
     double pull_off, reach;  // F_c [N], D [m], 0 for none
 
-    // Pull-off force F_c of the stress σ between two spheres, or between a sphere and a wall for equal radii.
+    // Adhesion of strength σ between two spheres; for a sphere at a wall, both radii are its own.
     Adhesion(double strength, double reach, double ra, double rb)
         : pull_off(strength * pi * (ra < rb ? ra * ra : rb * rb)), reach(reach) {}
     double force(double gap) const { return gap < 0.0 ? pull_off : gap < reach ? pull_off * (1.0 - gap / reach) : 0.0; }

@@ -1,5 +1,4 @@
-// Stress in which a criterion evaluates a facet between two cells: their mean stress σ corrected to agree with the
-// traction t of the facet,
+// Stress by which a criterion evaluates a facet of two cells: their mean stress σ made to agree with the traction t,
 //
 //     σ* = σ + r⊗n + n⊗r - (r·n) n⊗n        r = t - σ n
 //

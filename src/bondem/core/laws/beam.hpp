@@ -1,8 +1,8 @@
 // A beam between two elements: one energy for every linear bond law, its gradient, and its parts.
 //
-// Elements are made in one reference configuration, where every orientation is the identity. X0 is the direction from i
-// to j there and L the distance of the centres; X is the present direction and ℓ the present distance. X1 and X2 are X0
-// turned with the elements i and j, so that
+// Elements are made in one reference configuration, where every orientation is the identity. X0 is the direction from
+// i to j there and L the distance of the centres; X is the present direction and ℓ the present distance. X1 and X2
+// are X0 turned with the elements i and j, so that
 //
 //     c1 = X · X1    c2 = X · X2    w = q_i · q_j
 //
@@ -23,12 +23,11 @@
 //
 // Signs: tension positive. The force acts on j, and its opposite on i.
 //
-// The second derivative of U at rest is the 12 × 12 matrix of the law. U does not change under rigid motion, and forces
-// that are its exact gradient conserve momentum and angular momentum to rounding.
+// The second derivative of U at rest is the 12 × 12 matrix of the law. U does not change under rigid motion, and
+// forces that are its exact gradient conserve momentum and angular momentum to rounding.
 //
 // Limits: U is periodic. The moment of shear has its maximum at 45°, and X = -X0 is a false minimum, so relative
-// rotations have to stay moderate: c1 and c2 above 0.7, w² above 0.75. A similar model is the V-model of Kuzkin and
-// Asonov (2012).
+// rotations have to stay moderate: c1 and c2 above 0.7, w² above 0.75. A similar model: Kuzkin and Asonov (2012).
 #pragma once
 #include "ends.hpp"
 
@@ -59,7 +58,7 @@ BONDEM_INLINE BeamLoads<T> beam_loads(const Ends<T> &ends, const BeamShape<T> &s
     const T axial = -k.kn * (present - shape.length) - (g1 * c1 + g2 * c2) * inverse;
     const T s1 = g1 * inverse, s2 = g2 * inverse;
     const Vector3<T> force = plus(plus(axial * X, s1, X1), s2, X2);
-    // torques = g X1 × X ± (4 kt w v - B X1 × X2), where (w, v) is the relative rotation
+    // torques = g X1 × X ± (2 kt w v - B X1 × X2), where (w, v) is the relative rotation
     const T twist = 2.0 * k.kt * relative_cosine(ends.i, ends.j);
     const Vector3<T> v = relative_sine(ends.i, ends.j), across = cross(X1, X2);
     const Vector3<T> both = {twist * v.x - k.B * across.x, twist * v.y - k.B * across.y, twist * v.z - k.B * across.z};

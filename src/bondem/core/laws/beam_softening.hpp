@@ -3,14 +3,14 @@
 //     U = s U0 + (1 - s) ½ kn ⟨L - ℓ⟩²        ⟨x⟩ = x where positive, else 0
 //
 // with U0 the energy of the whole beam (`beam.hpp`). All stiffnesses fall alike, but compression is carried as by the
-// whole beam. Forces are the exact gradient at fixed s: those of U0 times s, and a pressure (1 - s) kn ⟨L - ℓ⟩ along the
-// branch, which pushes the ends apart. Softening dissipates
+// whole beam. Forces are the exact gradient at fixed s: those of U0 times s, and a pressure (1 - s) kn ⟨L - ℓ⟩ along
+// the branch, which pushes the ends apart. Softening dissipates
 //
 //     Y = -∂U/∂s = U0 - ½ kn ⟨L - ℓ⟩² ≥ 0
 //
-// Its root λ = √Y is the opening: along any straight path it grows with the path. Integrity falls where λ grows beyond its
-// previous maximum. The product s λ, proportional to the force, falls on a line from λ0, where the criterion is reached,
-// to λf, where it is zero; in between the beam is unloaded to its origin:
+// Its root λ = √Y is the opening: along any straight path it grows with the path. Integrity falls where λ grows
+// beyond its previous maximum. The product s λ, proportional to the force, falls on a line from λ0, where the
+// criterion is reached, to λf, where it is zero; in between the beam is unloaded to its origin:
 //
 //     s = λ0 (λf - λ) / (λ (λf - λ0))        ∫ Y (-ds) = λ0 λf = G A
 //
@@ -21,7 +21,7 @@
 //
 //     G = 1 / (share_I / G_f + share_II / G_II,c)
 //
-// A beam that stores G A or more at the beginning breaks over the last twentieth of its opening.
+// A beam that stores G A / 1.05 or more at onset breaks while its opening grows by a twentieth.
 //
 // Linear softening: Hillerborg, Modéer and Petersson (1976). Linear rule of mixed mode: Wu and Reuter (1965), as in
 // Camanho and Dávila (2002).
@@ -41,11 +41,10 @@ template <class T> BONDEM_INLINE OpeningEnergy<T> opening_energy(const BeamEnerg
     return {positive(T(whole.bending + pulled)), positive(T(whole.shear + whole.twisting))};
 }
 
-// λf over λ0 of a beam that stores at least its fracture energy G A at onset.
+// Least ratio of λf to λ0, of beams that store the fracture energy G A or nearly as much at onset.
 constexpr double snap_of_beams = 1.05;
 
-// Opening λf at zero integrity of a beam that begins to soften at λ0 = `first` [√J]; `tear` and `slide` are G_f A and
-// G_II A [J].
+// Opening λf at zero integrity of a beam that softens from λ0 = `first` [√J] on; `tear` is G_f A, `slide` G_II A [J].
 inline double last_opening(const OpeningEnergy<double> &at_first, double tear, double slide, double first) {
     const double energy = (at_first.opening + at_first.sliding) / (at_first.opening / tear + at_first.sliding / slide);
     return most(energy / first, snap_of_beams * first);
@@ -67,7 +66,8 @@ struct SofteningLine {
     double beyond(double opening) const { return opening >= last ? 0.0 : (last - opening) * at(opening); }
 };
 
-// Integrity, at most s, of a beam whose opening grows from `before` to `opening` in a step; it has dissipated `spent` [J].
+// Integrity, at most s, of a beam whose opening grows from `before` to `opening` in a step; it has dissipated
+// `spent` [J].
 //
 // Where the line has no corner, the trapezoidal work of steps of equal size d is the area below the line. A step
 // across a corner counts a different work, and none in a jump from zero beyond the last opening. There the force s λ

@@ -1,14 +1,15 @@
 // Cells and the facets between them: one energy with E and ν of the material, its gradient, and its parts.
 //
-// Every element is the rigid core of a cell of a Laguerre tessellation, with its centre x at the centre of mass of the
-// cell. Cells i and j share a facet of area A and unit normal n, from i to j, with a face on each cell. In the reference,
-// every orientation R is the identity, b is the lever from the centre of a cell to the centroid of the facet, and
+// Every element is the rigid core of a cell of a Laguerre tessellation, with its centre x at the centre of mass of
+// the cell. Cells i and j share a facet of area A and unit normal n, from i to j, with a face on each cell. In the
+// reference, every orientation R is the identity, b is the lever from the centre of a cell to the centroid of the
+// facet, and
 //
 //     s_p = A w_p m_p      w_p = d_p / L      s_i + s_j = A n, with the normal n of cell i
 //
-// is the share of a facet in the swelling V θ of its cell p: d_p is the distance from the generator of the cell to the
-// plane of the facet, L = d_i + d_j, and m_p is n on average. Balanced shares make every uniform stress exact in every
-// cell (`bondem/specimen/tessellation/balanced_shares.py`). Then
+// is the share of a facet in the swelling V θ of its cell p: d_p is the distance from the generator of the cell to
+// the plane of the facet, L = d_i + d_j, and m_p is n on average. Balanced shares make every uniform stress exact in
+// every cell (`bondem/specimen/tessellation/balanced_shares.py`). Then
 //
 //     δ = x_j + R_j b_j - x_i - R_i b_i                     gap of the two faces; needs no frame of reference
 //     V_p θ_p = Σ (R_p s_p) · δ                             over the facets of the cell
@@ -18,9 +19,9 @@
 //     G = E / (2 (1 + ν))      λ = E ν / ((1 + ν) (1 - 2 ν))      c_p = 1/V_p Σ A d |m|²   over free facets
 //
 // v is the vector part of the relative rotation q_i* q_j and S the second moment of the facet about its centroid:
-// 2 v · H v is exactly (2 G / L) tr((1 - R_iᵀ R_j) S), the energy of a facet whose points do not open alike, and ½ ρ · H ρ
-// for a small rotation ρ. λ_p is λ with the openings of free facets eliminated, at which their traction vanishes.
-// `bondem/interactions/cells/cell_constants.py` computes the constants once.
+// 2 v · H v is exactly (2 G / L) tr((1 - R_iᵀ R_j) S), the energy of a facet whose points do not open alike, and
+// ½ ρ · H ρ for a small rotation ρ. λ_p is λ with the openings of free facets eliminated, at which their traction
+// vanishes. `bondem/interactions/cells/cell_constants.py` computes the constants once.
 //
 // With the stress σ = λ_p θ_p of a cell and g = σ R s, the gradient of U is
 //
@@ -32,9 +33,9 @@
 //
 // Signs: tension positive. `BeamLoads` has the force on j, as beams do; its opposite acts on i.
 //
-// U does not change under rigid motion, has no square root and no history, and is positive for -1 < ν < ½. Facets alone
-// are the lattice of Bolander and Saito (1998), whose ν is 0; with m = n the law is that of Mariotti (2007) and of Monasse
-// and Mariotti (2012).
+// U does not change under rigid motion, has no square root and no history, and is positive for -1 < ν < ½. Facets
+// alone are the lattice of Bolander and Saito (1998), whose ν is 0; with m = n the law is that of Mariotti (2007) and
+// of Monasse and Mariotti (2012).
 //
 // Limits: relative rotations stay moderate, as for beams (`laws/beam.hpp`); θ is linear in δ, so strains stay small.
 #pragma once
@@ -141,7 +142,7 @@ inline Vector present_normal(const Ends<double> &ends, Vector normal) {
 }
 
 // Mean square of the differences of traction between points of a facet [Pa²], from its bending and twisting: 2 k / A²
-// times 2 v · H v; `factor` is 4 k / A² [1/(N m³)].
+// times 2 v · H v; `factor` is 4 k / A² [N/m⁵].
 template <class T> BONDEM_INLINE T bending_square(const Ends<T> &ends, T factor, const Symmetric3<T> &H) {
     const Vector3<T> v = relative_turn(ends.i, ends.j).v;
     return factor * dot(v, H * v);

@@ -1,10 +1,10 @@
-// Contact of two bodies: a spring and a dashpot along the normal, both again in the tangential plane, Coulomb friction.
+// Contact of two bodies: a spring and a dashpot along the normal, both again in the tangential plane, and friction.
 //
 //     F_n = max(F(u) + ½ ks'(u) ξ² + cn u', 0)        |F_t| <= μ F_n,   F_t = ks ξ + cs ξ' while it sticks
 //
-// u is the overlap and ξ the stretch of the tangential spring. The spring turns with the pair, and slides where Coulomb's
-// limit is reached. F(u) and ks are those of a law (`linear_contact.hpp`, `hertz_mindlin.hpp`); the dashpots are shares β
-// of the critical damping of the masses that meet,
+// u is the overlap and ξ the stretch of the tangential spring. The spring turns with the pair, and slides where
+// Coulomb's limit is reached. F(u) and ks are those of a law (`linear_contact.hpp`, `hertz_mindlin.hpp`); the
+// dashpots are shares β of the critical damping of the masses that meet,
 //
 //     cn = 2 β √(kn m̄)      cs = 2 β √(ks m̄)      kn = dF/du,   1/m̄ = 1/m_i + 1/m_j
 //
@@ -16,15 +16,15 @@
 //
 //     F_t = 2 μ N / (1 + √(1 - 4 μ² N h))
 //
-// A spring that a law gives a stiffness of its own in every step (faces that slide out of each other) keeps its force as
-// it stiffens and its stretch as it softens, so that its energy never grows by the change (Thornton, Cummins and Cleary,
-// Powder Technology 233, 2013).
+// A spring that a law gives a stiffness of its own in every step (faces that slide out of each other) keeps its force
+// as it stiffens and its stretch as it softens, so that its energy never grows by the change (Thornton, Cummins and
+// Cleary, Powder Technology 233, 2013).
 //
-// Signs: the normal is from the first body to the second, velocities are of the second against the first, and the force
-// acts on the second body. Repulsion only.
+// Signs: the normal is from the first body to the second, velocities are of the second against the first, and the
+// force acts on the second body. Repulsion only.
 //
-// Limits: overlaps much smaller than the radii, and a step in which the pair turns little. Sources: Cundall and Strack,
-// Géotechnique 29 (1979) 47–65; Luding, Granular Matter 10 (2008) 235–246, for the turning of the spring.
+// Limits: overlaps much smaller than the radii, and a step in which the pair turns little. Sources: Cundall and
+// Strack, Géotechnique 29 (1979) 47–65; Luding, Granular Matter 10 (2008) 235–246, for the turning of the spring.
 #pragma once
 #include "../select.hpp"
 
@@ -86,8 +86,8 @@ BONDEM_INLINE ContactStiffness<T> contact_stiffness(const Law &, const ContactSp
     return k;
 }
 
-// The largest F_t <= μ F_n where F_n = N + F_t² h, N >= 0. For an h so large that no F_t equals μ F_n, the F_t of the
-// largest F_t / F_n.
+// The largest F_t <= μ F_n where F_n = N + F_t² h, N >= 0. For an h so large that no F_t equals μ F_n, the F_t of
+// the largest F_t / F_n.
 template <class T, class Number> BONDEM_INLINE T sliding_limit(Number friction, T N, T h) {
     const T wide = 4.0 * N * h, square = T{} + friction * friction;
     const T bounded = select(square * wide > all<T>(1.0), 1.0 / wide, square);

@@ -1,13 +1,12 @@
-// A cracked facet: two halves in series with springs that represent the lost stiffness, and friction where the crack
-// is closed.
+// A cracked facet: two halves in series with springs for the lost stiffness, and friction where the crack is closed.
 //
-// Half p of a facet of stiffness k has the part w_p of its compliance, so its own stiffness is k / w_p. A crack has an
 // Half p of a facet of stiffness k has the part w_p of its compliance, so its own stiffness is k / w_p. A crack has
 // an orthonormal frame e_1, e_2, e_3 that turns with cell i; e_1 is its normal. Along e_d half p keeps the share s⁺_d
 // of a force that pulls and s⁻_d of one that presses. Springs s / (1 - s) k / w_p in series with it represent the
 // loss, and their opening u_p is eliminated. With δ the gap of the two faces less their slip, σ_p = λ θ of the cell,
-// and g_p = R_p (A w m)_p its share in the swelling,
-//     F_p = k δ + σ_p g_p / w_p force of the whole half
+// and g_p = R_p s_p with the share s_p of the facet in the swelling V θ of the cell (`cell.hpp`),
+//
+//     F_p = k δ + σ_p g_p / w_p                                                force of the whole half
 //     L_p = Σ_d [(1 - s⁺_d) ⟨F_p·e_d⟩ + (1 - s⁻_d) min(F_p·e_d, 0)] e_d        lost part of this force
 //     u_p = w_p L_p / k        V_p θ_p = Σ g_p·δ - g_p·L_p / k
 //     f = Σ_p w_p (F_p - L_p) + q
@@ -18,8 +17,8 @@
 // material beside it, and transmits pressure along e_1 with Lamé's λ, as whole material does. The grip γ on traction
 // along the crack is 1 until its faces are far apart. A facet of a material plane, or of a cell without cohesion, has
 // e_1 = n and one integrity, s_1 = γ = s: it loses all but the pressure across it. q = (1 - γ) k (δ_t - slip) is
-// friction on the broken part of such a facet, and on a crack of the material once γ = 0. It is limited to μ times
-// the pressure along e_1. An open crack has no friction (Alfano and Sacco 2006).
+// friction on the broken part of such a facet, and on a crack of the material once γ = 0. It is at most μ (1 - γ)
+// times the pressure along e_1. An open crack has no friction (Alfano and Sacco 2006).
 //
 // Energy U: halves store ½ k / w |w δ - u|², their springs ½ s (1 - s) w (F·e_d)² / k for s⁺ or s⁻, friction
 // ½ |q|² / (1 - γ) k, and bending s 2 v·H v with v the vector part of q_i* q_j and s the least of s_1, s_2, s_3.
@@ -37,6 +36,7 @@
 
 namespace bondem {
 
+// Stiffness of a facet, and the part of cell i in its compliance.
 template <class T> struct FacetCompliance {
     T k;  // [N/m]
     T part;  // w of cell i; that of j is 1 - w [-]
@@ -92,8 +92,8 @@ template <class T> struct CrackFaces {
     T facing;  // cosine between the normals of both cells
     Vector3<T> share_i, share_j;  // g [m²]
     Vector3<T> arm_i, arm_j;  // levers [m]
-    CrackAxes<T> at;
-    CrackIntegrity<T> left;
+    CrackAxes<T> at;  // axes in space
+    CrackIntegrity<T> left;  // integrities and grip
     Mask<T> rubs;  // true where friction acts on the broken part, whose spring then has the slip
 
     BONDEM_INLINE const Vector3<T> &across() const { return at.e[0]; }
@@ -113,8 +113,8 @@ BONDEM_INLINE CrackFaces<T> crack_faces(const Ends<T> &ends, const FacetShape<T>
 
 // Cosine between the normals of two faces below which they do not press on each other as planes.
 constexpr double least_facing = 0.7;
-// True if the faces of a crack of area A no longer face each other: they are further apart than √A, or have slid by
-// more than `slide` √A.
+// True if the faces of a crack of area A no longer face each other: the cosine of their normals is below
+// `least_facing`, they are further apart than √A, or they have slid by more than `slide` √A.
 template <class T> BONDEM_INLINE Mask<T> turned_away(const CrackFaces<T> &now, T area, double slide) {
     const T d = dot(now.gap, now.across()), along = positive(d);
     const Vector3<T> beside = minus(now.gap, d, now.across());

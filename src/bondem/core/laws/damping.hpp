@@ -1,7 +1,7 @@
 // Damping of the motion of elements, and of the bonds between them.
 //
-// Local damping reduces each component of force and torque against the motion, F - γ |F| sign(v) (Chen et al. 2022, eqs
-// (11) and (12), whose printed F U/U is F): it vanishes in equilibrium.
+// Local damping reduces each component of force and torque against the motion, F - γ |F| sign(v) (Chen et al. 2022,
+// eqs (11) and (12), where F U / U is printed for F): it vanishes in equilibrium.
 //
 // A bond has a dashpot parallel to each of its springs, against the relative motion of its ends at the contact point.
 // The levers of this point add up to the present distance: no net moment, and no force in rigid motion. Chen et al.

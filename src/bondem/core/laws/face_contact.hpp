@@ -1,15 +1,14 @@
-// Contact of two plane faces of cells that no facet joins: a spring along the mean of their normals, in proportion to
-// their overlap.
+// Contact of two faces of cells that no facet joins: a spring along their mean normal, proportional to their overlap.
 //
 //     u = ½ g·(n_b - n_a)      A_ab = w A_0 (1 - g²/R²)²      A_0 = 2 A_a A_b / (A_a + A_b),  R² = 3 (A_a + A_b) / 2π
 //
-// with g from the centroid of face a to that of face b, n their outward normals, and w the weight of the pair. Centroids
-// further apart than R do not overlap. The area integrated over all lateral places is A_a A_b, as that of the true
-// polygons: faces that cover a plane, on faces that cover it, have together the area of the plane on average.
+// with g from the centroid of face a to that of face b, n their outward normals, and w the weight of the pair.
+// Centroids further apart than R do not overlap. The area integrated over all lateral places is A_a A_b, as that of
+// the true polygons: faces that cover a plane, on others that cover it, have its area on average.
 //
-// Energy: U = ½ κ A_ab (u - u0)², κ = 2 κ_a κ_b / (κ_a + κ_b) with κ = k / A of the facets, and u0 the overlap with which the
-// contact began. Forces and torques are its exact gradient: F (n_a - n_b) / 2 along the normals, and 4 U (1 - g²/R²)⁻¹ g / R²
-// where faces slide out of each other; they have neither a net force nor a net moment.
+// Energy: U = ½ κ A_ab (u - u0)², κ = 2 κ_a κ_b / (κ_a + κ_b) with κ = k / A of the facets, and u0 the overlap with
+// which the contact began. Forces and torques are its exact gradient: F (n_a - n_b) / 2 along the normals, and
+// 4 U (1 - g²/R²)⁻¹ g / R² where faces slide out of each other; they have neither a net force nor a net moment.
 //
 // Signs: forces act on cell b. Limits: faces are taken as compact; rotations within a step small.
 #pragma once

@@ -4,8 +4,8 @@
 //                                     at a rigid wall: A = π R²,  L = R
 //
 // Energy: ½ kn u². A pair whose bond is broken has the stiffness of that bond, and is linear with every law
-// (docs/decisions/0020-contact-after-breakage.md). Limits: overlaps up to half of the smaller radius. Source: Cundall and
-// Strack (1979); Potyondy and Cundall (2004) for the modulus.
+// (docs/decisions/0020-contact-after-breakage.md). Limits: overlaps up to half of the smaller radius. Source: Cundall
+// and Strack (1979); Potyondy and Cundall (2004) for the modulus.
 #pragma once
 #include "contact.hpp"
 

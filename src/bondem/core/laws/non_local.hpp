@@ -7,11 +7,10 @@
 //     F = kn δ_n n + kt δ_t + e                                             eqs (2), (3), (6)
 //     e = A ν (tr σ - n·σ n) n + t - kt δ_t⁻      t = A (σ n - (n·σ n) n)
 //
-// where δ_t⁻ is the tangential gap when σ was found. F_t differs from A τ only by kt (δ_t - δ_t⁻), its change in one
-// step: t adds the half of the engineering shear strain that kt δ_t lacks. F acts on i, and -F on j, both at the
-// middle of the gap, so that they make no moment together. The stress of an element of volume V is the symmetric part
-// of the sum
-// of
+// where δ_t⁻ is the tangential gap when σ was found. Without rotation δ_t / L is half of the engineering shear
+// strain, so that kt δ_t alone is half of the shear force A τ. With e, F_t differs from A τ only by kt (δ_t - δ_t⁻),
+// its change in one step. F acts on i, and -F on j, both at the middle of the gap, so that they make no moment
+// together. The stress of an element of volume V is the symmetric part of the sum
 //
 //     σ = (1/V) Σ b ⊗ F                                                     eq (1)
 //

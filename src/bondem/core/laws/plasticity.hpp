@@ -44,15 +44,14 @@ template <class T> struct YieldStrength {
     T stiffness;  // H [Pa]
     T carry;  // Δγ - (1 - z²) F / H of the step before, 0 without slip [-]
 };
-// An upper bound of F by Mohr and Coulomb, F itself by the cone [Pa].
+// An upper bound of F by Mohr and Coulomb, F itself by the cone [Pa]; -1 by the cone at a mean stress in tension.
 template <class T>
 BONDEM_INLINE T yield_bound(const StressInvariants<T> &s, const YieldStrength<T> &by, bool cone) {
     if (cone) return select(s.mean > T{}, all<T>(-1.0), s.deviator + 3.0 * by.slope * s.mean - by.cohesion);
     return s.deviator + by.slope * (s.mean + 0.57735026918962576 * s.deviator) - by.cohesion;
 }
 
-// F plus the cohesion [Pa]: from the largest and the least principal stress by Mohr and Coulomb, or by the cone,
-// where it is 0 in tension.
+// F plus the cohesion [Pa]: by Mohr and Coulomb from the extreme principal stresses, or by the cone, 0 in tension.
 template <class T> BONDEM_INLINE T sheared(T high, T low, T slope) { return 0.5 * (high - low) + 0.5 * (high + low) * slope; }
 template <class T>
 BONDEM_INLINE T yield_load(const PrincipalStress<T> &s, const StressInvariants<T> &at, T slope, bool cone) {
@@ -60,8 +59,7 @@ BONDEM_INLINE T yield_load(const PrincipalStress<T> &s, const StressInvariants<T
     return sheared(largest_of(s), least_of(s), slope);
 }
 
-// A step of plastic strain: Δγ, the part of Δγ that the next step starts from, and Δε along the principal directions
-// of the stress.
+// A step of plastic strain: Δγ, its part from which the next step starts, and Δε along the principal directions.
 template <class T> struct PlasticStep {
     T gamma, carry;
     T along[3];

@@ -32,7 +32,7 @@ template <class T> BONDEM_INLINE StressInvariants<T> invariants(const Symmetric3
 template <class T> BONDEM_INLINE T square_of(const Symmetric3<T> &s) {
     return s.xx * s.xx + s.yy * s.yy + s.zz * s.zz + 2.0 * (s.xy * s.xy + s.xz * s.xz + s.yz * s.yz);
 }
-// True if all principal stresses are below a limit, that is, whether limit - σ is positive definite.
+// True if all principal stresses are below a limit, that is, if limit 1 - σ is positive definite.
 template <class T> BONDEM_INLINE Mask<T> is_below(const Symmetric3<T> &s, T limit) {
     const T a = limit - s.xx, b = limit - s.yy, c = limit - s.zz, zero = {};
     const T det = a * (b * c - s.yz * s.yz) - s.xy * (s.xy * c + s.yz * s.xz) - s.xz * (s.xy * s.yz + b * s.xz);

@@ -1,7 +1,7 @@
 // Facets that lose their integrity: the integrity under given loads, by strength and fracture energy.
 //
-// With t the traction that a facet of the material would have if it were whole, n its normal, and e_1, e_2, e_3 the axes
-// that its crack keeps (`laws/crack.hpp`), each direction has its own criterion and its own integrity s_d:
+// With t the traction that a facet of the material would have if it were whole, n its normal, and e_1, e_2, e_3 the
+// axes that its crack keeps (`laws/crack.hpp`), each direction has its own criterion and its own integrity s_d:
 //
 //     T_d² = p_d² + b_d²        p_d = ⟨t·e_d⟩        b_d = b |n·e_d| / max |n·e|
 //     strength r f_t c_d        c_d = max(|n·e_d|, 0.2)        r = T_d / (p_d + b_d)
@@ -21,17 +21,17 @@
 // with the kink at κ t_0 and m the opening where the first line would reach zero, over the last one. κ = 0 and m = 1
 // are a straight line.
 //
-// Directions: a whole facet adopts the axes of a cracked facet of its cells, if the first of them is within 45° of
-// the largest principal stress around it. Otherwise it takes the principal directions of that stress. Axes along
-// which no integrity is lost turn with the stress, in the plane at right angles to those with a loss.
+// Directions: a facet that begins to crack adopts the axes of a crack beside it that agree with the largest principal
+// stress around it, else the principal directions of that stress (`passes/cracks/crack_axes.hpp`). While both axes
+// along the crack are intact, they turn in its plane into the principal directions there.
 //
 // A facet of a material plane (interface, joint, bedding) fails by its own traction: √(⟨t·n⟩² + b²) beyond its
-// strength, or |t_s| + t_n tan φ beyond its cohesion c. Its fracture energies count per area of the facet: the last
-// opening in an inclined direction, |t|² = q T², is smaller by the factor q.
+// strength, with b = ⟨T_b - ⟨-t·n⟩⟩, or |t_s| + t_n tan φ beyond its cohesion c. Its fracture energies count per area
+// of the facet: the last opening in an inclined direction, |t|² = q T², is smaller by the factor q.
 //
-// Sources: decisions 0019, 0028 and 0045. Cracks that keep their directions, several at a point at right angles to each
-// other, are those of the fixed smeared crack models (de Borst and Nauta 1985); Jirásek and Zimmermann (1998) compare
-// them with cracks that rotate with the principal axes.
+// Sources: decisions 0019, 0028 and 0045. Cracks that keep their directions, several at a point at right angles to
+// each other, are those of the fixed smeared crack models (de Borst and Nauta 1985); Jirásek and Zimmermann (1998)
+// compare them with cracks that rotate with the principal axes.
 #pragma once
 #include "principal.hpp"
 

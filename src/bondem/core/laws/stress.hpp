@@ -3,9 +3,9 @@
 //     σ1 = p + 2 √(J2 / 3) cos(arccos(r) / 3)      r = ½ det(s) / (√(J2 / 3))³
 //     σ3 = p - 2 √(J2 / 3) cos(arccos(-r) / 3)
 //
-// with the mean p, the deviator s = σ - p 1, and J2 = ½ s : s. 2 cos(arccos(r) / 3) is a polynomial of √((1 + r) /
-// 2), to 4e-7 (interpolated at Chebyshev's points). A margin for that and for rounding is added, so that a criterion
-// that is not reached by the bounds is not reached.
+// with the mean p, the deviator s = σ - p 1, and J2 = ½ s : s. 2 cos(arccos(r) / 3) is a polynomial of √((1 + r) / 2)
+// with an error of 4e-7 (interpolated at Chebyshev's points). A margin for that and for rounding widens the bounds: a
+// criterion that the bounds do not reach is not reached by the stress.
 #pragma once
 #include "../select.hpp"
 #include "../symmetric3.hpp"
@@ -27,7 +27,7 @@ template <class T> BONDEM_INLINE Stress<T> turned_by(const Rotation<T> &r, const
 }
 
 template <class T> struct PrincipalBounds {
-    T largest, least;  // [Pa]
+    T largest, least;  // at least σ1, and at most σ3 [Pa]
 };
 
 // Approximation of 2 cos(arccos(r) / 3) within 4e-7.

@@ -43,7 +43,7 @@ struct DilatationGradients {
     // start of the facets of cell p within its layer; layered is n, or 0
     Array<const Index, 1> layer;  // (layered + 1,)
     Array<const Short, 1> next;  // cell on the other side, (turns,)
-    // n × s of the cell and of the other one for both directions, with the signs for the cell as i [m²]
+    // n × s of the cell and of the other one for both directions, n normal to the layer, signs for the cell as i [m²]
     Array<const double, 2> way;  // (turns, 12)
     Array<const Index, 1> wall_start;  // start of the walls that hold cell p of a layer, (layered + 1,)
     Array<const Index, 1> wall;  // number of the wall, (layer_walls,)
@@ -68,7 +68,7 @@ struct CorrectedMass {
 struct CellEnergies {
     Array<double, 1> energy;  // normal, shear, bending, twisting [J], (4,)
 };
-// Poses of cells, whose stresses passes write.
+// Poses of cells; passes write the stresses λ θ in them.
 struct CellPoses {
     Array<double, 2> pose;  // (n, 8)
     Array<const double, 2> rest;  // centres in the reference [m], (n, 3)
@@ -76,15 +76,14 @@ struct CellPoses {
 
 // Forces of facets and moments of cells, which criteria of cracks and yielding need.
 struct FacetForces {
-    Array<const double, 1> bends;  // factor 4 k / A² of bending in T_b² [1/(N m³)], (m,)
+    Array<const double, 1> bends;  // factor 4 k / A² of v·H v in T_b² [N/m⁵], (m,)
     Array<double, 2> force;  // force of each facet on its cell i in the last step [N], (3, m)
-    // V σ of each cell, xx, yy, zz, xy, xz, yz [J], and Σ T_b² of its facets [Pa²]
-    Array<double, 2> moment;  // (n, 7)
-    Array<double, 2> sums;  // sums of these columns in rows as `StepBlocks.sums`, (*, 8)
+    Array<double, 2> moment;  // V σ of each cell, xx, yy, zz, xy, xz, yz [J], and Σ T_b² of its facets [Pa²], (n, 7)
+    Array<double, 2> sums;  // V σ and Σ T_b² (xx, yy, zz, Σ T_b², xy, xz, yz, 0) in rows as `StepBlocks.sums`, (*, 8)
 };
 // Facets of each cell: first those of which it is j, then those of which it is i.
 struct FacetsOfCells {
-    Array<const Index, 1> in_start;  // facets in_start[p] … in_start[p + 1] have j = p, (n + 1,)
+    Array<const Index, 1> in_start;  // facets in_start[p] … in_start[p + 1] - 1 have j = p, (n + 1,)
     Array<const Index, 1> out_start;  // facets with i = p are out_bond[out_start[p]] …, (n + 1,)
     Array<const Short, 1> out_bond;  // facets by their cells i, (*,)
 };
@@ -137,8 +136,8 @@ struct FacetTractions {
 // Stress-free strains of cells that change in time.
 struct CellStrains {
     Array<const Index, 1> schedule;  // (strains,)
-    Array<const double, 2> base_i;  // levers of the reference [m], (3, strained)
-    Array<const double, 2> base_j;  // levers of the reference [m], (3, strained)
+    Array<const double, 2> base_i;  // levers of cells i in the reference [m], (3, strained)
+    Array<const double, 2> base_j;  // levers of cells j in the reference [m], (3, strained)
     Array<const double, 1> still;  // 1 + ε* of each facet without the strains that change, (strained,)
     Array<const double, 2> part;  // strain of each facet at factor 1, (strains, strained)
     Array<const double, 2> wall_base;  // levers of walls [m], (supports, 3)
@@ -147,13 +146,13 @@ struct CellStrains {
     Index place;  // place of their work in the list of works
     Array<double, 2> factor;  // rows: factors, their changes, ∂U/∂factor before and after [J], (4, strains)
     Array<Index, 2> power;  // exact sums of ∂U/∂factor [J], zero between steps, (strains, exact_word::count)
-    Array<Byte, 1> due;  // 1 where ∂U/∂factor is needed, and where levers have changed, (2,)
+    Array<Byte, 1> due;  // flags by `strain_due`: ∂U/∂factor is needed; levers have changed, (2,)
 };
 // Time at which walls are placed.
 struct WallTime {
     double time;  // [s]
 };
-// Vectors, k of them, and their rotations by unit quaternions.
+// Vectors, and their rotations by unit quaternions.
 struct TurnedVectors {
     Array<const double, 2> quaternion;  // w x y z, (vectors, 4)
     Array<const double, 2> vector;  // (vectors, 3)

@@ -1,5 +1,5 @@
-// Numbers that the core and Python share: sizes of portions, columns of rows, and kinds. `python -m tests.core.tables`
-// writes them into `bondem/_tables/columns.py`.
+// Numbers that the core and Python share: sizes of portions, columns of rows, and kinds.
+// `python -m tests.core.tables` writes them into `bondem/_tables/columns.py`.
 #pragma once
 #include "../scalars.hpp"
 
@@ -88,17 +88,18 @@ enum : Index {
 namespace tensor_column { enum : Index { bending = 6, size }; }
 // Columns of the sums of an element: force, energy lost to damping, torque, energy lost to friction.
 namespace load_column { enum : Index { force, damped = 3, torque, rubbed = 7 }; }
-// Flags of strains that change: whether ∂U/∂factor is needed, and whether lengths or levers have changed.
+// Flags of stress-free strains in a step: ∂U/∂factor is needed; lengths or levers have changed.
 namespace strain_due { enum : Index { power, levers }; }
-// Counts of lists of cracks: treated one by one, resting, cells of treated cracks, and parted in this step.
+// Counts of the lists of cracks: active cracks, resting cracks, cells of active cracks, cracks parted in this step.
 namespace list_count { enum : Index { treated, resting, cells, parted }; }
 // Numbers of cohesive cracks: how many there are, and 1 where lists are out of date.
 namespace crack_number { enum : Index { cracks, out_of_date }; }
 namespace crack {
-// Kinds of cracks: of the material; with one integrity for all directions, of a material plane or a cell without
-// cohesion; and of the material that no longer transmits shear along it, with a spring of friction.
+// Kinds of cracks. A crack of the material has an integrity for each direction. An isotropic one has a single
+// integrity: on a material plane, or at a cell without cohesion. `let_go`: of the material without grip.
 enum CrackKind : int { of_material, isotropic, let_go };
-// Ways in which cracks are treated: one by one; as a facet of less stiffness; not at all, once their faces have parted.
+// Statuses of cracks: `active`, evaluated by itself in each step; `resting`, a facet of reduced stiffness; `parted`,
+// faces apart, no force.
 enum CrackStatus : int { active, resting, parted };
 }  // namespace crack
 
@@ -106,8 +107,7 @@ enum CrackStatus : int { active, resting, parted };
 // faces that face each other, not as spheres. Where such faces turn away within the reach of the spheres, the contact
 // is `late`: the spheres touch at the distance of that time, until the cells are apart.
 enum TouchState : Byte { separate, touching, parted, facing, late };
-// Kinds of walls: a plane, a cylinder around the elements and one among them, a sphere around them and one among them,
-// a disc.
+// Kinds of walls: a plane, a cylinder around the elements or among them, a sphere around them or among them, a disc.
 enum WallKind : Index { plane_wall, cylinder_around, cylinder_among, sphere_around, sphere_among, disc_wall };
 
 // Quantities of elements that gauges record.

@@ -51,8 +51,7 @@ struct ContactPairs {
 struct NearPairs {
     Array<Short, 1> near;  // pairs that may touch, (pairs + 1,)
     Array<Short, 1> close;  // pairs that touch or have just parted, (pairs + 1,)
-    // of close pairs: force on the later element [N], loss to dashpots [J], torque over radius [N], loss to friction
-    // [J]
+    // of close pairs: force on the later element [N], dashpot loss [J], torque over radius [N], friction loss [J]
     Array<double, 2> output;  // (pairs, 8)
     Array<Index, 2> counts;  // numbers of near and of close pairs of each portion of elements, (element_portions, 2)
     double width;  // motion of an element after which distances are measured again [m]
@@ -92,7 +91,7 @@ struct FacePairs {
     Array<const Short, 1> earlier;  // these pairs, (pairs,)
     Array<double, 1> chosen;  // the two faces by which each pair touches as one number, 0 for none, (pairs,)
     Array<double, 1> whole;  // reach of the pair as spheres [m], (pairs,)
-    // pairs that touch by faces or did a step ago, ascending, those of a portion from its first on
+    // pairs that touch by faces or did a step ago, ascending, each portion from its first pair; on devices 1 or 0
     Array<Short, 1> close;  // (pairs,)
     // of pair k: force on the later element [N], loss to dashpots [J], torque on it [N·m], loss to friction [J],
     // torque on the earlier one [N·m]

@@ -1,5 +1,4 @@
-// Tables of the passes that evaluate the laws of cracks and of yielding over arrays of m samples, a column per
-// quantity.
+// Tables of passes that evaluate laws of cracks and yielding for m samples: a row per quantity, a column per sample.
 #pragma once
 #include "../array.hpp"
 
@@ -14,7 +13,7 @@ struct SofteningSamples {
     double kink;  // κ of the softening curve [-]
     double steep;  // m of the softening curve [-]
     Index wide;  // 1 to evaluate by lanes, 0 by single numbers
-    // s_1, s_2, s_3 and grip after softening, and the traction below which a plane loses no integrity [Pa]
+    // s_1, s_2, s_3 and grip after softening, and the traction below which s_1 does not fall [Pa]
     Array<double, 2> left;  // (5, m)
 };
 // Samples of cracks (`laws/crack.hpp`).
@@ -34,7 +33,7 @@ struct YieldSamples {
     Array<const double, 2> strength;  // cohesion [Pa], slope, dilation, stiffness [Pa], slip carried over, (5, m)
     Index cone;  // 1 for Drucker and Prager, 0 for Mohr and Coulomb
     Index wide;  // 1 to evaluate by lanes, 0 by single numbers
-    // bound of F [Pa], Δγ, its part for the next step, strain xx, yy, zz, xy, xz, yz; principal stresses [Pa]; F and
+    // bound of F [Pa], Δγ, its part for the next step, strain xx, yy, zz, xy, xz, yz; principal stresses [Pa]; F plus
     // the cohesion [Pa]
     Array<double, 2> found;  // (13, m)
 };
@@ -43,7 +42,7 @@ struct StressBoundSamples {
     Array<const double, 2> stress;  // [Pa], (6, m)
     Array<const double, 1> bent;  // T_b [Pa], (m,)
     Index wide;  // 1 to evaluate by lanes, 0 by single numbers
-    // bounds of σ_1 and σ_3, T_b less the pressure, and an upper bound of the latter [Pa]
+    // bounds of σ_1 and σ_3; T_b less the largest pressure, at least 0, and an upper bound of that [Pa]
     Array<double, 2> found;  // (4, m)
 };
 

@@ -72,7 +72,7 @@ struct CohesiveCracks {
     Array<int32_t, 2> lever;  // levers of cells i and j in the reference, each with an unused number [pitch], (facets, 8)
     Array<double, 1> pitch;  // unit of levers [m], (3,)
     Array<Index, 1> order;  // cracked facets in the order in which they began, (facets,)
-    Array<Byte, 1> listed;  // 0 for whole facets, else 1 and the status of the crack, (m,)
+    Array<Byte, 1> listed;  // 0 for whole facets, else 1 plus the `crack::CrackStatus`, (m,)
     Array<double, 1> integrity;  // integrity of cracks, array of the state [-], (facets,)
     Array<Index, 1> size;  // number of cracks, and 1 where lists are out of date, (2,)
     double slide;  // largest slip of faces of material planes that face each other, over √A, at most 1 [-]
@@ -86,35 +86,34 @@ struct CellSlack {
     Array<const double, 1> slack_j;  // increase of 1 / weight of cell j if the facet parts [m³/Pa], (m,)
     Array<const double, 1> weight;  // λ / V of each cell with all its facets [Pa/m³], (n,)
 };
-// Lists of a step, and data of the cracks on them.
+// Lists of active and of resting cracks in a step, and data of the cracks on them.
 struct CrackLists {
-    // numbers of cracks treated one by one, of resting ones, of cells of the former, and of `parted`
-    Array<Index, 1> size;  // (4,)
-    Array<Index, 1> treated;  // cracks; lanes after the last one repeat it, (places,)
-    Array<Index, 1> resting;  // cracks; lanes after the last one repeat it, (places,)
-    Array<Short, 1> treated_i;  // cells i of these cracks, (places,)
-    Array<Short, 1> treated_j;  // cells j of these cracks, (places,)
-    Array<Short, 1> resting_i;  // cells i of these cracks, (places,)
-    Array<Short, 1> resting_j;  // cells j of these cracks, (places,)
+    Array<Index, 1> size;  // numbers of entries by `list_count`, (4,)
+    Array<Index, 1> treated;  // active cracks; lanes after the last one repeat it, (places,)
+    Array<Index, 1> resting;  // resting cracks; lanes after the last one repeat it, (places,)
+    Array<Short, 1> treated_i;  // cells i of active cracks, (places,)
+    Array<Short, 1> treated_j;  // cells j of active cracks, (places,)
+    Array<Short, 1> resting_i;  // cells i of resting cracks, (places,)
+    Array<Short, 1> resting_j;  // cells j of resting cracks, (places,)
     Array<Index, 1> parted;  // facets whose faces have parted in this step, (places,)
-    Array<Short, 1> cell;  // cells of cracks that are treated one by one, (*,)
-    Array<int32_t, 1> head;  // first half of each cell, (n,)
-    Array<int32_t, 1> next;  // half of its cell that follows a half, (halves,)
-    Array<Byte, 1> flag;  // `crack::Flag` of treated cracks, by place, (places,)
+    Array<Short, 1> cell;  // cells of active cracks, (*,)
+    Array<int32_t, 1> head;  // first half of an active crack at each cell, 0 without, (n,)
+    Array<int32_t, 1> next;  // half at the same cell that follows a half, 0 at the end, (halves,)
+    Array<Byte, 1> flag;  // `crack::Flag` of active cracks, by place, (places,)
     Array<Byte, 1> waking;  // `crack::Flag` of resting cracks, by place, (places,)
-    Array<Index, 1> flagged;  // above 0 for a portion of treated cracks with a flag, (crack_portions,)
+    Array<Index, 1> flagged;  // above 0 for a portion of active cracks with a flag, (crack_portions,)
     Array<Index, 1> woken;  // above 0 for a portion of resting cracks with a flag, (crack_portions,)
     Array<Byte, 1> outdated;  // 1 for cells whose stress has to be found again, (n,)
     Array<int32_t, 1> leader;  // facet of the leading crack of each cell, -1 without, (n,)
-    Array<double, 1> base;  // V θ without cracks that are treated one by one [m³], (n,)
-    // `SwellingHalf` by the number of the half (`half_of`) and, once forces are known, `crack::LoadColumn`, (halves, 16): one
-    // memory for both, because the data of many cracks exceed the caches.
+    Array<double, 1> base;  // V θ without active cracks [m³], (n,)
+    // `SwellingHalf` of each half by its number (`half_of`), replaced by loads (`crack::LoadColumn`) once forces are
+    // known: one memory for both, because the data of many cracks exceed the caches
     Array<double, 2> half;  // (halves, 16)
     Array<double, 2> sum;  // sums of the first eight columns of loads over the halves of each cell, (n, 8)
-    Array<double, 2> slip;  // by how much the cracks of a cell slip in this step [m], and `crack::Slipping`, (n, 4)
+    Array<double, 2> slip;  // slip of the cracks of each cell in this step [m], and `crack::Slipping`, (n, 4)
     Array<Index, 2> lost;  // exact sum of the energy dissipated in a step [J], (1, exact_word::count)
 };
-// Distances at which elements touch once their facet has parted.
+// Distances of centres at which two cells touch once their facet has parted.
 struct PartedReach {
     Array<double, 1> apart;  // distance of each facet [m], (*,)
 };

@@ -7,7 +7,7 @@ namespace bondem {
 
 // Bounds of the loads of bonds, below which no bond fails.
 struct FailureBounds {
-    Array<float, 1> limit;  // bound of of_force |F|² + of_moment |M|²; inf for bonds that cannot fail, (m,)
+    Array<float, 1> limit;  // bound of of_force |F|² + of_moment (|M_i|² + |M_j|²), inf for bonds that cannot fail, (m,)
     double of_force;  // [1/N²]
     double of_moment;  // [1/(N·m)²]
 };
@@ -30,8 +30,8 @@ struct Postponed {
     Array<Byte, 1> flag;  // not 0 for elements that are postponed, (n,)
     Array<Short, 1> element;  // lists of these elements, (n,)
     Array<Short, 1> row;  // rows of their sums, (n,)
-    Index first_row;  // first row of the sums of a step that keeps sums of postponed elements, one row per element
-    Array<double, 2> sum;  // these rows, (n, 8)
+    Index first_row;  // first of the rows of `StepBlocks.sums` that keep sums of postponed elements, one per element
+    Array<double, 2> sum;  // these rows: sums of postponed elements until they resume, (n, 8)
 };
 // Failures of one call of the core, in the order of time.
 struct EventLog {
@@ -50,13 +50,13 @@ struct BeamIntegrity {
 struct FailureIndices {
     Array<double, 1> index;  // 1 at failure, 0 of broken bonds [-], (m,)
 };
-// Facets under tractions.
+// Facets with given tractions, for which a criterion is evaluated.
 struct LoadedTractions {
     Array<const double, 2> normal;  // [-], (m, 3)
     Array<const double, 2> traction;  // [Pa], (m, 3)
     Array<const double, 1> area;  // [m²], (m,)
 };
-// Bonds of which a criterion evaluates a stress.
+// Bonds or facets whose stress a criterion evaluates in a step, with their stresses.
 struct StressCandidates {
     Array<Index, 1> bond;  // bonds; those of a portion begin at the number of its first bond, (candidates,)
     Array<double, 3> stress;  // symmetric [Pa], (candidates, 3, 3)

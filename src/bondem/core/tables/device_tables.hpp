@@ -14,12 +14,12 @@ struct DeviceSpan {
     Index n;  // number of elements
     Index m;  // number of bonds
 };
-// Change of the clock.
+// Change of the clock of a device.
 struct Tick {
     Index ahead;  // number of steps ahead
     Index goes_on;  // 1 if elements open the next step
     Index still;  // 1 for a step of duration 0
-    Index first;  // 1 at a time that no step has reached
+    Index first;  // 1 at the start of a call of the loop, before its first step
 };
 // Loads of each bond on its two ends.
 struct LoadsOfBonds {
@@ -33,11 +33,11 @@ struct BondMarks {
 };
 // Bonds of each element, both lists ascending.
 struct BondsOfElements {
-    Array<const int32_t, 1> in_start;  // bonds in_start[p] … in_start[p + 1] have j = p, (n + 1,)
+    Array<const int32_t, 1> in_start;  // bonds in_start[p] … in_start[p + 1] - 1 have j = p, (n + 1,)
     Array<const int32_t, 1> out_start;  // start of the bonds with i = p in `out_bond`, (n + 1,)
     Array<const Short, 1> out_bond;  // bonds by their elements i, (*,)
 };
-// Pairs of contact whose earlier element each element is, ascending.
+// Contact pairs of each element as the earlier one of the pair, ascending.
 struct EarlierPairs {
     Array<const int32_t, 1> start;  // start of the pairs of each element, (n + 1,)
     Array<const Short, 1> pair;  // numbers of these pairs, (pairs,)

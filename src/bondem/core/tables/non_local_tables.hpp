@@ -13,7 +13,7 @@ struct NonLocalBonds {
     Array<const double, 2> lever_i;  // from the element i to the contact point in the reference [m], (3, m)
     Array<const double, 2> lever_j;  // from the element j to the contact point in the reference [m], (3, m)
     double nu;  // ν [-]
-    Index limited;  // whether the extra shear force is limited
+    Index limited;  // 1 to limit the extra shear force
     Array<double, 2> history;  // gap [m], extra force [N] and its work [J], in the frame of element i, (7, m)
     Array<double, 2> output;  // force on i, torque on i, minus torque on j, now [N, N·m], (9, m)
 };
@@ -23,7 +23,7 @@ struct SmallPairs {
     Array<const double, 1> area;  // [m²], (m,)
     Array<const double, 1> kt;  // [N/m], (m,)
     double nu;  // ν [-]
-    Index limited;  // whether the extra shear force is limited
+    Index limited;  // 1 to limit the extra shear force
     Array<const double, 2> normal;  // [-], (m, 3)
     Array<const double, 2> stress;  // of the elements, xx, yy, zz, xy, xz, yz [Pa], (n, 6)
     Array<const double, 2> gap;  // [m], (m, 3)
@@ -36,7 +36,7 @@ struct SmallSprings {
     Array<const double, 1> along;  // dashpots along the normals [N·s/m], (m,)
     Array<const double, 1> across;  // dashpots across the normals [N·s/m], (m,)
 };
-// Steps of small motions (u, θ) of n elements; stresses and gaps are those of `SmallPairs`.
+// Steps of small motions (u, θ) of n elements; `stress` and `gap` are the arrays of `SmallPairs`.
 struct SmallSteps {
     double dt;  // [s]
     double gamma;  // local damping [-]
@@ -50,7 +50,7 @@ struct SmallSteps {
     Array<double, 2> gap;  // [m], (m, 3)
     Array<double, 1> size;  // twice the kinetic energy after each step [J], (steps,)
 };
-// Extra forces of bonds.
+// Extra forces of the bonds of the non-local law.
 struct ExtraForces {
     Array<double, 2> force;  // [N], (m, 3)
 };

@@ -37,7 +37,7 @@ struct Near {
 // Criteria for the end of a relaxation, and data that the descent keeps between calls.
 struct Relaxing {
     double tolerance;  // converged when the rms force is below this share of the mean contact force [-]
-    double loose;  // spheres with a mean overlap below this do not press on each other [m]
+    double loose;  // mean overlap below which a relaxation ends: the spheres do not press on each other [m]
     Index steps;  // largest number of steps
     Array<double, 1> fire;  // time step, mixing, steps downhill; zeros at the beginning, (3,)
     Array<double, 2> part;  // sums of each block of spheres, (blocks, 8)
@@ -73,8 +73,7 @@ struct SphereGrid {
     Array<Index, 1> cell;  // cell of each sphere, (n,)
     Array<Index, 1> first;  // where the members of each cell begin, (cells + 1,)
     Array<Short, 1> member;  // spheres, cell by cell, (n,)
-    // their centres and radii [m], in that order, (4, n + 8): several are read at once
-    Array<double, 2> place;  // (4, n + 8)
+    Array<double, 2> place;  // centres and radii of `member` [m], and room to read several at once, (4, n + 8)
     Array<Index, 1> start;  // where the neighbours of each sphere begin, (n + 1,)
 };
 

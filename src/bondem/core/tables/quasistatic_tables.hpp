@@ -45,7 +45,7 @@ struct ScaledMatrix {
     Array<const double, 3> block;  // B, (b, 6, 6)
     Array<const double, 2> form;  // F, (b, 6)
     Array<const float, 3> rounded_block;  // B in half the memory, (b, 6, 6)
-    Array<const float, 2> rounded_form;  // F, (b, 6)
+    Array<const float, 2> rounded_form;  // F in half the memory, (b, 6)
     Array<const double, 1> weight;  // W, (n,)
 };
 // Coarse correction by clumps of cells that move rigidly: c unknowns, and a factor L of half-width w - 1.

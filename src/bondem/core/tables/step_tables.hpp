@@ -1,7 +1,7 @@
 // Tables of the passes of a step.
 //
-// Rows of eight are one cache line: pose (x, y, z, spare, quaternion w x y z), motion (velocity, 1/m, angular velocity,
-// 1/I) and sums (force, 0, torque, 0).
+// Rows of eight are one cache line: pose (x, y, z, spare, quaternion w x y z), motion (velocity, 1/m, angular
+// velocity, 1/I) and sums (force, 0, torque, 0).
 #pragma once
 #include "../array.hpp"
 
@@ -89,9 +89,9 @@ struct StepBlocks {
 // One step of time integration; see `bondem.dynamics.schemes`.
 struct StepScheme {
     double dt;  // [s]
-    double finish;  // [s]
-    double begin;  // [s]
-    double extra;  // [s²]
+    double finish;  // change of the velocity per acceleration that closes a step [s]
+    double begin;  // change of the velocity per acceleration that opens a step [s]
+    double extra;  // displacement of a step per acceleration, in addition to that by the velocity [s²]
     double gamma;  // of local damping [-]
     double origin;  // time of step 0 [s]
 };
@@ -152,7 +152,7 @@ struct BodyForces {
 struct Resistance {
     double gamma;  // of local damping [-]
     double alpha;  // of mass damping [1/s]
-    Index viscous;  // whether there is mass damping or any dashpot
+    Index viscous;  // 1 with mass damping or dashpots
     Array<double, 2> dashed;  // the sums of `Dashpots`, empty without, (*, 8)
     Array<const double, 2> absorbing;  // dashpots of each row, xx, yy, zz, xy, xz, yz [N·s/m], empty without, (*, 6)
 };
@@ -161,14 +161,13 @@ struct Strain {
     Array<const Index, 1> schedule;  // (strains,)
     Array<const Short, 1> bond;  // (strained,)
     Array<const double, 2> part;  // strain of each bond at factor 1 [-], (strains, strained)
-    Array<const double, 1> still;  // 1 and the strains that do not change [-], (strained,)
+    Array<const double, 1> still;  // 1 plus the strains that do not change [-], (strained,)
     Array<const double, 1> length;  // L without strain [m], (strained,)
     Array<const double, 1> shear;  // ks without strain [N/m], (strained,)
     Array<const double, 1> lever;  // a without strain [m], (strained,)
-    // rows: factors a step ago and now, ∂U/∂factor [J] a step ago and now
-    Array<double, 2> factor;  // (4, strains)
+    Array<double, 2> factor;  // rows: factors a step ago and now, ∂U/∂factor [J] a step ago and now, (4, strains)
     Array<Index, 2> power;  // exact sums of ∂U/∂factor [J], zero between steps, (strains, exact_word::count)
-    Array<Byte, 1> due;  // 1 where ∂U/∂factor is needed, and where lengths have changed, (2,)
+    Array<Byte, 1> due;  // flags by `strain_due`: ∂U/∂factor is needed; lengths have changed, (2,)
     Index place;  // place of the work in the list of works
 };
 
@@ -195,10 +194,9 @@ struct HistoryRows {
 struct StepPasses {
     Array<const Index, 2> present;  // bring boundary conditions to the time of the clock, (*, 8)
     Array<const Index, 2> opening;  // elements open a step after a pause, (*, 8)
-    Array<const Index, 2> travel;  // walls move, and lists of contacts may be out of date, (*, 8)
+    Array<const Index, 2> travel;  // walls move, and it is checked whether the list of contacts is valid, (*, 8)
     Array<const Index, 2> forces;  // forces, and the motion of elements by them, (*, 8)
-    // postponed elements find their acceleration without failed bonds
-    Array<const Index, 2> resume;  // (*, 8)
+    Array<const Index, 2> resume;  // postponed elements find their acceleration without failed bonds, (*, 8)
     Array<const Index, 2> reopening;  // postponed elements open the next step, (*, 8)
     Array<const Index, 2> guard;  // check of the run, (*, 8)
     Array<const Index, 2> record;  // a row of the history, (*, 8)

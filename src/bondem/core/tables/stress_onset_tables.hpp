@@ -1,5 +1,4 @@
-// Tables of the passes over facets that begin to crack: by a function of the stress in a step, and where all loads are
-// proportional to a factor.
+// Tables of passes over facets that begin to crack: by a function of stress in a step, and at proportional loads.
 #pragma once
 #include "crack_tables.hpp"
 #include "damage_tables.hpp"
@@ -12,7 +11,7 @@ struct CandidateFacets {
     Array<const double, 1> area;  // [m²], (m,)
     double tension;  // f_t without scatter [Pa]
     double least;  // size √(σ:σ) below which no stress reaches the criterion [Pa]
-    double hot;  // f_t below which the facets of a cell are not evaluated [Pa]
+    double hot;  // strength by which cells are evaluated: stresses of a cell count tension / hot times [Pa]
     Array<double, 1> along;  // largest principal stress at which a facet began to crack, else its f_t [Pa], (m,)
     Array<Index, 1> bond;  // arrays of `StressCandidates`, (candidates,)
     Array<double, 3> stress;  // (candidates, 3, 3)
@@ -34,19 +33,17 @@ struct OnsetSearch {
     Array<const Index, 1> whole;  // numbers of the facets, (whole,)
     double below;  // largest factor of interest
     double spread;  // largest factor over the least of all
-    Array<double, 1> factor;  // inf of facets that are not evaluated, or never begin, (whole,)
+    Array<double, 1> factor;  // load factor at onset, inf of facets that are not evaluated or never begin, (whole,)
 };
 // Facets that have begun to crack, and the load factors at which they soften further.
 struct SofteningSearch {
     Array<const Index, 1> facet;  // (listed,)
     Array<const double, 2> traction;  // as if they were whole [Pa], (listed, 3)
     Array<const double, 1> integrity;  // [-], (listed,)
-    // load factor where the integrity along each of three directions falls below `integrity`, inf for never, (listed,
-    // 3)
-    Array<double, 2> factor;
-    // traction along each as if the facet were whole, that where it begins to soften, and that where it has no
-    // integrity, 0 of brittle ones [Pa], (listed, 3, 3)
-    Array<double, 3> line;
+    // load factor where the integrity along each of three directions falls below `integrity`, inf for never
+    Array<double, 2> factor;  // (listed, 3)
+    // for each direction [Pa]: traction as of a whole facet, at onset of softening, at zero integrity (0 if brittle)
+    Array<double, 3> line;  // (listed, 3, 3)
     Array<double, 3> direction;  // these directions, by rows; without meaning for material planes, (listed, 3, 3)
     Array<double, 1> ended;  // load factors at which the integrity is zero in all directions, (listed,)
 };

@@ -24,9 +24,8 @@ struct Bins {
 struct Solids {
     Array<const Index, 1> cell;  // element whose cell each solid is part of, (solids,)
     Array<const Index, 1> face;  // faces of solid s are face[s] … face[s + 1] - 1, (solids + 1,)
-    // neighbour behind each face: an element; BOX - 0 … BOX - 5, sides of the box around the shape
-    // (x_min, x_max, y_min …); LOCAL, an arbitrary end; or SPLIT - 2 s and SPLIT - 2 s - 1, both sides of split s of
-    // the cell
+    // neighbour behind each face: an element; BOX - 0 … BOX - 5, sides of the box around the shape (x_min, x_max,
+    // y_min …); LOCAL, an arbitrary end; or SPLIT - 2 s and SPLIT - 2 s - 1, both sides of split s of the cell
     Array<const Index, 1> tag;  // (faces,)
     Array<const double, 2> plane;  // outward unit normal and distance from the centre [-, m], (faces, 4)
     Array<const Index, 1> corner;  // corners of face g are corner[g] … corner[g + 1] - 1, (faces + 1,)
@@ -109,7 +108,7 @@ struct FaceGroups {
     Array<const Index, 1> first;  // start of each group in `plus`, (groups + 1,)
     Array<const Index, 1> minus;  // faces on the other side, group by group, (back,)
     Array<const Index, 1> second;  // start of each group in `minus`, (groups + 1,)
-    // vector from the centre of the corners of the first side to that of the other side
+    // vector from the centre of the element on the plus side to that of the element on the minus side [m]
     Array<const double, 2> shift;  // (groups, 3)
     double tolerance;  // patches of less area are left out [m²]
     Array<double, 2> work;  // polygons, (512, 3)
@@ -126,7 +125,7 @@ struct PolygonMeasures {
     Array<double, 3> moment;  // second moments about the centroid [m⁴], (polygons, 3, 3)
 };
 
-// Volumes, surfaces and moments of solids, all about the centre of the element.
+// Volumes, moments and extents of solids, all about the centre of the element.
 struct Bulk {
     Array<double, 1> volume;  // [m³], (solids,)
     Array<double, 2> first;  // ∫ x dV [m⁴], (solids, 3)

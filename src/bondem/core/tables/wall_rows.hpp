@@ -1,4 +1,5 @@
-// Rows of the tables of walls. Python reads names and places of their numbers from here (`bondem/boundary/wall_rows.py`).
+// Rows of the tables of walls. Python reads names and places of their numbers from here
+// (`bondem/boundary/wall_rows.py`).
 #pragma once
 #include "../laws/rotations.hpp"
 
@@ -28,7 +29,7 @@ struct WallShape {
     double hole;  // radius of the hole of a disc [m]
     Vector about;  // the point about which it turns [m]
 };
-// Mass and inertia of a free wall; zero for other walls.
+// Inverse mass and inertia of a free wall; zero for other walls.
 struct WallInertia {
     double inverse_mass;  // [1/kg]
     Vector inverse_moment;  // of its principal moments; zero where it does not turn [1/(kg·m²)]

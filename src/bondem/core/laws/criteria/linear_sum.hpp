@@ -2,9 +2,9 @@
 //
 //     N / N_max + |Q| / Q_max + |M| / M_max + |T| / T_max ≥ 1
 //
-// Tension positive; N counts with its sign, so that compression strengthens. M is the larger of the moments at both ends
-// of a beam, or that at the contact point. Coefficients: the inverse strengths in this order. The mode is that of the
-// largest share, the first one of equal shares.
+// Tension positive; N counts with its sign, so that compression strengthens. M is the larger of the moments at both
+// ends of a beam, or that at the contact point. Coefficients: the inverse strengths in this order. The mode is that
+// of the largest share, the first one of equal shares.
 //
 // `bond_style bpm/rotational` of LAMMPS, after Wang (2009).
 #pragma once
