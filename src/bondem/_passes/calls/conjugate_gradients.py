@@ -10,7 +10,7 @@ from bondem._tables.quasistatic_tables import ClumpCorrection, ConjugateGradient
 def conjugate_gradients(
     scaled_matrix: ScaledMatrix, clump_correction: ClumpCorrection, conjugate_gradients: ConjugateGradients
 ) -> Call:
-    """Solves Sᵀ K S x = f by conjugate gradients from a guess, preconditioned by the clumps; returns 0 if they
-    converge, else 1.
+    """Solves Sᵀ K S x = f by conjugate gradients from a guess, preconditioned by clumps; returns 0 if converged,
+    else 1.
     """
     return Call("conjugate_gradients", (scaled_matrix, clump_correction, conjugate_gradients))

@@ -13,8 +13,8 @@ def list_neighbours(sphere_grid: SphereGrid, neighbour_lists: NeighbourLists) ->
 
 
 def sort_and_count_neighbours(sphere_grid: SphereGrid) -> Call:
-    """Sorts spheres into the cells of their grid, and counts the neighbours of each, whose surfaces are at most
-    `skin` apart: fills `start`, too.
+    """Sorts spheres into the cells of their grid, and counts the neighbours of each within a gap of `skin` in
+    `start`.
     """
     return Call("sort_and_count_neighbours", (sphere_grid,))
 

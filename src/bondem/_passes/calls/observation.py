@@ -13,5 +13,5 @@ def add_moments(moments_of_forces: MomentsOfForces) -> Call:
 
 
 def turn_vectors(turned_vectors: TurnedVectors) -> Call:
-    """Turns vectors with their elements."""
+    """Turns vectors by the quaternions of their elements."""
     return Call("turn_vectors", (turned_vectors,))

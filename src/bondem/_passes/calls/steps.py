@@ -10,5 +10,5 @@ from bondem._tables.step_tables import Ledger, StepBlocks, StepPasses, StepSchem
 def take_steps(
     step_passes: StepPasses, step_blocks: StepBlocks, step_scheme: StepScheme, step_span: StepSpan, ledger: Ledger
 ) -> Call:
-    """Carries out the steps of a span."""
+    """Takes the steps of a span, or records the present state without a step; returns how the call has ended."""
     return Call("take_steps", (step_passes, step_blocks, step_scheme, step_span, ledger))

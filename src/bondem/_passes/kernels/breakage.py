@@ -163,7 +163,7 @@ def remove_failing_beam(
     device_span: DeviceSpan, moving: Moving, beams: Beams, beam_integrity: BeamIntegrity, candidates: Candidates,
     event_log: EventLog, loads_of_bonds: LoadsOfBonds
 ) -> Kernel:
-    """Removes failed beam number e, and writes the loads that its ends lose."""
+    """Removes the failed beam at place e of the order of bonds, and writes the loads that its ends lose."""
     return Kernel("remove_failing_beam", (
         device_span, moving, beams, beam_integrity, candidates, event_log, loads_of_bonds
     ))

@@ -74,7 +74,7 @@ def apply_walls_of_row(moving: Moving, wall_constraints: WallConstraints, row_or
 def begin_walls_of_row(
     device_span: DeviceSpan, moving: Moving, wall_constraints: WallConstraints, row_order: RowOrder, rows: Rows
 ) -> Kernel:
-    """Computes the forces of walls on row r at a time that no step has reached."""
+    """Computes the forces of walls on row r before the first step of a call."""
     return Kernel("begin_walls_of_row", (device_span, moving, wall_constraints, row_order, rows))
 
 
@@ -186,7 +186,7 @@ def load_facet(moving: Moving, elastic_facets: ElasticFacets, loads_of_bonds: Lo
 
 def place_wall(device_span: DeviceSpan, wall_constraints: WallConstraints) -> Kernel:
     """Launched for `follow_walls`: moves walls to their places at the time of the clock, and updates their forces
-    at a time that no step has reached.
+    before the first step of a call.
 
     Over one index.
     """

@@ -102,8 +102,8 @@ def press_pair(
     device_span: DeviceSpan, moving: Moving, contact_constants: ContactConstants, contact_pairs: ContactPairs,
     near_pairs: NearPairs
 ) -> Kernel:
-    """Finds forces and memory of the pairs of a portion of elements; renews the list of near pairs where elements
-    have moved too far.
+    """Finds forces and memory of the pairs of a portion of elements; renews the list of near pairs after large
+    motions.
 
     Over one index.
     """

@@ -106,7 +106,7 @@ def mark_facet(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, facet_forces: FacetForces,
     facet_strengths: FacetStrengths, stresses_of_cells: StressesOfCells, crack_onset: CrackOnset
 ) -> Kernel:
-    """Marks facets of the material that begin to crack.
+    """Marks facets of the material that begin to crack, and all whole facets of cells without cohesion.
 
     Over one index.
     """

@@ -15,7 +15,7 @@ def sum_portion_of_cracks(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks,
     ledger: Ledger
 ) -> Kernel:
-    """Sums the energies of the cracks that are treated one by one [J].
+    """Sums the energies of the active cracks [J].
 
     Over one index.
     """
@@ -26,7 +26,7 @@ def sum_portion_of_crushing(
     device_span: DeviceSpan, facet_strengths: FacetStrengths, cohesive_cracks: CohesiveCracks, ledger: Ledger
 ) -> Kernel:
     """Launched for `write_crushing_of_facets`: writes the energy that facets have released beyond their fracture
-    energy.
+    energy in this run [J].
 
     Over one index.
     """
@@ -47,7 +47,7 @@ def write_all_crushing_of_facets(
     device_span: DeviceSpan, ledger: Ledger, event_log: EventLog, history_rows: HistoryRows
 ) -> Kernel:
     """Launched for `write_crushing_of_facets`: writes the energy that facets have released beyond their fracture
-    energy.
+    energy in this run [J].
 
     Over one index.
     """

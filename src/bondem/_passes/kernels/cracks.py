@@ -14,7 +14,7 @@ from bondem._tables.step_tables import Moving, StepBlocks
 def add_crack_load(
     device_span: DeviceSpan, moving: Moving, crack_lists: CrackLists, step_blocks: StepBlocks
 ) -> Kernel:
-    """Adds the forces of cracks that are treated one by one to the sums of their cells.
+    """Adds the forces of active cracks to the sums of their cells.
 
     Over one index.
     """
@@ -33,7 +33,7 @@ def begin_all_levers(elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCra
 def begin_base(
     device_span: DeviceSpan, moving: Moving, cell_dilatation: CellDilatation, crack_lists: CrackLists
 ) -> Kernel:
-    """Stores V θ of cells without their cracks.
+    """Stores V θ of cells without their active cracks, from their stresses and weights.
 
     Over one index.
     """
@@ -57,8 +57,8 @@ def follow_lever(cell_strains: CellStrains, elastic_facets: ElasticFacets, cohes
 
 
 def leave_crack(elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists) -> Kernel:
-    """Launched for `leave_cracks`: ends the treatment of cracks one by one where `soften_cracks` has found them to
-    rest or to part.
+    """Launched for `leave_cracks`: ends the active status of cracks that `soften_cracks` has found to rest, or
+    `measure_cracks` to part.
 
     Over one index.
     """
@@ -77,7 +77,7 @@ def load_crack(
     stresses_of_cells: StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists, fallen_cracks:
     FallenCracks
 ) -> Kernel:
-    """Computes forces, torques and dissipation of the cracks that are treated one by one.
+    """Computes forces, torques and dissipation of the active cracks.
 
     Over one index.
     """
@@ -103,8 +103,8 @@ def measure_crack(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, cell_slack: CellSlack,
     stresses_of_cells: StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> Kernel:
-    """Finds faces and halves of the cracks that are treated one by one, and axes of cracks before any loss of
-    integrity.
+    """Finds faces and halves of the active cracks, axes of cracks before any loss of integrity, and cracks that
+    part.
 
     Over one index.
     """
@@ -117,14 +117,14 @@ def part_crack(
     moving: Moving, elastic_facets: ElasticFacets, cell_slack: CellSlack, cohesive_cracks: CohesiveCracks,
     crack_lists: CrackLists
 ) -> Kernel:
-    """Adds the energy lost by a crack that parts, in the state without the cracks that the CPU treats earlier:
-    whole ones first, then broken ones by their numbers.
+    """Adds the energy lost by a crack that parts, without the cracks that leave before it on the CPU: unbroken
+    ones, and broken ones of a lower number.
     """
     return Kernel("part_crack", (moving, elastic_facets, cell_slack, cohesive_cracks, crack_lists))
 
 
 def relax_cell(moving: Moving, cell_dilatation: CellDilatation, crack_lists: CrackLists) -> Kernel:
-    """Finds the stresses of all cells with cracks that are treated one by one.
+    """Finds the stresses of all cells with active cracks.
 
     Over one index.
     """
@@ -134,7 +134,7 @@ def relax_cell(moving: Moving, cell_dilatation: CellDilatation, crack_lists: Cra
 def relax_outdated_cell(
     moving: Moving, cell_dilatation: CellDilatation, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> Kernel:
-    """Finds stresses that are out of date of cells with cracks, and the leading crack of each of these cells.
+    """Finds the stresses of cells with active cracks again where they are out of date, and their leading cracks.
 
     Over one index.
     """
@@ -191,8 +191,8 @@ def take_leaving(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, cell_dilatation: CellDilatation,
     cell_slack: CellSlack, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> Kernel:
-    """Launched for `leave_cracks`: ends the treatment of cracks one by one where `soften_cracks` has found them to
-    rest or to part.
+    """Launched for `leave_cracks`: ends the active status of cracks that `soften_cracks` has found to rest, or
+    `measure_cracks` to part.
 
     Over one index.
     """
@@ -205,8 +205,8 @@ def take_woken(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, cell_dilatation: CellDilatation,
     cell_slack: CellSlack, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> Kernel:
-    """Launched for `wake_cracks`: treats resting cracks one by one again if they are about to soften or close;
-    parts those whose faces turned away.
+    """Launched for `wake_cracks`: makes resting cracks active if they are about to soften or close; parts those
+    whose faces have turned away.
 
     Over one index.
     """
@@ -218,8 +218,8 @@ def take_woken(
 def wake_crack(
     moving: Moving, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> Kernel:
-    """Launched for `wake_cracks`: treats resting cracks one by one again if they are about to soften or close;
-    parts those whose faces turned away.
+    """Launched for `wake_cracks`: makes resting cracks active if they are about to soften or close; parts those
+    whose faces have turned away.
 
     Over one index.
     """

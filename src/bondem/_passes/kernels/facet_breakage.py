@@ -34,8 +34,8 @@ def judge_facet_by_mohr_coulomb(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, strengths: Strengths, bond_marks:
     BondMarks, candidates: Candidates, postponed: Postponed
 ) -> Kernel:
-    """Launched for `judge_facets`: evaluates marked facets by a criterion at the present stresses, and postpones
-    cells that lose facets and their neighbours.
+    """Launched for `judge_facets`: evaluates marked facets by a criterion at the present stresses; postpones cells
+    that lose facets, and their neighbours.
 
     Over one index.
     """
@@ -47,8 +47,8 @@ def judge_facet_by_mohr_coulomb(
 def postpone_neighbour(
     elastic_facets: ElasticFacets, facet_release: FacetRelease, candidates: Candidates, postponed: Postponed
 ) -> Kernel:
-    """Launched for `judge_facets`: evaluates marked facets by a criterion at the present stresses, and postpones
-    cells that lose facets and their neighbours.
+    """Launched for `judge_facets`: evaluates marked facets by a criterion at the present stresses; postpones cells
+    that lose facets, and their neighbours.
 
     Over one index.
     """

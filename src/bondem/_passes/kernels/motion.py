@@ -21,8 +21,8 @@ def add_body_force(
 def add_work_of_body(
     device_span: DeviceSpan, moving: Moving, step_blocks: StepBlocks, body_forces: BodyForces
 ) -> Kernel:
-    """Adds the work of body forces over the half of the step that begins, after the pass in which elements move or
-    open a step.
+    """Adds the work of body forces over the half of the step that begins, after elements have moved or opened a
+    step.
 
     Over one index.
     """

@@ -49,8 +49,8 @@ def add_wall_moments_of_element(
 
 
 def end_failing_pair(non_local_bonds: NonLocalBonds, beam_integrity: BeamIntegrity, candidates: Candidates) -> Kernel:
-    """Launched for `relieve_pairs`: subtracts the force of failed bonds from the stresses of their elements, and
-    sets their integrity to 0; after `break_pairs`.
+    """Launched for `relieve_pairs`: subtracts failed bonds from the stresses of their elements, and sets their
+    integrity to 0; after `break_pairs`.
 
     Over one index.
     """
@@ -95,8 +95,8 @@ def relieve_element(
     moving: Moving, non_local_bonds: NonLocalBonds, bonds_of_elements: BondsOfElements, bond_marks: BondMarks,
     lagged_stresses: LaggedStresses, candidates: Candidates
 ) -> Kernel:
-    """Launched for `relieve_pairs`: subtracts the force of failed bonds from the stresses of their elements, and
-    sets their integrity to 0; after `break_pairs`.
+    """Launched for `relieve_pairs`: subtracts failed bonds from the stresses of their elements, and sets their
+    integrity to 0; after `break_pairs`.
 
     Over one index.
     """

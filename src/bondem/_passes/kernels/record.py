@@ -17,7 +17,7 @@ def judge_all_energy(device_span: DeviceSpan, rows: Rows, ledger: Ledger) -> Ker
 
 
 def read_part_of_gauge(moving: Moving, rows: Rows, gauges: Gauges, gauge_parts: GaugeParts) -> Kernel:
-    """Sums part k % each of the elements of gauge k / each."""
+    """Adds part k % each of the elements of gauge k / each to its sums."""
     return Kernel("read_part_of_gauge", (moving, rows, gauges, gauge_parts))
 
 
@@ -32,7 +32,7 @@ def sum_portion_of_elements(device_span: DeviceSpan, moving: Moving, ledger: Led
 def write_gauge(
     device_span: DeviceSpan, gauges: Gauges, gauge_parts: GaugeParts, history_rows: HistoryRows
 ) -> Kernel:
-    """Writes component k % 3 of gauge k / 3 to the present row of the history."""
+    """Writes component k % 3 of gauge k / 3 to the present row of the history, and clears its sum."""
     return Kernel("write_gauge", (device_span, gauges, gauge_parts, history_rows))
 
 

@@ -45,7 +45,7 @@ def roll_one_pair(
     device_span: DeviceSpan, moving: Moving, contact_constants: ContactConstants, contact_pairs: ContactPairs,
     near_pairs: NearPairs, rolled_pairs: RolledPairs
 ) -> Kernel:
-    """Finds moments and memory of the pairs of a portion of elements that touch and may roll.
+    """Finds moments and memory of the springs of rolling of close pairs in a portion of elements.
 
     Over one index.
     """

@@ -122,7 +122,7 @@ def write_all_crushing_of_beams(
     device_span: DeviceSpan, softening_bounds: SofteningBounds, softening_beams: SofteningBeams, event_log:
     EventLog, history_rows: HistoryRows
 ) -> Kernel:
-    """Writes the energy that beams have released beyond their fracture energy.
+    """Writes the energy that beams have released beyond their fracture energy in this run [J].
 
     Over one index.
     """

@@ -12,8 +12,8 @@ from bondem._tables.step_tables import Beams, Ledger, Moving
 def load_stored_beam(
     device_span: DeviceSpan, moving: Moving, beams: Beams, stored_loads: StoredLoads, loads_of_bonds: LoadsOfBonds
 ) -> Kernel:
-    """Integrates the stored forces and moments of the beams of a block over the step, and adds them to the sums of
-    their elements.
+    """Integrates the stored loads of the beams of a block over the step, and adds them to the sums of their
+    elements.
 
     Over one index.
     """

@@ -31,8 +31,8 @@ def add_work_of_strains(device_span: DeviceSpan, strain: Strain, rows: Rows) -> 
 def begin_cell_strains(
     device_span: DeviceSpan, moving: Moving, cell_strains: CellStrains, wall_constraints: WallConstraints
 ) -> Kernel:
-    """Launched for `begin_strain_work`: finds ∂U/∂factor from the stresses in the poses, at a time that no step
-    has reached.
+    """Launched for `begin_strain_work`: finds ∂U/∂factor from the stresses in the poses, before the first step of
+    a call.
 
     Over one index.
     """
@@ -42,8 +42,8 @@ def begin_cell_strains(
 def begin_strain_portion(
     device_span: DeviceSpan, moving: Moving, cell_strains: CellStrains, elastic_facets: ElasticFacets
 ) -> Kernel:
-    """Launched for `begin_strain_work`: finds ∂U/∂factor from the stresses in the poses, at a time that no step
-    has reached.
+    """Launched for `begin_strain_work`: finds ∂U/∂factor from the stresses in the poses, before the first step of
+    a call.
 
     Over one index.
     """

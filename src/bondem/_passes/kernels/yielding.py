@@ -13,7 +13,7 @@ from bondem._tables.step_tables import Ledger, Moving, Rows, StepBlocks
 def add_crack_power(
     moving: Moving, cell_strains: CellStrains, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks
 ) -> Kernel:
-    """Adds ∂U/∂factor of the stress-free strains at cracks that are treated one by one, where it is needed.
+    """Adds ∂U/∂factor of the stress-free strains at active cracks, in steps that need it.
 
     Over one index.
     """
@@ -34,7 +34,7 @@ def begin_crack_power(
     device_span: DeviceSpan, moving: Moving, cell_strains: CellStrains, elastic_facets: ElasticFacets,
     cohesive_cracks: CohesiveCracks
 ) -> Kernel:
-    """Adds ∂U/∂factor of the stress-free strains by the forces of cracks, at a time that no step has reached.
+    """Adds ∂U/∂factor of the stress-free strains by the forces of active cracks, before the first step of a call.
 
     Over one index.
     """

@@ -54,7 +54,7 @@ def write_crushing_of_beams(
     softening_bounds: SofteningBounds, softening_beams: SofteningBeams, event_log: EventLog, history_rows:
     HistoryRows
 ) -> StepEntry:
-    """Writes the energy that beams have released beyond their fracture energy.
+    """Writes the energy that beams have released beyond their fracture energy in this run [J].
 
     Over rows of a table, in the order of the table.
     """

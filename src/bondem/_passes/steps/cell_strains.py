@@ -21,7 +21,7 @@ def add_strain_work(
 def begin_strain_work(
     moving: Moving, cell_strains: CellStrains, elastic_facets: ElasticFacets, wall_constraints: WallConstraints
 ) -> StepEntry:
-    """Finds ∂U/∂factor from the stresses in the poses, at a time that no step has reached.
+    """Finds ∂U/∂factor from the stresses in the poses, before the first step of a call.
 
     Over rows of a table, in the order of the table.
     """

@@ -32,8 +32,8 @@ def press_pairs(
     moving: Moving, contact_constants: ContactConstants, contact_pairs: ContactPairs, near_pairs: NearPairs,
     travel: Travel
 ) -> StepEntry:
-    """Finds forces and memory of the pairs of a portion of elements; renews the list of near pairs where elements
-    have moved too far.
+    """Finds forces and memory of the pairs of a portion of elements; renews the list of near pairs after large
+    motions.
 
     Over elements, in portions. Reads `motion`, `pose` at both ends; writes `measured` of an element.
     """

@@ -11,7 +11,7 @@ from bondem._tables.step_tables import HistoryRows, Ledger, Moving, StepBlocks
 
 
 def add_crack_loads(moving: Moving, crack_lists: CrackLists, step_blocks: StepBlocks) -> StepEntry:
-    """Adds the forces of cracks that are treated one by one to the sums of their cells.
+    """Adds the forces of active cracks to the sums of their cells.
 
     Over elements of a block, then shared ones. Reads `sum` of an element; changes `loss`, `sums` of an element.
     """
@@ -22,7 +22,7 @@ def load_cracks(
     moving: Moving, elastic_facets: ElasticFacets, facet_strengths: FacetStrengths, stresses_of_cells:
     StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> StepEntry:
-    """Computes forces, torques and dissipation of the cracks that are treated one by one.
+    """Computes forces, torques and dissipation of the active cracks.
 
     Over cracks or their cells, of which threads may share portions. Reads `tensor` of an element; reads `pose`,
     `pose.stress` at both ends; adds `half` to elements.
@@ -46,7 +46,7 @@ def log_cracks(
 def sum_crack_energies(
     moving: Moving, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks, ledger: Ledger
 ) -> StepEntry:
-    """Sums the energies of the cracks that are treated one by one [J].
+    """Sums the energies of the active cracks [J].
 
     Over cracks or their cells, of which threads may share portions. Reads `pose`, `pose.stress` at both ends.
     """
@@ -73,7 +73,7 @@ def write_crushing_of_facets(
     facet_strengths: FacetStrengths, cohesive_cracks: CohesiveCracks, event_log: EventLog, history_rows:
     HistoryRows
 ) -> StepEntry:
-    """Writes the energy that facets have released beyond their fracture energy.
+    """Writes the energy that facets have released beyond their fracture energy in this run [J].
 
     Over cracks or their cells, of which threads may share portions.
     """

@@ -13,7 +13,7 @@ def leave_cracks(
     moving: Moving, elastic_facets: ElasticFacets, cell_dilatation: CellDilatation, cell_slack: CellSlack,
     cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> StepEntry:
-    """Ends the treatment of cracks one by one where `soften_cracks` has found them to rest or to part.
+    """Ends the active status of cracks that `soften_cracks` has found to rest, or `measure_cracks` to part.
 
     Over cracks or their cells, of which threads may share portions. Reads `pose` at both ends; reads
     `CellDilatation.weight`, `half`, `pose.stress` at both ends, for the energy of an event; adds
@@ -63,8 +63,7 @@ def wake_cracks(
     moving: Moving, elastic_facets: ElasticFacets, cell_dilatation: CellDilatation, cell_slack: CellSlack,
     cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> StepEntry:
-    """Treats resting cracks one by one again if they are about to soften or close; parts those whose faces turned
-    away.
+    """Makes resting cracks active if they are about to soften or close; parts those whose faces have turned away.
 
     Over cracks or their cells, of which threads may share portions. Reads `pose` at both ends; adds
     `CellDilatation.weight`, `base`, `half`, `outdated` to elements.

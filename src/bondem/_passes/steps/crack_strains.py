@@ -12,7 +12,7 @@ from bondem._tables.step_tables import Moving
 def begin_crack_powers(
     moving: Moving, cell_strains: CellStrains, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks
 ) -> StepEntry:
-    """Adds ∂U/∂factor of the stress-free strains by the forces of cracks, at a time that no step has reached.
+    """Adds ∂U/∂factor of the stress-free strains by the forces of active cracks, before the first step of a call.
 
     Over cracks or their cells, of which threads may share portions. Reads `pose` at both ends.
     """
@@ -22,7 +22,7 @@ def begin_crack_powers(
 def sum_crack_powers(
     moving: Moving, cell_strains: CellStrains, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks
 ) -> StepEntry:
-    """Adds ∂U/∂factor of the stress-free strains at cracks that are treated one by one, where it is needed.
+    """Adds ∂U/∂factor of the stress-free strains at active cracks, in steps that need it.
 
     Over cracks or their cells, of which threads may share portions. Reads `pose` at both ends.
     """

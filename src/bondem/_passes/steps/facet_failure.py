@@ -25,8 +25,8 @@ def judge_facets_by_mohr_coulomb(
     moving: Moving, elastic_facets: ElasticFacets, facet_release: FacetRelease, strengths: Strengths, candidates:
     Candidates, postponed: Postponed
 ) -> StepEntry:
-    """Evaluates marked facets by a criterion at the present stresses, and postpones cells that lose facets and
-    their neighbours.
+    """Evaluates marked facets by a criterion at the present stresses; postpones cells that lose facets, and their
+    neighbours.
 
     Over what begins, changes or ends in the step, in order. Reads `pose`, `pose.stress` at both ends; adds
     `flag` to elements.

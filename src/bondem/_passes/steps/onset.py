@@ -24,7 +24,7 @@ def mark_cracking_facets(
     moving: Moving, elastic_facets: ElasticFacets, facet_forces: FacetForces, facet_strengths: FacetStrengths,
     stresses_of_cells: StressesOfCells, crack_onset: CrackOnset
 ) -> StepEntry:
-    """Marks facets of the material that begin to crack.
+    """Marks facets of the material that begin to crack, and all whole facets of cells without cohesion.
 
     Over bonds, in portions. Reads `judged`, `pose`, `tensor` at both ends.
     """

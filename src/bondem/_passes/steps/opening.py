@@ -10,7 +10,7 @@ from bondem._tables.step_tables import Moving
 
 
 def begin_bases(moving: Moving, cell_dilatation: CellDilatation, crack_lists: CrackLists) -> StepEntry:
-    """Stores V θ of cells without their cracks.
+    """Stores V θ of cells without their active cracks, from their stresses and weights.
 
     Over elements, in portions. Reads `pose.stress`, `weight` of an element; writes `base` of an element.
     """
@@ -21,8 +21,8 @@ def measure_cracks(
     moving: Moving, elastic_facets: ElasticFacets, cell_slack: CellSlack, stresses_of_cells: StressesOfCells,
     cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> StepEntry:
-    """Finds faces and halves of the cracks that are treated one by one, and axes of cracks before any loss of
-    integrity.
+    """Finds faces and halves of the active cracks, axes of cracks before any loss of integrity, and cracks that
+    part.
 
     Over cracks or their cells, of which threads may share portions. Reads `leader`, `pose`, `tensor` at both
     ends and at their neighbours; adds `half` to elements.
@@ -33,7 +33,7 @@ def measure_cracks(
 
 
 def relax_cracked_cells(moving: Moving, cell_dilatation: CellDilatation, crack_lists: CrackLists) -> StepEntry:
-    """Finds the stresses of all cells with cracks that are treated one by one.
+    """Finds the stresses of all cells with active cracks.
 
     Over cracks or their cells, of which threads may share portions. Reads `base`, `half`, `weight` of an
     element; adds `pose.stress` to elements.
@@ -44,7 +44,7 @@ def relax_cracked_cells(moving: Moving, cell_dilatation: CellDilatation, crack_l
 def relax_outdated_cells(
     moving: Moving, cell_dilatation: CellDilatation, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> StepEntry:
-    """Finds stresses that are out of date of cells with cracks, and the leading crack of each of these cells.
+    """Finds the stresses of cells with active cracks again where they are out of date, and their leading cracks.
 
     Over cracks or their cells, of which threads may share portions. Reads `base`, `half`, `weight` of an
     element; adds `leader`, `pose.stress`, `outdated` to elements.

@@ -46,8 +46,8 @@ def relieve_pairs(
     moving: Moving, beams: Beams, non_local_bonds: NonLocalBonds, lagged_stresses: LaggedStresses, beam_integrity:
     BeamIntegrity, candidates: Candidates
 ) -> StepEntry:
-    """Subtracts the force of failed bonds from the stresses of their elements, and sets their integrity to 0;
-    after `break_pairs`.
+    """Subtracts failed bonds from the stresses of their elements, and sets their integrity to 0; after
+    `break_pairs`.
 
     Over what begins, changes or ends in the step, in order. Reads `pose` of an element; adds `stress` to
     elements.

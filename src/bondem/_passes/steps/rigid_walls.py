@@ -36,8 +36,8 @@ def measure_wall_overlaps(
     moving: Moving, contact_constants: ContactConstants, wall_contacts: WallContacts, walls: Walls, near_pairs:
     NearPairs, travel: Travel
 ) -> StepEntry:
-    """Keeps the deepest overlap of the elements of a portion with a wall, over the radius, if distances are
-    measured in this step.
+    """Keeps the deepest overlap over radius of the elements of a portion with a wall, in a step that measures
+    distances.
 
     Over elements, in portions.
     """

@@ -42,7 +42,7 @@ def roll_pairs(
     moving: Moving, contact_constants: ContactConstants, contact_pairs: ContactPairs, near_pairs: NearPairs,
     rolled_pairs: RolledPairs
 ) -> StepEntry:
-    """Finds moments and memory of the pairs of a portion of elements that touch and may roll.
+    """Finds moments and memory of the springs of rolling of close pairs in a portion of elements.
 
     Over elements, in portions. Reads `motion`, `pose` at both ends.
     """

@@ -9,8 +9,8 @@ from bondem._tables.step_tables import Beams, Ledger, Moving, StepBlocks
 
 
 def add_stored_loads(moving: Moving, beams: Beams, stored_loads: StoredLoads, step_blocks: StepBlocks) -> StepEntry:
-    """Integrates the stored forces and moments of the beams of a block over the step, and adds them to the sums of
-    their elements.
+    """Integrates the stored loads of the beams of a block over the step, and adds them to the sums of their
+    elements.
 
     Over bonds of a block. Reads `motion`, `pose` at both ends; adds `sums` to elements.
     """

@@ -38,8 +38,8 @@ def apply_walls(moving: Moving, wall_constraints: WallConstraints, rows: Rows) -
 
 
 def follow_walls(moving: Moving, wall_constraints: WallConstraints, rows: Rows) -> StepEntry:
-    """Moves walls to their places at the time of the clock, and updates their forces at a time that no step has
-    reached.
+    """Moves walls to their places at the time of the clock, and updates their forces before the first step of a
+    call.
 
     Over rows of a table, in the order of the table. Reads `base` of an element; changes `increment`, `wall` of
     an element.

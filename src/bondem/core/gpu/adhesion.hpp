@@ -1,5 +1,5 @@
-// Adhesion on a device: a thread finds the force of one pair of the list, then a thread adds the forces of pairs and
-// walls on one element.
+// Adhesion on a device: a thread finds the force of one pair, then a thread adds the forces of pairs and walls
+// on one element.
 #pragma once
 #include "../passes/contacts/adhesion.hpp"
 #include "contacts.hpp"

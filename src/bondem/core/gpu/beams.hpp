@@ -1,4 +1,4 @@
-// Beams on a device: a thread computes one beam, and writes the loads on its ends into rows of the beam.
+// Beams on a device: a thread computes one beam or dashpot, and writes the loads on its ends into `LoadsOfBonds`.
 #pragma once
 #include "../passes/beams/beam_report.hpp"
 #include "../passes/damage/beam_removal.hpp"

@@ -1,5 +1,4 @@
-// Boundary conditions on a device: a thread updates one row, one driven degree of freedom or one group of elements to
-// the time of the clock.
+// Boundary conditions on a device: a thread updates one row, driven degree of freedom or group of elements.
 #pragma once
 #include "../passes/boundary/following.hpp"
 #include "../passes/boundary/rows.hpp"

@@ -1,9 +1,9 @@
-// Breakage on a device: a thread marks or evaluates one bond, finds the place of a failed bond in the order of bonds,
-// or removes it. Further threads subtract failed bonds from the sum of one element, and resume one postponed element.
+// Failure of beams on a device, in the stages of the CPU (`passes/damage/pipeline.hpp`). Other bonds share functions.
 //
-// The stages are those of the CPU (`passes/damage/pipeline.hpp`). Where no bond fails, all threads except those of
-// the marks return at once. Sums have the order of bonds: a thread adds those of one element, and one thread adds all
-// energies.
+// Beams: a thread marks one beam as it computes its loads, and a thread evaluates one marked beam and lists it if it
+// fails, in any order. A thread finds the place of one failed beam in the order of bonds, and a thread removes it.
+// Elements: a thread keeps the sum of one postponed element, subtracts its failed beams in the order of bonds, and
+// resumes it. One thread adds up all released energies.
 #pragma once
 #include "../passes/damage/beam_verdicts.hpp"
 #include "../passes/damage/pipeline.hpp"
@@ -15,7 +15,7 @@ namespace bondem {
 
 // ---- marks
 
-// Marks of a bond: its load reaches its bound; it fails in this step.
+// Marks of a bond: `near`, its load reaches its bound; `fails`, it fails in this step. 0 for other bonds.
 namespace marked {
 enum : Byte { near = 1, fails };
 }
@@ -53,7 +53,7 @@ BONDEM_INLINE bool list_failing(Index k, const Verdict<double> &verdict, const B
     put_shared(candidates.any(0), Index(1));
     return true;
 }
-// Calls on_failure() where beam k is marked and fails.
+// Evaluates beam k if it is marked and unbroken; lists it and calls on_failure() if it fails.
 template <class Criterion, class OnFailure>
 BONDEM_INLINE void judge_one(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,
                              const Strengths &strengths, const BondMarks &marks, const Candidates &candidates,
@@ -93,7 +93,7 @@ BONDEM_INLINE void for_each_failing_of(Index p, const BondsOfElements &bonds, co
     for (Index e = bonds.out_start(p); e < bonds.out_start(p + 1); e++)
         if (fails(bonds.out_bond(e))) on(Index(bonds.out_bond(e)), true);
 }
-// Writes the event of bond number e of those that fail.
+// Writes the event of the failed bond at place e of the order of bonds.
 BONDEM_INLINE void write_failure(Index e, const DeviceSpan &span, const Candidates &candidates, const EventLog &log,
                                  const Removal &removal) {
     write_event(clock_of(span), log, log.written(log_count::events) + e, candidates.marked(e), candidates.mode(e), removal);
@@ -112,7 +112,7 @@ BONDEM_INLINE BeamLoads<double> loads_in(const LoadsOfBonds &from, Index k) {
     const auto at = [&](Index c) { return Vector{from.load(c, k), from.load(c + 1, k), from.load(c + 2, k)}; };
     return {at(0), at(3), at(6)};
 }
-// Removes failed beam number e, and writes the loads that its ends lose.
+// Removes the failed beam at place e of the order of bonds, and writes the loads that its ends lose.
 inline void remove_failing_beam(Index e, const DeviceSpan &span, const Moving &all, const Beams &beams,
                                 const BeamIntegrity &state, const Candidates &candidates, const EventLog &log,
                                 const LoadsOfBonds &to) {
@@ -148,7 +148,7 @@ inline void take_dashpots_off_element(Index p, const BondsOfElements &bonds, con
     });
 }
 
-// ---- elements that are postponed, number e of the list
+// ---- postponed elements: e and h are places in the list of all elements, and among those with a row of the boundary
 
 inline void keep_gathered_sum(Index e, const StepBlocks &blocks, const BondsOfElements &bonds,
                               const LoadsOfBonds &from, const Postponed &postponed) {

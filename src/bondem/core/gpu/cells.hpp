@@ -1,4 +1,4 @@
-// Bodies of cells on a device: a thread computes one facet, or adds up one cell, or updates the walls and the
+// Bodies of cells on a device: a thread computes one facet, adds up one cell, or updates the walls and
 // tractions of one row of the boundary.
 #pragma once
 #include "../passes/cells/accumulation.hpp"
@@ -104,7 +104,7 @@ BONDEM_INLINE void load_row(Index r, const Moving &all, const WallConstraints &w
     for (Index e = order.start(r); e < order.start(r + 1); e++) load_support(all.pose, all.rest, walls, order.load(e));
     sum_row(r, walls, order, rows);
 }
-// Computes the forces of walls on row r at a time that no step has reached.
+// Computes the forces of walls on row r before the first step of a call.
 inline void begin_walls_of_row(Index r, const DeviceSpan &span, const Moving &all, const WallConstraints &walls,
                                const RowOrder &order, const Rows &rows) {
     if (clock_of(span).first) load_row(r, all, walls, order, rows);

@@ -1,9 +1,8 @@
-// Contacts on a device: a thread computes one pair of the list, then a thread adds the forces of pairs and walls on
-// one element.
+// Contacts on a device: a thread computes one listed pair, then one adds the forces of pairs and walls on an element.
 //
 // Every pair of the list is evaluated in each step, so that distances need not be measured between two lists. If an
-// element or a wall moves beyond the reach of the list, the run stops: later launches of a graph do nothing, and the
-// CPU makes a new list.
+// element or a wall moves beyond the reach of the list, the run stops: later launches do nothing, and the CPU
+// makes a new list.
 #pragma once
 #include "../passes/contacts/contact_loads.hpp"
 #include "../passes/contacts/face_contacts.hpp"

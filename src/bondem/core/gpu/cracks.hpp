@@ -1,9 +1,8 @@
-// Cracks on a device: a thread treats one crack, or adds up one cell. There are no lists of cracks: places and halves have
-// the numbers of their facets, and the list of the halves of a cell is made by the thread of the cell.
+// Cracks on a device: a thread treats one crack, or adds up one cell. There are no lists of cracks: places and halves
+// have the numbers of their facets, and the list of the halves of a cell is made by the thread of the cell.
 //
-// Changes of a cell by several cracks are added by the thread of the cell, in the order of the CPU, from flags of its
-// facets. Flags of both kinds are those of the present step: `flag` of cracks that are treated one by one, `waking`
-// of those at rest.
+// Changes of a cell by several cracks are added by the thread of the cell, in the order of the CPU, from the flags of
+// its facets in this step: `flag` of active cracks, `waking` of resting ones.
 #pragma once
 #include "../passes/contacts/face_contacts.hpp"
 #include "../passes/contacts/handover.hpp"
@@ -21,7 +20,7 @@
 namespace bondem {
 
 BONDEM_INLINE bool takes_time(const DeviceSpan &span) { return clock_of(span).dt > 0.0; }
-// True if a crack is no longer treated one by one from this step on.
+// True if a crack is no longer active from this step on.
 BONDEM_INLINE bool leaves(Byte flag) { return flag == crack::calmed || flag == crack::parts; }
 BONDEM_INLINE void make_outdated(const CrackLists &lists, const ElasticFacets &facets, Index k) {
     put_shared(lists.outdated(facets.i(k)), Byte(1));
@@ -151,8 +150,8 @@ inline void soften_crack(Index k, const DeviceSpan &span, const Moving &all, con
 
 // ---- parting and rest
 
-// Adds the energy lost by a crack that parts, in the state without the cracks that the CPU treats earlier: whole ones
-// first, then broken ones by their numbers.
+// Adds the energy lost by a crack that parts, without the cracks that leave before it on the CPU: unbroken
+// ones, and broken ones of a lower number.
 inline void part_crack(Index k, const Moving &all, const ElasticFacets &facets, const CellSlack &slack,
                        const CohesiveCracks &cracks, const CrackLists &lists) {
     if (lists.flag(k) != crack::parts) return;

@@ -17,8 +17,8 @@ template <class... Tables, void (*pass)(Index, const Tables &...)> struct ForEac
     static void at(Index k, const void *const *tables) {
         with(k, tables, typename CountTo<sizeof...(Tables)>::type{});
     }
-    // Loops over all indices, unless the flag is not 0. A count below 0 runs from the last index to the first, by
-    // which tests find passes that depend on the order.
+    // Loops over all indices, unless a flag is given and not 0. A count below 0 runs from the last index to the
+    // first, by which tests find passes that depend on the order.
     static Index on_host(Index count, const Index *halted, const void *const *tables) {
         if (halted && *halted) return 0;
         for (Index k = 0; k < count; k++) at(k, tables);

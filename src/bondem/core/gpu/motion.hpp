@@ -1,5 +1,5 @@
-// Motion on a device: a thread adds up the loads of one element in the order of its bonds, which is the order of the
-// CPU, and moves it.
+// Motion on a device: a thread adds up the loads of one element in the order of its bonds, which is that
+// of the CPU, and moves it.
 #pragma once
 #include "../passes/motion/body_forces.hpp"
 #include "../passes/motion/moving.hpp"

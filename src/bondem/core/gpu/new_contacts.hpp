@@ -1,5 +1,5 @@
-// Contacts on a device that begin where bonds have broken, or cracks have parted, in a step: a thread begins one contact,
-// then a thread adds the contacts of one element.
+// Contacts on a device that begin where bonds have broken, or cracks have parted, in a step: a thread begins one
+// contact, then a thread adds the contacts of one element.
 #pragma once
 #include "../passes/contacts/handover.hpp"
 #include "breakage.hpp"
@@ -8,7 +8,7 @@
 
 namespace bondem {
 
-// Pair of an event of this step, or below 0.
+// Contact pair of the bond of an event, below 0 if the pair is not listed.
 BONDEM_INLINE Index pair_of_event(const ContactPairs &pairs, const EventLog &log, Index event) {
     return pairs.of_bond(Index(log.event(event, event_column::bond)));
 }

@@ -47,14 +47,14 @@ template <class... Tables, void (*pass)(const Range &, const Tables &...)> struc
         pass(portion_of(span, b, bonds_of_portion, span.m), tables...);
     }
 };
-// Kinds of index: 0 alone, an element, a place in the list of elements of a step, a portion of elements, of bonds.
+// A pass of the CPU for all (index 0), one element, a place in a list of elements, a portion of elements or bonds.
 template <auto pass> constexpr auto once = &OneRange<pass>::once;
 template <auto pass> constexpr auto one_element = &OneRange<pass>::element;
 template <auto pass> constexpr auto listed_element = &OneRange<pass>::listed;
 template <auto pass> constexpr auto portion_of_elements = &OneRange<pass>::elements;
 template <auto pass> constexpr auto portion_of_bonds = &OneRange<pass>::bonds;
 
-// Advances the clock by a number of steps.
+// Advances the clock by `ahead` steps and sets its flags; a clock that stands still has coefficients of 0.
 inline void set_clock(Index, const DeviceSpan &span, const StepScheme &scheme, const Tick &tick) {
     Clock &clock = clock_of(span);
     const double moving = tick.still ? 0.0 : 1.0;

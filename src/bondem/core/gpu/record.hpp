@@ -1,4 +1,5 @@
-// Sums on a device: a thread adds those of a portion to the exact sums of the energy balance; one thread reads them.
+// Energy balance and gauges on a device: a thread adds one portion of elements, or one part of a gauge, to exact
+// sums; one thread evaluates or writes the balance, and a thread writes one component of a gauge.
 #pragma once
 #include "../passes/record/reading.hpp"
 #include "../passes/record/record.hpp"
@@ -10,7 +11,7 @@ constexpr auto sum_portion_of_elements = portion_of_elements<sum_element_energie
 constexpr auto judge_all_energy = once<judge_energy>;
 constexpr auto write_whole_ledger = once<write_ledger>;
 
-// Sums part k % each of the elements of gauge k / each.
+// Adds part k % each of the elements of gauge k / each to its sums. Gauges of walls have another pass.
 inline void read_part_of_gauge(Index k, const Moving &all, const Rows &rows, const Gauges &gauges, const GaugeParts &to) {
     const Index g = k / to.each, part = k % to.each, first = gauges.start(g), count = gauges.start(g + 1) - first;
     if (gauges.quantity(g) >= gauge_quantity::of_walls) return;
@@ -22,7 +23,7 @@ inline void read_part_of_gauge(Index k, const Moving &all, const Rows &rows, con
         to.largest(k, axis) = sum.largest;
     }
 }
-// Writes component k % 3 of gauge k / 3 to the present row of the history.
+// Writes component k % 3 of gauge k / 3 to the present row of the history, and clears its sum.
 inline void write_gauge(Index k, const DeviceSpan &span, const Gauges &gauges, const GaugeParts &from,
                         const HistoryRows &history) {
     const Index g = k / 3, axis = k % 3;

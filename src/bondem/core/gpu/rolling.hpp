@@ -1,5 +1,5 @@
-// Rolling resistance on a device: a thread rolls one pair, then a thread adds the moments of pairs and walls on one
-// element.
+// Rolling resistance on a device: a thread rolls one pair, then a thread adds the moments of pairs and walls
+// on one element.
 #pragma once
 #include "../passes/contacts/rolling.hpp"
 #include "contacts.hpp"

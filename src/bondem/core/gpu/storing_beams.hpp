@@ -1,5 +1,5 @@
-// Beams of the incremental formulation on a device: a thread integrates the stored loads of one beam over the step,
-// and writes the loads on its ends.
+// Beams of the incremental formulation on a device: a thread integrates the stored loads of one beam
+// over the step, and writes the loads on its ends.
 #pragma once
 #include "../passes/incremental/stored_beams.hpp"
 #include "../passes/incremental/stored_columns.hpp"

@@ -1,5 +1,4 @@
-// Facets that begin to crack by a function of the stress, on a device: a thread evaluates one cell, one facet or one
-// candidate.
+// Facets that begin to crack by a function of the stress, on a device: a thread per cell, facet or candidate.
 //
 // Candidates are in a list in any order. The number of one that does not fail is replaced, so that the second
 // evaluation of the function concerns failed ones only. The CPU evaluates the function of a user between two passes.

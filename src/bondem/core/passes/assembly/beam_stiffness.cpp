@@ -16,8 +16,9 @@ struct Beam {
 
 // Adds the stiffness of a beam to the diagonal block of this end, and sets the block that couples both ends.
 //
-// With P = ks (1 - XX) + kn XX and S = [X]×, the slip at the contact point is δ = u_far - u_near + S (near θ_near +
-// far θ_far) and the relative rotation ρ = θ_far - θ_near; the energy is ½ δ·P δ plus ½ ρ·(kt XX + kb (1 - XX)) ρ.
+// With P = ks (1 - XX) + kn XX and S = [X]×, the gap at the contact point is
+// δ = u_far - u_near + S (near θ_near + far θ_far), the relative rotation ρ = θ_far - θ_near, and the energy
+// ½ δ·P δ + ½ ρ·(kt XX + kb (1 - XX)) ρ.
 void put_blocks(const Beam &beam, const Block &own, const Block &other) {
     const Vector X = beam.X;
     const double S[3][3] = {{0.0, -X.z, X.y}, {X.z, 0.0, -X.x}, {-X.y, X.x, 0.0}};

@@ -159,8 +159,7 @@ BONDEM_INLINE void add_softening_loads(const Range &range, const Moving &all, co
 
 // Adds forces and torques of beams that may soften, with the pressure on softened ones.
 //
-// Beams that reach their criterion lose integrity before their loads are added, and are listed as failed in this
-// step.
+// Beams that reach their criterion lose integrity before their loads are added, and are listed as failed.
 template <class Criterion>
 void add_softening(const Range &range, const Moving &all, const Beams &beams, const StepBlocks &blocks,
                    const SofteningBounds &bounds, const Candidates &candidates) {

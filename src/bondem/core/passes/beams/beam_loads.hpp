@@ -1,3 +1,4 @@
+// Loads of all beams in given poses, which solvers of statics call.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/beam_softening_tables.hpp"

@@ -1,3 +1,4 @@
+// Counts and energies of beams for the guard and the history, on the CPU and on a device.
 #pragma once
 #include "../../steps.hpp"
 

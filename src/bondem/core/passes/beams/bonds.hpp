@@ -66,8 +66,8 @@ BONDEM_INLINE void add_loads_of(double *sums, const Short *row_i, const Short *r
              known);
 }
 // Calls on(group) for the groups of the bonds first … last - 1. The last group is moved back to end with the last
-// bond, so that every group is read as a whole. Tables contain at least one group; entries after fewer bonds have no
-// effect.
+// bond, so that every group is read as a whole. Tables contain at least one group; entries after fewer
+// bonds have no effect.
 template <class On> BONDEM_INLINE void for_each_group(Index first, Index last, On on) {
     for (Index k = first; k < last; k += lanes) {
         if (k + lanes <= last || last < lanes)

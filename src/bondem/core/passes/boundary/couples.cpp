@@ -1,8 +1,8 @@
 // Moments of loads on regions that turn: the smallest forces on their points with the moment about the centroid.
 //
-// With shares w of the points and s their places from the present centroid, f = w ω × s and J ω = M, J = Σ w
-// (s² 1 - s⊗s). The forces have no resultant. Torques supply the part of M that the points cannot, such as points in
-// a row, so that the total is M.
+// With the shares w of the points and their places s from the present centroid, f = w ω × s, J ω = M, and
+// J = Σ w (s² 1 - s⊗s). The forces have no resultant. Torques on the elements supply the part of M that forces
+// cannot, such as the moment about a row of points, so that the total is M.
 #include "../../registered.hpp"
 #include "../motion/elements.hpp"
 #include "rows.hpp"

@@ -1,3 +1,4 @@
+// Moments on regions (`couples.cpp`), on the CPU and on a device.
 #pragma once
 #include "../../steps.hpp"
 

@@ -1,5 +1,4 @@
-// One beam with a stress-free strain that changes: its rest length L (1 + ε*), and the tension that does work on the
-// strain.
+// One beam with a stress-free strain that changes: its rest length L (1 + ε*), and the work of its tension.
 #pragma once
 #include "../../exact_sum.hpp"
 #include "../beams/bonds.hpp"
@@ -28,7 +27,8 @@ inline double tension_of(const Moving &all, const Strain &strain, const Beams &b
     return beams.integrity(k) * beams.kn(k) * (present - beams.length(k));
 }
 
-// Updates the factors to the time of a clock, and finds whether lengths change and ∂U/∂factor is needed.
+// Updates the factors to the time of a clock. Sets whether lengths change, and whether ∂U/∂factor is needed: in a
+// step with a change and in the one before it.
 inline void follow_factors(const Clock &clock, const Timeline &timeline, const Strain &strain) {
     const auto &factor = strain.factor;
     bool changed = clock.first, needed = clock.first;
@@ -40,7 +40,7 @@ inline void follow_factors(const Clock &clock, const Timeline &timeline, const S
     strain.due(strain_due::levers) = changed;
     strain.due(strain_due::power) = changed || needed;
 }
-// Stretches strained beam e where that is due, and calls add(strain, ∂U/∂factor).
+// Stretches strained beam e if lengths change, and calls add(g, ∂U/∂factor) for each strain g [J].
 template <class Add>
 inline void stretch_and_add(const Moving &all, const Strain &strain, const Beams &beams, Index e, Add add) {
     if (strain.due(strain_due::levers)) stretch_beam(strain, beams, e);

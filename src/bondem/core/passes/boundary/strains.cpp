@@ -1,8 +1,6 @@
-// Stress-free strains that change in time: rest lengths L (1 + ε*) at the time of the clock, and their work, the
-// trapezoid of ∂U/∂ε* over dε*.
+// Stress-free strains of beams that change in time: rest lengths L (1 + ε*), and work by the trapezoid of ∂U/∂ε*.
 //
-// Nothing is done in steps in which no strain changes. ∂U/∂ε* is also found one step before a change, because the
-// trapezoid needs it.
+// A step does nothing if no strain changes in it or in the next step. A step before a change finds ∂U/∂ε*.
 #include "../../registered.hpp"
 #include "rows.hpp"
 #include "strained_beam.hpp"

@@ -1,3 +1,4 @@
+// Counts and energies of facets and cells for the guard and the history, on the CPU and on a device.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/cell_tables.hpp"

@@ -1,11 +1,12 @@
-// Stress-free strains of cells that change in time: longer levers, and the work of the strains.
+// Stress-free strains of cells that change in time: levers of facets and walls, and the work of the strains.
 //
-// A facet whose cells are larger by ε* without stress has levers 1 + ε* times as long, and with the force f of the gap
+// A stress-free strain ε* makes the levers of a facet 1 + ε* times as long. With the force f of the facet on cell i
+// and the levers b of the reference without ε*,
 //
-//     ∂U/∂ε* = f · (R_j b_j - R_i b_i)      b in the reference
+//     ∂U/∂ε* = f · (R_j b_j - R_i b_i)
 //
-// The work is the trapezoid of that over dε*. Steps without a change of strains cost nothing; ∂U/∂ε* is also found
-// one step before a change, because the trapezoid needs it.
+// The work is the trapezoid of ∂U/∂ε* over dε*. A step does nothing if no strain changes in it or in the next step.
+// One step before a change ∂U/∂ε* is found, because the trapezoid needs it.
 #include "cell_strains.hpp"
 
 #include "../../registered.hpp"
@@ -40,7 +41,7 @@ void sum_strain_powers(const Range &range, const Moving &all, const CellStrains 
 }
 BONDEM_PASS(sum_strain_powers, of_bonds, "ends pose pose.stress")
 
-// Finds ∂U/∂factor from the stresses in the poses, at a time that no step has reached.
+// Finds ∂U/∂factor from the stresses in the poses, before the first step of a call.
 void begin_strain_work(const Range &range, const Moving &all, const CellStrains &strains, const ElasticFacets &facets,
                        const WallConstraints &walls) {
     if (!range.clock.first) return;

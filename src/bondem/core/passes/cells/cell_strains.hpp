@@ -1,3 +1,4 @@
+// Work of stress-free strains of cells, on the CPU and on a device.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/cell_tables.hpp"

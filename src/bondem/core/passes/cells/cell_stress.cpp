@@ -1,6 +1,6 @@
 // Moments of cells from the forces of their facets: V σ = sym Σ b⊗f, with b from the centre of the cell to the facet.
 //
-// Levers b and forces f are those of one instant, in space. The sums are found with those of the forces.
+// Levers b and forces f are those of one instant, in space. The pass that sums forces sums b⊗f too.
 #include "cell_stress.hpp"
 
 #include "../../registered.hpp"

@@ -1,3 +1,4 @@
+// Moments V σ of cells at the start of a run, on the CPU and on a device.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/cell_tables.hpp"

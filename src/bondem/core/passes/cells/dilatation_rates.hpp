@@ -1,7 +1,7 @@
 // Rates of the dilatation, and the mass matrix that waves of pressure need.
 //
-// Facets sample a sine over the distance of two centres, and the dilatation of a cell is a central difference, so that
-// waves of pressure of wave number k are too slow:
+// Facets sample a sine over the distance of two centres, and the dilatation of a cell is a central difference, so
+// that waves of pressure of wave number k are too slow:
 //
 //     ω² ρ / k² = 2 G (1 - k² L̄² / 20) + λ (1 - k² L̄² / 5)
 //

@@ -23,7 +23,7 @@ void postpone_with_neighbours(const ElasticFacets &facets, const FacetRelease &r
     postpone_element(postponed, p, postponed_for::own_facet);
 }
 
-// Evaluates marked facets by a criterion at the present stresses, and postpones cells that lose facets and their
+// Evaluates marked facets by a criterion at the present stresses; postpones cells that lose facets, and their
 // neighbours.
 template <class Criterion>
 void judge_facets(const Range &range, const Moving &all, const ElasticFacets &facets, const FacetRelease &release,

@@ -1,3 +1,4 @@
+// Loads of facets and walls in the kept sums of cells whose facets fail, on the CPU and on a device.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/cell_tables.hpp"

@@ -17,8 +17,7 @@ inline Index other_cell(const ElasticFacets &facets, Index k, Index p) {
     return facets.i(k) != Short(p) ? facets.i(k) : facets.j(k);
 }
 
-// Reasons for which a cell is postponed, one bit each: as a neighbour, or for a facet of its own; and whether the
-// cell is listed.
+// Reasons for which a cell is postponed, one bit each: neighbour, facet of its own; and a bit for listed cells.
 namespace postponed_for {
 enum : Byte { neighbour = 1, own_facet = 2, listed = 4 };
 }

@@ -1,7 +1,7 @@
 // Tractions on free facets, and their effect on the dilatation of cells.
 //
-// A traction t opens the half facet of its cell, and thereby adds A d t · m / 2G to V θ. Under constant loads ½ V λ
-// θ² of the cells is the potential; a load that changes does the work σ d(V θ) on it.
+// A traction t opens the half facet of its cell, and thereby adds A d t · m / 2G to V θ. Under constant loads
+// ½ V λ θ² of the cells is the potential; a load that changes does the work σ d(V θ) on it.
 #include "../../registered.hpp"
 #include "../../tables/cell_tables.hpp"
 #include "../boundary/timeline.hpp"
@@ -29,8 +29,7 @@ void follow_tractions(const Range &range, const Timeline &timeline, const FacetT
 }
 BONDEM_PASS(follow_tractions, of_rows, "writes given")
 
-// Adds half the work of tractions that change to the rows of their cells: once by the stresses before, and once by those
-// after.
+// Adds half the work of tractions that change to the rows of their cells: by the stresses before, and by those after.
 void add_traction_work(const Range &range, const Moving &all, const FacetTractions &tractions, const Rows &rows) {
     if (comes(tractions))
         for (Index e = range.first_owner; e < range.last; e++)

@@ -1,16 +1,16 @@
 // Gradients of the dilatation at one cell, for passes of a step and for given poses.
 //
-// With σ = λ_p θ_p of the cells, springs between neighbours store ½ c (σ_i - σ_j)², so that the stress of a cell becomes
+// With σ = λ_p θ_p of the cells, springs between neighbours store ½ c (σ_i - σ_j)². The stress of a cell is
 //
 //     σ_p + λ_p / V_p Σ c (σ_p - σ_q)
 //
-// In a layer of normal n, V χ = Σ 2 v · (n × s) over the facets within the layer, with v the vector part of the relative
-// rotation, and U = ½ J λ_p χ². With m = Σ τ n × s of both cells, τ = J λ_p χ / V, the torque on cell p is
+// In a layer of normal n, V χ = Σ 2 v · (n × s) over the facets within the layer, with v the vector part of the
+// relative rotation, and U = ½ J λ_p χ². With m = Σ τ n × s of both cells, τ = J λ_p χ / V, the torque on cell p is
 //
 //     R_p (w m + v × m)
 //
-// A wall does not rotate. With v of the rotation of the cell since the wall began to hold it, the wall adds -2
-// v · (n × s) to V χ, and the torque τ (w n × s + v × (n × s)).
+// A wall does not rotate. With v of the rotation of the cell since the wall began to hold it, the wall adds
+// -2 v · (n × s) to V χ, and the torque τ (w n × s + v × (n × s)).
 #pragma once
 #include "facets.hpp"
 #include "walls.hpp"

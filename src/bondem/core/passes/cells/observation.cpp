@@ -6,7 +6,7 @@
 
 namespace bondem {
 
-// Turns vectors with their elements.
+// Turns vectors by the quaternions of their elements.
 Index turn_vectors(Index, const TurnedVectors &all) {
     for (Index e = 0; e < all.vector.size(); e++)
         all.turned.row<Vector>(e) = rotate(all.quaternion.row<const Quaternion<double>>(e), all.vector.row<const Vector>(e));

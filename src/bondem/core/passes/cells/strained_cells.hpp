@@ -8,7 +8,7 @@
 namespace bondem {
 
 // Updates the factors to the time of the clock. ∂U/∂factor is needed if a factor changes in this step or the next
-// one. Returns true if a factor has changed.
+// one. Returns true if a factor has changed, and before the first step of a call.
 inline bool follow_factors(const Clock &clock, const Timeline &timeline, const CellStrains &strains) {
     using namespace strain_factor;
     const auto &factor = strains.factor;

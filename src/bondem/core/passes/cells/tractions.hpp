@@ -5,6 +5,7 @@
 
 namespace bondem {
 
+// True if a traction changes in this step.
 inline bool comes(const FacetTractions &tractions) {
     for (Index l = 0; l < tractions.schedule.size(); l++)
         if (tractions.increment(l) != 0.0) return true;

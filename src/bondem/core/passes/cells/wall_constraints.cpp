@@ -1,3 +1,4 @@
+// Walls that hold or support facets in a step: their places, dilatation, forces and work (`walls.hpp`).
 #include "../../registered.hpp"
 #include "../../tables/cell_tables.hpp"
 #include "walls.hpp"
@@ -16,7 +17,7 @@ void add_half_works(const WallConstraints &walls, const Rows &rows) {
 
 }  // namespace
 
-// Moves walls to their places at the time of the clock, and updates their forces at a time that no step has reached.
+// Moves walls to their places at the time of the clock, and updates their forces before the first step of a call.
 void follow_walls(const Range &range, const Moving &all, const WallConstraints &walls, const Rows &rows) {
     for (Index g = 0; g < walls.cell.size(); g++) place_support(walls, range.clock.time, g);
     if (!range.clock.first) return;
@@ -34,8 +35,8 @@ void add_wall_dilatation(const Range &, const Moving &all, const WallConstraints
 }
 BONDEM_PASS(add_wall_dilatation, of_rows, "own arm pose wall; changes swelling")
 
-// Sets the forces of walls on the rows of their cells, whose stresses are known, and adds the work of walls that move:
-// the trapezoid of the force over the displacement.
+// Sets the forces of walls on the rows of their cells, whose stresses are known, and adds the work of walls that
+// move: the trapezoid of the force over the displacement.
 void apply_walls(const Range &, const Moving &all, const WallConstraints &walls, const Rows &rows) {
     add_half_works(walls, rows);
     for (Index g = 0; g < walls.cell.size(); g++)

@@ -1,5 +1,5 @@
-// A facet that a wall holds. A wall keeps its orientation, so that a gap is measured along fixed axes: with the lever b of
-// the facet and u the displacement of its centroid,
+// A facet that a wall holds. A wall keeps its orientation, so that a gap is measured along fixed axes: with the lever
+// b of the facet and u the displacement of its centroid,
 //
 //     δ = P (wall - u)      V θ += s · δ      U = ½ k |δ|² + 2 v · H v
 //     u = x + R b - its place in the reference
@@ -119,7 +119,7 @@ inline double energy_of_support(const Array<double, 2> &pose, const Array<const 
     return 0.5 * walls.k(g) * dot(gap, gap) + 2.0 * dot(v, walls.H.row<const Symmetric3<double>>(g) * v);
 }
 
-// Moves the wall of a fixed facet to its place at a time; `increment` is its displacement.
+// Moves the wall of a fixed facet to its place at a time, and stores its displacement in `increment`.
 inline void place_support(const WallConstraints &walls, double time, Index g) {
     const Timeline timeline = {walls.times, walls.values, walls.start};
     for (Index axis = 0; axis < 3; axis++) {

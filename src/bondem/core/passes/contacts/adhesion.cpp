@@ -1,3 +1,4 @@
+// Passes of adhesion over pairs of spheres, and over spheres at walls (`adhesion.hpp`).
 #include "adhesion.hpp"
 
 #include "../../ledger.hpp"
@@ -6,7 +7,7 @@
 namespace bondem {
 namespace {
 
-// An element at a wall.
+// An element at a wall, with the adhesion between them.
 struct NearWall {
     Short p;
     double radius, gap;  // gap from which adhesion counts [m]

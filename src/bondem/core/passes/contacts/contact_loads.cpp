@@ -18,8 +18,8 @@ namespace {
 // Largest relative error of a distance by rounding.
 constexpr double rounding = 1e-9;
 
-// Lists the pairs of a portion that may touch before an element has moved by `width`, and those that do; `outer` is the
-// distance within which a pair may touch otherwise than as spheres [m].
+// Lists the pairs of a portion that may touch before an element has moved by `width`, and those that do; `outer` is
+// the distance within which a pair may touch otherwise than as spheres [m].
 template <class Outer>
 void list_near(const Range &range, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                const NearPairs &near, const Travel &travel, Outer outer) {
@@ -157,8 +157,7 @@ void press_close(const Range &range, const Moving &all, const ContactConstants &
 
 #if defined(BONDEM_LANES)
 
-// Finds forces and memory of the pairs of a portion of elements; renews the list of near pairs where elements have
-// moved too far.
+// Finds forces and memory of the pairs of a portion of elements; renews the list of near pairs after large motions.
 void press_pairs(const Range &range, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                  const NearPairs &near, const Travel &travel) {
     if (measures_anew(range, near, travel)) list_near(range, all, c, pairs, near, travel, [](Index) { return 0.0; });

@@ -1,3 +1,4 @@
+// Forces and energies of contacts, on the CPU and on a device.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/contact_tables.hpp"

@@ -22,8 +22,7 @@ namespace bondem {
 constexpr Index began_at = 6, stiff_before = 7;
 // Cosine of the largest angle between the branch of two cells and the normal of a face that faces the other cell.
 constexpr double least_ahead = 0.5;
-// Largest overlap of faces in one plane, as a share of their area, at which their contact starts as they slide,
-// without an initial overlap.
+// Largest 1 - g²/R² (`laws/face_contact.hpp`) at which faces in one plane begin to touch without an overlap u0.
 constexpr double least_share = 0.01;
 
 // The two facets by whose faces a pair touches, coded as one number.

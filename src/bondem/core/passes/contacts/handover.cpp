@@ -1,3 +1,4 @@
+// Passes that begin contact where bonds have failed or cracks have parted in a step (`handover.hpp`).
 #include "handover.hpp"
 
 #include "../../exact_sum.hpp"
@@ -34,8 +35,8 @@ void examine(const ContactPairs &pairs, const NearPairs &near, Index k) {
     near.counts(portion, 0)++;
 }
 
-// Begins the contact of the pair of a bond, and adds its force to rows of sums of elements; returns the energy that moves
-// to the contact [J].
+// Begins the contact of the pair of a bond, and adds its force to rows of sums of elements; returns the
+// energy that moves to the contact [J].
 double hand_over(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near, Index bond,
                  double *sums) {
     const Index k = pairs.of_bond(bond);

@@ -2,8 +2,8 @@
 //
 // The pressure between the two acts at once, with the tangential spring at rest. Where a bond breaks at once, it acts
 // from the end of that step on, and the energy that it stores is subtracted from that of the event; where a softening
-// beam breaks, it replaces the pressure on the beam. Cells whose crack has parted touch from their present distance on,
-// without a force; cells with faces on a plane touch by these faces.
+// beam breaks, it replaces the pressure on the beam. Cells whose crack has parted touch from their present distance
+// on, without a force; cells with faces on a plane touch by these faces.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/beam_softening_tables.hpp"

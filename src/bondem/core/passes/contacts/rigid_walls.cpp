@@ -5,8 +5,7 @@
 // force against the force of the elements; a share of the missing force resists its motion, and its speed is limited.
 // A free wall moves by the force of the elements and one of its own: half a kick before it moves, half when the
 // forces on it are known. It turns between both kicks of its angular momentum, about its principal axes in the order
-// 1 2 3 2 1 (Dullweber, Leimkuhler and McLachlan, J. Chem. Phys. 107, 1997). The work of a wall on the elements is
-// the trapezoid of its power.
+// 1 2 3 2 1 (Dullweber, Leimkuhler and McLachlan, J. Chem. Phys. 107, 1997). Its work is the trapezoid of its power.
 #include "rigid_walls.hpp"
 
 #include "../../ledger.hpp"
@@ -91,8 +90,7 @@ void move_wall(const Walls &walls, Index w, double dt) {
         row.orientation = turned(row.orientation, dt * row.spin);
 }
 
-// Inverse mass of a wall along a normal at a distance from the point about which it turns; 0 unless it is free
-// [1/kg].
+// Inverse mass of a wall along a normal at an arm from the point about which it turns [1/kg]; 0 unless it is free.
 double inverse_mass_at(const WallRow &row, const WallInertia &inertia, Vector arm, Vector normal) {
     if (!turns_freely(inertia)) return inertia.inverse_mass;
     const Vector lever = rotate(inverse(product(row.orientation, inertia.principal)), cross(arm, normal));
@@ -183,8 +181,7 @@ void press_walls(const Range &range, const Moving &all, const ContactConstants &
 }
 BONDEM_PASS(press_walls, of_elements, "own motion pose; changes sums")
 
-// Keeps the deepest overlap of the elements of a portion with a wall, over the radius, if distances are measured in
-// this step.
+// Keeps the deepest overlap over radius of the elements of a portion with a wall, in a step that measures distances.
 void measure_wall_overlaps(const Range &range, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                            const Walls &walls, const NearPairs &near, const Travel &travel) {
     if (!measures_anew(range, near, travel)) return;

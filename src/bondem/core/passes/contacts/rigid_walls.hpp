@@ -1,3 +1,4 @@
+// Motion, loads and report of walls that are rigid bodies, on the CPU and on a device.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/contact_tables.hpp"

@@ -1,3 +1,5 @@
+// Resistance to rolling and twisting in a step (`rolling.hpp`): moments on elements in contact with each other or
+// with walls, and stored energies.
 #include "rolling.hpp"
 
 #include "../../ledger.hpp"
@@ -5,7 +7,7 @@
 
 namespace bondem {
 
-// Finds moments and memory of the pairs of a portion of elements that touch and may roll.
+// Finds moments and memory of the springs of rolling of close pairs in a portion of elements.
 void roll_pairs(const Range &range, const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near,
                 const RolledPairs &of) {
     const Index begin = pairs.start(range.first), end = begin + near.counts(range.block, 1);

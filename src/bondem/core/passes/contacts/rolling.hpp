@@ -4,11 +4,10 @@
 //
 // ρ is R̄ times the rotation of the second body against the first that the spring stores, ρ_t across the normal and
 // ρ_n along it. ks is that of the contact. For a law that hardens it is taken at the overlap of the time step
-// estimate, because a constant stiffness has a potential. There is no dashpot. Energy: ½ ks ρ²; work that it does not
-// store is friction.
+// estimate, because a constant stiffness has a potential. No dashpot. Energy: ½ ks ρ²; other work is friction.
 //
-// The moments on both bodies are opposite: angular momentum is conserved. Source: type C of Ai, Chen, Rotter and Ooi, Powder
-// Technology 206 (2011) 269–282, without its dashpot.
+// The moments on both bodies are opposite: angular momentum is conserved. Source: type C of Ai, Chen, Rotter and Ooi,
+// Powder Technology 206 (2011) 269–282, without its dashpot.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/contact_tables.hpp"

@@ -12,7 +12,7 @@ struct AtWall {
     Vector spin, velocity;  // angular velocity and velocity against the wall, at the place of the element
     double growing;  // of the wall towards the element [m/s]
 
-    // Direction and velocity at the contact, for a distance of the wall from the surface.
+    // Direction and velocity at the contact with the surface of the wall at a gap.
     Meeting<double> meeting(const WallSurface &at) const {
         return {at.normal, velocity - growing * at.normal - cross((radius + at.gap) * spin, at.normal)};
     }

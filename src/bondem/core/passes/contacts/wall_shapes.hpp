@@ -98,8 +98,8 @@ struct WallPlace {
     }
 };
 
-// Largest displacement of a wall since the list of contacts was made, for elements within reach of their places then
-// [m].
+// Largest displacement of a wall [m] since the list of contacts was made, for elements within reach of their
+// places at that time.
 //
 // Every wall is a surface of revolution: a turn about its own axis moves nothing.
 inline double travel_of_wall(const Walls &walls, Index w, double reach) {

@@ -1,4 +1,4 @@
-// Σ b⊗f of the cracks of a cell, with b the lever in the reference and f the force in space.
+// Σ b⊗f over the active cracks of a cell, with b the lever in the reference and f the force in space.
 #pragma once
 #include "single_cracks.hpp"
 
@@ -8,7 +8,7 @@ namespace bondem {
 constexpr Index has_cracks = 3;
 
 struct Carried {
-    Four sum[3];  // b_x f, b_y f, b_z f with b in units of pitch, each and another number
+    Four sum[3];  // b_x f, b_y f, b_z f with b in units of pitch, each followed by a number without meaning
 
     // `b` is the lever; `f` has the three components of the force and a fourth number that does not count.
     BONDEM_INLINE void add(const int32_t *b, Four f) {

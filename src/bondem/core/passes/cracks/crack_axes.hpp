@@ -3,9 +3,9 @@
 // Neighbouring cracks with different axes hinder each other, which costs 6 to 8 % of the fracture energy at a notch,
 // and 10 to 22 % where a body tears by turning. A crack takes the axes of the crack of its two cells that has lost
 // most, if one of the three is within 45° of the largest principal stress around it: behind the front of a crack the
-// largest stress is often along it. Otherwise it takes those of the crack of all their neighbours that has lost most,
-// if the first is within 45°: with any of the three, cracks under mixed mode would not curve. Otherwise it takes the
-// principal directions of that stress, the mean over these cells.
+// largest stress is often along it. Otherwise it takes those of the crack of both cells and all their neighbours that
+// has lost most, if its first is within 45°: with any of the three, cracks under mixed mode would not curve.
+// Otherwise it takes the principal directions of that stress, which is the mean over all these cells.
 #pragma once
 #include "../../laws/principal.hpp"
 #include "single_cracks.hpp"
@@ -27,7 +27,7 @@ struct LeadingCrack {
         if (s < left || (s == left && s < 1.0 && k < facet)) facet = k, left = s;
     }
 };
-// Finds the leading crack of the material in cell p, among those that are treated one by one and have a grip.
+// Finds the leading crack of cell p: the active crack of the material with a grip that has lost most.
 inline void find_leader(const CohesiveCracks &cracks, const CrackLists &lists, Index p) {
     LeadingCrack leader;
     for (Index h = lists.head(p); h > 0; h = lists.next(h)) {

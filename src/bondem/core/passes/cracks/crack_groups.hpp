@@ -1,5 +1,5 @@
-// Access of passes to cracks: one, or as many as there are lanes. Functions on cracks are templates for both
-// (`crack_places.hpp` and others).
+// Access to the rows of cracks: `OneCrack` reads and writes one crack in numbers, `CrackGroup` as many cracks of a
+// list as there are lanes. Functions on cracks, such as those of `crack_places.hpp`, are templates for both.
 #pragma once
 #include "../../exact_sum.hpp"
 #include "../../threads.hpp"
@@ -19,13 +19,13 @@ BONDEM_INLINE FacetShape<double> facet_shape(const CohesiveCracks &cracks, Index
     return {lever(of.lever_i), lever(of.lever_j), share(of.share_i), share(of.share_j)};
 }
 
-// Softening of cracks: resistance to bending, and the numbers of `CrackSofteningRow`.
+// Data of the softening of one crack or of a group: H [N·m], and other numbers of `CrackSofteningRow`.
 template <class T> struct CrackSoftening {
     Symmetric3<T> H;
     T plane, bends, brittleness, fastest, strength;
 };
 
-// The crack of facet k, whose place in lists is the number of the facet.
+// The crack of facet k on a device, where its place e in arrays of lists is the number of the facet.
 struct OneCrack {
     using Number = double;
     Index e, crack;
@@ -102,7 +102,7 @@ BONDEM_INLINE void scatter_rows(double *const *row, Row<Lanes> all) {
 #endif
 }
 
-// Types of columns whose lanes contain two numbers of four bytes each.
+// Types for columns of a row whose lanes contain two numbers of four bytes each: whole ones, or of single precision.
 typedef uint64_t TwoInLanes __attribute__((vector_size(lanes * 8)));
 typedef uint32_t OneInLanes __attribute__((vector_size(lanes * 4)));
 typedef int32_t WholeLanes __attribute__((vector_size(lanes * 4)));
@@ -119,7 +119,7 @@ BONDEM_INLINE Lanes single_of(const Row<Lanes> &row, int number) {
 
 // ---- a group of cracks
 
-// Cracks of a list from place e on.
+// Group of cracks of a list, as many as there are lanes, from place e on.
 struct CrackGroup {
     using Number = Lanes;
     Index e;
@@ -132,7 +132,7 @@ struct CrackGroup {
         : e(e), known(int(least(count - e, Index(lanes)))), crack(list.data + e), i(at_i.data + e),
             j(at_j.data + e) {}
 
-    // The line of each crack in a table, eight numbers, one lane per crack.
+    // Row of each crack in a table, as eight columns with one lane per crack.
     BONDEM_INLINE Row<Lanes> lines(const Array<double, 2> &table) const {
         const double *row[lanes];
         for (int n = 0; n < lanes; n++) row[n] = table.data + 8 * crack[n];
@@ -179,7 +179,7 @@ struct CrackGroup {
     BONDEM_INLINE void put(const Array<double, 2> &table, int column, Lanes all) const {
         for (int n = 0; n < lanes; n++) table.data[8 * crack[n] + column] = all[n];
     }
-    // Prefetches the lines of tables for cracks some places later. Places exist after the end of a list, too.
+    // Prefetches the rows of tables for cracks 24 places later; lists have room after their end, which is read here.
     template <class... Tables> BONDEM_INLINE void prefetch(const Tables &...tables) const {
         constexpr Index ahead = 24;
 #pragma clang loop unroll(full)
@@ -214,7 +214,7 @@ struct CrackGroup {
             for (int n = known; n < lanes; n++) all[n] = all[known - 1];
         return all > Lanes{};
     }
-    // Writes a flag at the places whose mask is set, and marks their portion.
+    // Writes a flag at the places whose mask is set, and if there is one, sets the number of their portion to `as`.
     void flag(const Array<Byte, 1> &to, const Array<Index, 1> &of_portions, Index portion, Mask<Lanes> where, Byte value,
               Index as = 1) const {
         if (!any(where)) return;
@@ -222,7 +222,7 @@ struct CrackGroup {
             if (where[n] != 0) to(e + n) = value;
         of_portions(portion) = as;
     }
-    // Writes eight columns of both halves.
+    // Writes eight columns of both halves of each crack, from column `from` on.
     BONDEM_INLINE void put_halves(const CrackLists &lists, const Row<Lanes> &on_i, const Row<Lanes> &on_j,
                                   Index from = 0) const {
         double *i[lanes], *j[lanes];
@@ -261,7 +261,7 @@ template <class On> inline void over_places(const Range &range, Index count, On 
         on(first, least(first + crack::of_portion, count), task);
     });
 }
-// Calls on(group) for the groups of places first … last - 1 of a list of `count` cracks.
+// Calls on(group) for the groups of places first … last - 1 of the list of `count` active cracks.
 template <class On> BONDEM_INLINE void for_each_group_of(const CrackLists &lists, Index first, Index last, Index count, On on) {
     for (Index e = first; e < last; e += lanes) on(CrackGroup{lists.treated, lists.treated_i, lists.treated_j, e, count});
 }

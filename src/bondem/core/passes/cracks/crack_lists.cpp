@@ -1,7 +1,8 @@
-// Lists of cracks in the order of their facets, and the halves of each cell, from the last facet to the first.
+// Lists of active and of resting cracks, and for each cell the halves of its active cracks.
 //
-// Contributions to a cell are added in that order, independent of the place of a crack in a list, so that a pause
-// changes no bit. Consecutive facets are near each other, and so are the data of consecutive cracks of a list.
+// Unbroken cracks come first, then broken ones, each in the order of their facets: consecutive facets are near each
+// other, and so are their data. The halves of a cell are linked from the last facet to the first. Contributions to a
+// cell are added in that order, independent of the place of a crack in a list, so that a pause changes no bit.
 #include "crack_lists.hpp"
 
 #include "../../registered.hpp"
@@ -21,7 +22,7 @@ void fill(const Array<Index, 1> &list, const Array<Short, 1> &at_i, const Array<
     }
 }
 
-// Calls on(k) for cracked facets; eight whole facets are skipped at once.
+// Eight bytes as one number: calls on(k) for cracked facets skip eight whole facets at once.
 typedef uint64_t EightBytes __attribute__((aligned(1), may_alias));
 template <class On> inline void for_each_listed(const CohesiveCracks &cracks, On on) {
     const Byte *const listed = cracks.listed.data;

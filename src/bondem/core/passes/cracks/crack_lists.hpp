@@ -1,3 +1,4 @@
+// Completion of the list of active cracks for lanes (`crack_lists.cpp`).
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/cell_tables.hpp"
@@ -5,7 +6,7 @@
 
 namespace bondem {
 
-// Repeats the last crack of the list of cracks that are treated one by one, for lanes after it.
+// Repeats the last active crack, and the last of their cells, in the lanes after the end of their lists.
 void fill_treated(const CrackLists &lists);
 
 }  // namespace bondem

@@ -11,7 +11,7 @@ namespace bondem {
 
 #if defined(BONDEM_LANES)
 
-// Computes forces, torques and dissipation of the cracks that are treated one by one.
+// Computes forces, torques and dissipation of the active cracks.
 void load_cracks(const Range &range, const Moving &all, const ElasticFacets &facets, const FacetStrengths &strengths,
                  const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
     const bool changes = range.clock.dt > 0.0;
@@ -81,7 +81,7 @@ void sum_heat(const Range &range, const StressesOfCells &stresses, const Yieldin
 }
 BONDEM_PASS(sum_heat, of_elements, "")
 
-// Sums the energies of the cracks that are treated one by one [J].
+// Sums the energies of the active cracks [J].
 void sum_crack_energies(const Range &, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
                         const Ledger &ledger) {
     ModeSums sum = {};
@@ -93,7 +93,7 @@ void sum_crack_energies(const Range &, const Moving &all, const ElasticFacets &f
 }
 BONDEM_PASS(sum_crack_energies, of_cracks, "ends pose pose.stress")
 
-// Writes the energy that facets have released beyond their fracture energy.
+// Writes the energy that facets have released beyond their fracture energy in this run [J].
 void write_crushing_of_facets(const Range &range, const FacetStrengths &strengths, const CohesiveCracks &cracks,
                               const EventLog &log, const HistoryRows &history) {
     ExactSum sum = {};

@@ -1,3 +1,4 @@
+// Loads of active cracks on cells, and energies of bodies with cracks, on the CPU and on a device.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/cell_tables.hpp"
@@ -6,7 +7,7 @@
 
 namespace bondem {
 
-// Adds the forces of cracks that are treated one by one to the sums of their cells.
+// Adds the forces of active cracks to the sums of their cells.
 void add_crack_loads(const Range &range, const Moving &all, const CrackLists &lists, const StepBlocks &blocks);
 // Sums the energy of dilatation of a portion of cells by their stresses [J].
 void sum_stressed_dilatation(const Range &range, const Moving &all, const CellDilatation &cells,

@@ -4,7 +4,7 @@
 
 namespace bondem {
 
-// Faces of the cracks of a group, with their data.
+// Present faces of one crack or of the cracks of a group, with stresses, compliance and state.
 template <class T> struct CrackPlace {
     Ends<T> ends;
     OfCells<T> stress;  // of both cells [Pa]
@@ -74,12 +74,12 @@ template <class T> BONDEM_INLINE Symmetric3<T> mean_stress(const Row<T> &both) {
     const auto mean = [&](int c) { return 0.5 * both.column[c]; };
     return {mean(0), mean(1), mean(2), mean(3), mean(4), mean(5)};
 }
-// A bound of the opening of a facet by bending, without an angle: σ_3 is at most the least of the diagonal.
+// Upper bound of the opening traction of bending [Pa] without an angle: σ_3 is at most the least of the diagonal.
 template <class T> BONDEM_INLINE T opened_at_most(T bent, const Symmetric3<T> &mean) {
     return positive(T(bent + least(least(least(mean.xx, mean.yy), mean.zz), T{})));
 }
 
-// Values of one crack of a group: a mask, a vector, axes or integrities.
+// Value of crack n of a group: of a mask, a vector, axes or integrities.
 BONDEM_INLINE bool lane_of(bool mask, int) { return mask; }
 #if defined(BONDEM_LANES)
 BONDEM_INLINE bool lane_of(Mask<Lanes> mask, int n) { return mask[n] != 0; }
@@ -94,7 +94,7 @@ template <class Group, class T> CrackIntegrity<double> lane_of(const Group &grou
     return {{group.lane(left.s[0], n), group.lane(left.s[1], n), group.lane(left.s[2], n)}, group.lane(left.grip, n)};
 }
 
-// Halves of a crack in a table, two lines each.
+// A half of a crack as two rows of eight numbers in `CrackLists.half`.
 template <class T> struct HalfRows {
     Row<T> first, second;
 };

@@ -1,5 +1,5 @@
-// Rows of cracks. Each is one line of the cache, as there are many cracks and a pass takes few of their numbers;
-// levers, shares and H have half as many bytes, in which they are exact.
+// Rows of the tables of cracks. A row is one cache line, because a pass reads a few numbers of each of many cracks.
+// Levers, shares and H are stored in four bytes each, in which they are exact.
 #pragma once
 #include "../../laws/crack.hpp"
 #include "../../laws/softening.hpp"
@@ -16,13 +16,13 @@ struct CrackShapeRow {
 };
 struct CrackFaceRow {
     double normal[3];  // in the reference [-]
-    double part, area, friction, k;
+    double part, area, friction, k;  // part of cell i in the compliance, [m²], μ, [N/m]
     double slips;  // 1 while it may slip
 };
 struct CrackStateRow {
     double slip[3];  // of the faces, or of the spring of friction, in the frame of cell i [m]
     double rub[3];  // friction force a step ago [N], or by how much the faces slip in this step, in that frame [m]
-    double fresh;  // 1 for a crack that begins to be treated in this step
+    double fresh;  // 1 for a crack that becomes active in this step
     double kind;  // `crack::CrackKind`
 };
 struct CrackFrameRow {
@@ -38,8 +38,8 @@ struct CrackSofteningRow {
     double strength;  // [Pa], 0 where a cell had no cohesion
 };
 struct CrackHistoryRow {
-    double status, spent;  // how it is treated, energy dissipated [J]
-    double cohesion, slip_brittleness, friction;  // of facets of material planes
+    double status, spent;  // `crack::CrackStatus`, energy dissipated [J]
+    double cohesion, slip_brittleness, friction;  // of facets of material planes [Pa, 1/Pa, -]
     double began;  // step in which it began, below 0 for those of a state, in their order
     double onset_step;  // step in which it began, also for those of a state
     double unused;
@@ -64,13 +64,13 @@ inline Index half_of(Index k, Index side) { return 2 * k + 1 + side; }
 inline Index facet_of(Index half) { return (half - 1) >> 1; }
 
 namespace crack {
-// Changes of the treatment of a crack in a step.
+// Change of a crack in a step: none; it loses integrity; it goes to rest; its faces part; it wakes from rest.
 enum Flag : Byte { unchanged, fell, calmed, parts, wakes };
-// Columns of the loads of a half: force on its cell, energy lost to friction, torque, and N of `slides.hpp`; then the
-// sliding force, K, its present sum Σ, and the transmitted force.
+// Columns of the loads of a half: force on its cell, energy lost to friction, torque, and its part of N
+// (`slides.hpp`); then its parts of R, K, Σ ± ω P f and C.
 enum LoadColumn : Index { force = 0, slides = 8 };
-// Column of the slip of a cell with its state: no slip in this step and the one before, slip in the step before only,
-// or slip in this step.
+// Column of `CrackLists.slip` with the state of a cell: no slip in this step and the one before, slip in the step
+// before only, or slip in this step.
 constexpr Index slipping = 3;
 enum Slipping : int { sticks, slipped, slips };
 // Number of places in a portion of a list.

@@ -1,8 +1,9 @@
 // Changes of cracks in a step: softening, rest, waking and parting.
 //
-// An open crack that does not soften equals a facet of less stiffness to rounding, and rests as such among all
-// others. It goes to rest at nine tenths of the traction at which it softens, and wakes at 0.98 of it, or where it
-// closes. A broken crack whose faces no longer face each other parts: its cells then touch like any others.
+// A crack with one integrity for all directions, or without any, equals a facet of reduced stiffness to rounding
+// while it is open and does not soften: it is `resting` then, and computed with all other facets. It goes to rest
+// below nine tenths of the traction at which it softens, and becomes `active` again at 0.98 of it, or where it
+// closes. A broken crack whose faces no longer face each other is `parted`: its cells then touch like any others.
 #include "../../registered.hpp"
 #include "../../tables/cell_tables.hpp"
 #include "../../tables/crack_tables.hpp"
@@ -14,8 +15,7 @@
 namespace bondem {
 namespace {
 
-// Adds the contribution of facet k to V θ of its cells without cracks, or subtracts it; its crack is not treated one
-// by one.
+// Adds the contribution of facet k, times a sign, to V θ of its cells without active cracks; updates their weights.
 void hand_over(const SingleCrack &one, const ElasticFacets &facets, const CellDilatation &cells,
                const CellSlack &slack,
                const CohesiveCracks &cracks, const CrackLists &lists, Index k, double sign) {
@@ -61,8 +61,8 @@ struct HalvesAhead {
     }
 };
 
-// Moves a resting crack to the list of cracks that are treated one by one: to its end in this step, to its place in
-// the order of facets in the next one.
+// Makes a resting crack active. In this step it stands at the end of the list of active cracks; the next step puts it
+// in its place by the order of facets.
 void wake(const SingleCrack &one, const ElasticFacets &facets, const CohesiveCracks &cracks, const CrackLists &lists,
           Index k) {
     const Index e = lists.size(list_count::treated)++;
@@ -92,7 +92,7 @@ void watch_resting_cracks(const Range &range, const Moving &all, const ElasticFa
 }
 BONDEM_PASS(watch_resting_cracks, of_cracks, "ends pose pose.stress")
 
-// Treats resting cracks one by one again if they are about to soften or close; parts those whose faces turned away.
+// Makes resting cracks active if they are about to soften or close; parts those whose faces have turned away.
 void wake_cracks(const Range &range, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
                  const CellSlack &slack, const CohesiveCracks &cracks, const CrackLists &lists) {
     if (!(range.clock.dt > 0.0)) return;
@@ -160,7 +160,7 @@ void slide_cracks(const Range &range, const Moving &all, const ElasticFacets &fa
 }
 BONDEM_PASS(slide_cracks, of_cracks, "ends pose slip")
 
-// Ends the treatment of cracks one by one where `soften_cracks` has found them to rest or to part.
+// Ends the active status of cracks that `soften_cracks` has found to rest, or `measure_cracks` to part.
 void leave_cracks(const Range &range, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
                   const CellSlack &slack, const CohesiveCracks &cracks, const CrackLists &lists) {
     if (!(range.clock.dt > 0.0)) return;

@@ -18,14 +18,14 @@ void sum_powers(const Moving &all, const CellStrains &strains, const ElasticFace
 
 }  // namespace
 
-// Adds ∂U/∂factor of the stress-free strains at cracks that are treated one by one, where it is needed.
+// Adds ∂U/∂factor of the stress-free strains at active cracks, in steps that need it.
 void sum_crack_powers(const Range &, const Moving &all, const CellStrains &strains, const ElasticFacets &facets,
                       const CohesiveCracks &cracks) {
     if (strains.due(strain_due::power)) sum_powers(all, strains, facets, cracks);
 }
 BONDEM_PASS(sum_crack_powers, of_cracks, "ends pose")
 
-// Adds ∂U/∂factor of the stress-free strains by the forces of cracks, at a time that no step has reached.
+// Adds ∂U/∂factor of the stress-free strains by the forces of active cracks, before the first step of a call.
 void begin_crack_powers(const Range &range, const Moving &all, const CellStrains &strains,
                         const ElasticFacets &facets, const CohesiveCracks &cracks) {
     if (range.clock.first) sum_powers(all, strains, facets, cracks);

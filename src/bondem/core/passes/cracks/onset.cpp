@@ -24,7 +24,7 @@ BONDEM_INLINE Lanes of_cells(const StressesOfCells &stresses, const Short *i, co
 
 }  // namespace
 
-// Marks facets of the material that begin to crack.
+// Marks facets of the material that begin to crack, and all whole facets of cells without cohesion.
 void mark_cracking_facets(const Range &range, const Moving &all, const ElasticFacets &facets, const FacetForces &stored,
                           const FacetStrengths &strengths, const StressesOfCells &stresses,
                           const CrackOnset &onset) {

@@ -1,8 +1,7 @@
-// Condition for facets to begin to crack: they are pulled or sheared, and the largest principal stress of σ* reaches
-// their strength.
+// Condition for facets to begin to crack: they are pulled or sheared, and σ1 of a stress σ* reaches their strength.
 //
-// σ* is the mean stress σ of both cells made to agree with the traction t of the facet (`laws/agreed_stress.hpp`), with the
-// opening part of bending (`laws/softening.hpp`) added to its normal traction.
+// σ* is the mean stress σ of both cells made to agree with the traction t of the facet (`laws/agreed_stress.hpp`),
+// with the opening part of bending (`laws/softening.hpp`) added to its normal traction.
 //
 // Most facets carry far less: σ1(σ*) is at most (1 + √2) |σ| + √2 (|t| + T_b).
 #pragma once
@@ -27,8 +26,8 @@ BONDEM_INLINE Mask<T> reaches_strength(Vector3<T> t, Vector3<T> n, const Symmetr
     const Mask<T> sheared = dot(pull.t, pull.t) - along * along >= strength * (strength - along);
     return ((along > zero) | sheared) & opposite(is_below(agreed_stress(mean, n, pull.t), strength));
 }
-// True if a facet begins to crack, by a bound first: `size` is the sum of |σ| of both cells, `bends` the lesser of
-// their T_b² in the last step. place() returns the facet, and is called only if the bound is reached.
+// True if a facet begins to crack. A bound is compared first: `size` is the sum of |σ| of both cells, `bends` the
+// lesser of their Σ T_b² in the last step. place() returns the facet, and is called only if the bound is reached.
 template <class T, class Place>
 BONDEM_INLINE Mask<T> begins_to_crack(Vector3<T> t, T size, T bends, T strength, Place place) {
     constexpr double root_two = 1.4142135623730951;

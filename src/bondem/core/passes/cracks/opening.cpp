@@ -1,4 +1,4 @@
-// Passes over the cracks that are treated one by one, and over their cells.
+// Opening of active cracks in a step, and the stresses of their cells (`opening_cracks.hpp`).
 #include "opening.hpp"
 
 #include "../../registered.hpp"
@@ -32,7 +32,7 @@ BONDEM_PASS(begin_bases, of_elements, "own pose.stress weight; writes base")
 
 #if defined(BONDEM_LANES)
 
-// Finds faces and halves of the cracks that are treated one by one, and axes of cracks before any loss of integrity.
+// Finds faces and halves of the active cracks, axes of cracks before any loss of integrity, and cracks that part.
 void measure_cracks(const Range &range, const Moving &all, const ElasticFacets &facets, const CellSlack &slack,
                     const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
     const bool changes = range.clock.dt > 0.0;
@@ -47,7 +47,7 @@ void measure_cracks(const Range &range, const Moving &all, const ElasticFacets &
 }
 BONDEM_PASS(measure_cracks, of_cracks, "around leader pose tensor; adds half")
 
-// Finds the stresses of all cells with cracks that are treated one by one.
+// Finds the stresses of all cells with active cracks.
 void relax_cracked_cells(const Range &range, const Moving &all, const CellDilatation &cells,
                          const CrackLists &lists) {
     over_places(range, lists.size(list_count::cells), [&](Index first, Index last, Index) {
@@ -60,7 +60,7 @@ void relax_cracked_cells(const Range &range, const Moving &all, const CellDilata
 }
 BONDEM_PASS(relax_cracked_cells, of_cracks, "own base half weight; adds pose.stress")
 
-// Finds stresses that are out of date of cells with cracks, and the leading crack of each of these cells.
+// Finds the stresses of cells with active cracks again where they are out of date, and their leading cracks.
 void relax_outdated_cells(const Range &range, const Moving &all, const CellDilatation &cells,
                           const CohesiveCracks &cracks, const CrackLists &lists) {
     over_places(range, lists.size(list_count::cells), [&](Index first, Index last, Index) {

@@ -7,7 +7,7 @@
 
 namespace bondem {
 
-// Writes the halves of a group of cracks, flags cracks that part, and chooses axes of cracks without loss.
+// Writes the halves of a group of active cracks, flags cracks that part, and chooses axes of cracks without loss.
 template <class Group, class T = typename Group::Number>
 BONDEM_INLINE void measure_each(const Group &group, const Moving &all, const ElasticFacets &facets, const CellSlack &slack,
                                 const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists,
@@ -36,7 +36,7 @@ constexpr int most_steps = 30;
 constexpr double rounding_of_stress = 1e-14;
 }  // namespace crack
 
-// A cell, and its halves one after the other.
+// One cell, and the halves of its active cracks one after the other.
 struct OneCell {
     using Number = double;
     Short p;
@@ -59,7 +59,7 @@ struct OneCell {
 
 #if defined(BONDEM_LANES)
 
-// Cells of a list, as many as there are lanes.
+// Group of cells of a list, as many as there are lanes, and the halves of their active cracks.
 struct CellGroup {
     using Number = Lanes;
     const Short *cell;
@@ -99,7 +99,7 @@ struct CellGroup {
 
 #endif
 
-// Finds the stresses of cells by Newton's method, from V θ without their cracks and the halves of these.
+// Finds the stresses of cells by Newton's method, from V θ without their active cracks and the halves of these.
 template <class Cells, class T = typename Cells::Number>
 BONDEM_INLINE void relax(const Cells &at, const Moving &all, const CellDilatation &cells, const CrackLists &lists) {
     const T weight = at.each([&](Short p) { return cells.weight(p); });

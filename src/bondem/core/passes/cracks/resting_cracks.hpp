@@ -1,17 +1,20 @@
-// Changes of one crack between treatment one by one, rest, and parted faces.
+// Transitions of a crack between `active` (evaluated by itself in each step), `resting` (a facet of reduced
+// stiffness) and `parted` (faces apart, no force).
 #pragma once
 #include "single_cracks.hpp"
 
 namespace bondem {
 
-// Puts the spring of friction to rest at the present place of the faces. Their slip across the present normal stays.
+// Sets the slip in the plane of the crack to the present place of its faces, where the spring of friction has no
+// force. The slip along the normal of the crack stays.
 inline void rest_friction(CrackStateRow &state, const SingleCrack &one) {
     const Vector across = one.now.across(), beside = minus(one.now.gap, dot(one.now.gap, across), across);
     const Vector slipped = turned_by(one.ends.i, Vector{state.slip[0], state.slip[1], state.slip[2]});
     const Vector slip = turned_by(inverse(one.ends.i), plus(beside, dot(slipped, across), across));
     for (int d = 0; d < 3; d++) state.slip[d] = slip[d], state.rub[d] = 0.0;
 }
-// Moves a resting crack to a place of the list of cracks treated one by one, with its halves and its present slip.
+// Makes the resting crack of facet k active: status, flag at place e of the list of active cracks, halves, and the
+// spring of friction without force. The caller writes the list.
 inline void begin_treating(const SingleCrack &one, const ElasticFacets &facets, const CohesiveCracks &cracks,
                            const CrackLists &lists, Index k, Index e) {
     treat(facets, cracks, k, crack::active);
@@ -22,12 +25,12 @@ inline void begin_treating(const SingleCrack &one, const ElasticFacets &facets, 
     for (int d = 0; d < 4; d++) past.left[d] = frame_of(cracks, k).left[d], past.rate[d] = 0.0;
     rest_friction(state_of(cracks, k), one);
 }
-// Marks the faces of a resting crack as parted.
+// Sets a resting crack to `parted`; it never softens again.
 inline void part_resting(const ElasticFacets &facets, const CohesiveCracks &cracks, Index k) {
     treat(facets, cracks, k, crack::parted);
     shape_of(cracks, k).top = infinity;
 }
-// Ends the treatment of the crack of facet k as a single crack.
+// Sets the active crack of facet k to `resting` or `parted`, and clears its slip, force and halves.
 inline void end_treating(const ElasticFacets &facets, const CohesiveCracks &cracks, const CrackLists &lists, Index k,
                          int status) {
     treat(facets, cracks, k, status);
@@ -43,8 +46,8 @@ inline void end_treating(const ElasticFacets &facets, const CohesiveCracks &crac
 
 // ---- parting
 
-// Change of the stress of cell p, of a given weight, with V θ if one of its halves is open [Pa/m³]. removed(h) is
-// true for halves of cracks that have left the list earlier.
+// Change of the stress of cell p, of a given weight, with V θ if its half `without` is open [Pa/m³]. removed(h) is
+// true for halves of cracks that have ceased to be active earlier in this step.
 template <class Removed>
 inline double stiffness_without(const Moving &all, const CrackLists &lists, double weight, Short p, Index without,
                                 Removed removed) {

@@ -31,7 +31,7 @@ struct SingleCrack {
                           quaternion_of(frame.axes), left, state.kind > crack::of_material,
                           {state.slip[0], state.slip[1], state.slip[2]});
     }
-    // True if a crack transmits only pressure along its normal.
+    // True if a crack transmits only pressure along its normal, and friction.
     bool is_separate() const { return now.left.s[0] == 0.0 && now.left.grip == 0.0; }
 };
 // Stores the axes of crack k, given in space.
@@ -55,8 +55,7 @@ inline void clear_half(const CrackLists &lists, Index number) {
     half.turns[0] = half.turns[1] = half.turns[2] = infinity;
 }
 
-// Sets the treatment of the crack of facet k: one by one, as a facet of its integrity among the others, or not at
-// all.
+// Sets the status of the crack of facet k. In the table of facets it has no integrity while `active`, else its own.
 inline void treat(const ElasticFacets &facets, const CohesiveCracks &cracks, Index k, int status) {
     history_of(cracks, k).status = status;
     cracks.listed(k) = Byte(1 + status);
@@ -64,8 +63,7 @@ inline void treat(const ElasticFacets &facets, const CohesiveCracks &cracks, Ind
     put_shared(cracks.size(crack_number::out_of_date), Index(1));
 }
 
-// Weight λ / V of a cell in which the lost parts of cracks act as free facets if counts(k) is true: those that are
-// not treated one by one.
+// Weight λ / V of a cell in which the lost parts of cracks with counts(k), such as resting ones, act as free facets.
 template <class Counts>
 inline double weight_with(const CellSlack &of, const CohesiveCracks &cracks, Index p, Counts counts) {
     double slack = 0.0;
@@ -77,7 +75,7 @@ inline double weight_with(const CellSlack &of, const CohesiveCracks &cracks, Ind
         add(of.in_start(0) + Index(of.out_bond(e)), of.slack_i);
     return of.weight(p) / (1.0 + of.weight(p) * slack);
 }
-// True if crack k is treated one by one.
+// True if crack k is active; `treated_as_facet` if it is resting or parted.
 BONDEM_INLINE bool is_treated(const CohesiveCracks &cracks, Index k) { return cracks.listed(k) == 1 + crack::active; }
 inline bool treated_as_facet(const CohesiveCracks &cracks, Index k) { return cracks.listed(k) > 1 + crack::active; }
 inline void weigh_cracked(const CellDilatation &cells, const CellSlack &of, const CohesiveCracks &cracks, Index p) {

@@ -12,8 +12,7 @@
 //
 // A facet slips until it has dissipated two fracture energies, one for its opening and one for its slip: below an
 // impact the stress along the crack does work on slip that no cohesion resists. Each cell of a facet contributes half
-// of the slip; equal facets of a crack slip at once. Slip only dissipates energy; its work is that of the mean of the
-// forces before and after.
+// of the slip; equal facets of a crack slip at once. Slip only dissipates; its work is by the mean of both forces.
 #pragma once
 #include "carried.hpp"
 
@@ -36,8 +35,8 @@ BONDEM_INLINE Cohesion<T> cohesion_of(const CrackPlace<T> &at, const CrackSoften
     return {share, at.area * slope * share * facet.strength};
 }
 
-// Share of friction in the work of slip of a crack [-]: μ times its pressure over that and its cohesion; `both` is the sum
-// of its forces before and after [N].
+// Share of friction in the work of slip of a crack [-]: μ times its pressure over that and its cohesion; `both` is
+// the sum of its forces before and after [N].
 template <class T>
 BONDEM_INLINE T friction_share(const CrackPlace<T> &at, Vector3<T> both, const CrackSoftening<T> &of,
                                const FacetStrengths &strengths) {
@@ -45,7 +44,7 @@ BONDEM_INLINE T friction_share(const CrackPlace<T> &at, Vector3<T> both, const C
     return select(rubs > zero, T(rubs / (rubs + cohesion_of(at, of, strengths).force)), zero);
 }
 
-// Writes the sliding force of cracks per half, 0 for cracks with a spring of friction. Returns their part of N.
+// Writes the parts of R, K, Σ ± ω P f and C of each half, 0 for cracks with friction. Returns the part of N.
 template <class Group, class T = typename Group::Number>
 BONDEM_INLINE T shear_each(const Group &group, const CrackPlace<T> &at, Vector3<T> f, Mask<T> treated,
                               const CrackSoftening<T> &of, const FacetStrengths &strengths,

@@ -1,4 +1,4 @@
-// Cracks that soften, and those at rest that wake: one crack, or as many as there are lanes.
+// Softening of active cracks, and waking of resting ones: one crack, or as many as there are lanes.
 #pragma once
 #include "resting_cracks.hpp"
 
@@ -8,7 +8,8 @@ namespace crack {
 // Largest loss of integrity of a facet in a step whose opening grows by a share `steady` at most, its increase with
 // larger growth, and the integrity that counts as zero.
 constexpr double fastest = 0.1, follows = 5.0, steady = 0.2, nothing_left = 1e-9;
-// Shares of the softening traction at which a crack goes to rest and wakes, and of its force that opens it at least.
+// Shares of the softening traction below which a crack goes to rest, and from which a resting one wakes; least share
+// of the force of a resting crack that opens it.
 constexpr double asleep = 0.9, calm = 0.98, grazing = 0.1;
 // A facet that is open along its own normal too loses its grip on traction along the crack while its faces move from
 // `apart` to `far_apart`, over the distance of its cells. A brittle facet, or one whose other directions have lost
@@ -23,6 +24,7 @@ BONDEM_INLINE Symmetric3<T> mean_of_cells(const Group &group, const StressesOfCe
 
 // ---- rest
 
+// Flags the resting cracks of a group that close or are about to soften.
 template <class Group, class T = typename Group::Number>
 BONDEM_INLINE void watch_each(const Group &group, const Moving &all, const double *period,
                               const FacetStrengths &strengths, const CohesiveCracks &cracks, const CrackLists &lists,
@@ -62,8 +64,7 @@ BONDEM_INLINE void watch_each(const Group &group, const Moving &all, const doubl
 
 // ---- softening
 
-// Largest loss of integrity in a step, from -∂U/∂s before and now, which is proportional to the square of the
-// opening.
+// Largest loss of integrity in a step, from -∂U/∂s before and now, proportional to the square of the opening.
 template <class T> BONDEM_INLINE T largest_loss(T rate_before, T rate) {
     const T grows = 1.0 - root(positive(T(rate_before / most(rate, all<T>(1e-300)))));
     return most(all<T>(crack::fastest), T(crack::follows * (grows - crack::steady)));
@@ -209,6 +210,7 @@ BONDEM_INLINE void put_softened(const Group &group, const Moving &all, const Ela
     });
 }
 
+// Softens the active cracks of a group, and flags those that may go to rest.
 template <class Group, class T = typename Group::Number>
 BONDEM_INLINE void soften_each(const Group &group, const Moving &all, const ElasticFacets &facets,
                                const FacetStrengths &strengths,

@@ -27,7 +27,7 @@ inline double more_tension(const StressesOfCells &stresses, Index p, const Stres
     return beyond * root(square_of(s)) + positive(bent);
 }
 
-// Finds whether the facets of cell p are evaluated.
+// Sets `judged` of cell p to 1 if its facets are evaluated, else to 0.
 template <class Criterion>
 inline void judge_cell_by(const StressesOfCells &stresses, const StressFunction &by, const CandidateFacets &onset,
                           const CrackOnset &cracks, Index p) {

@@ -1,7 +1,8 @@
-// Mean stresses of cells from the forces of the last step: V σ = Σ b⊗f, symmetric part.
+// Mean stresses of cells, V σ = sym Σ b⊗f, from the forces of the last step on their facets, cracks, walls and loaded
+// free facets; and the cells whose facets are evaluated by these stresses.
 //
-// The sums of facets have levers and forces of one instant. Cracks keep Σ b⊗f with levers of the reference, which
-// turn with the cell: R Σ b⊗f is the same sum in space.
+// Moments of facets have levers b and forces f in space at one instant. Moments of cracks have levers of the
+// reference, which turn with the cell: R Σ b⊗f is the sum in space.
 #include "stress_state.hpp"
 
 #include "../../registered.hpp"

@@ -1,3 +1,4 @@
+// Mean stresses of cells (`StressesOfCells.tensor`) and their sizes, with walls and with loads on free facets.
 #pragma once
 #include "../../laws/principal.hpp"
 #include "../../steps.hpp"
@@ -11,10 +12,11 @@ inline Symmetric3<double> tensor_of(const StressesOfCells &stresses, Index p) {
     const double *s = &stresses.tensor(p, 0);
     return {s[0], s[1], s[2], s[3], s[4], s[5]};
 }
+// Writes the size √(σ:σ) of the stress of cell p [Pa].
 inline void put_size(const StressesOfCells &stresses, Index p) {
     stresses.tensor(p, tensor_column::size) = root(square_of(tensor_of(stresses, p)));
 }
-// Adds load l on free facets to the stress of cell p; `add_wall_stress` adds that of wall g to its cell.
+// Adds load l on free facets to the stress of cell p; `add_wall_stress` adds wall g to that of its cell.
 inline void add_traction_stress(const FacetTractions &tractions, const StressesOfCells &stresses, Index l, Index p) {
     for (Index d = 0; d < 6; d++)
         stresses.tensor(p, d) += tractions.factor(l) * stresses.pressed(l, p, d) / stresses.volume(p);

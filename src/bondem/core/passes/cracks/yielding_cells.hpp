@@ -1,4 +1,4 @@
-// Cells that yield under their mean stress, and the levers that their plastic deformation stretches: one cell, facet
+// Cells that yield under their mean stress, and levers that their plastic deformation stretches: one cell, facet
 // or wall at a time.
 #pragma once
 #include "../../laws/plasticity.hpp"
@@ -24,7 +24,7 @@ inline bool grows(const YieldingCells &cells, Index p) {
 
 // ---- flow
 
-// Adds the dissipation of the last increment, by the mean of the stresses before and after it.
+// Adds the second half of the dissipation of the last increment, by the stress after it, and clears the increment.
 inline void close_increment(const StressesOfCells &stresses, const YieldingCells &cells, Index p) {
     using namespace plastic_column;
     if (!has_yielded(cells, p)) return;
@@ -60,7 +60,7 @@ template <class T> BONDEM_INLINE PlasticFlow<T> flow_under(const Symmetric3<T> &
     const PlasticStep<T> step = cone ? cone_step(found, invariants(s), by) : slip_step(found, by);
     return {step.gamma, step.carry, plastic_strain(found, step)};
 }
-// Applies the plastic flow of cell p if it yields.
+// Applies a plastic flow to cell p, with half of its dissipation, by the stress before it; stores the carried slip.
 inline void flow(const Moving &all, const StressesOfCells &stresses, const YieldingCells &cells, Index p,
                  const PlasticFlow<double> &by) {
     using namespace plastic_column;

@@ -3,8 +3,8 @@
 // Softening beams are in lists, one per portion of bonds, and lose integrity before the forces of a step. They stay
 // in the pass over all beams, with their present integrity, and transmit pressure there by a stiffness of their own.
 // A beam that reaches its strength softens in the same step, within the pass over all beams, so that its whole force
-// never acts beyond its strength. It is listed at the end of the step, and postpones no element, as its force does
-// not jump.
+// never acts beyond its strength. It is listed at the end of the step. It postpones no element, as its force
+// does not jump.
 #include "beam_softening.hpp"
 
 #include "../../ledger.hpp"

@@ -104,7 +104,7 @@ template <class Strong> inline Coefficients<double> coefficients_of(const Strong
     const double *c = &strengths.coefficient(k, 0);
     return {c[0], c[1], c[2], c[3]};
 }
-// Keeps the marked bonds of a block that fail. No bond fails at a time that no step has reached.
+// Keeps the marked bonds of a block that fail. No bond fails before the first step of a call of the core.
 //
 //     may_fail(k)    true for an unbroken bond
 //     index(k)       index and mode of the bond

@@ -1,9 +1,9 @@
 // Onset and softening of facets in a body whose loads are all proportional to a load factor.
 //
-// A facet of the material begins to crack if σ1(σ*) reaches its strength f (`laws/agreed_stress.hpp`), if it is in tension
-// or shear, and if its opening along a principal direction of the mean stress σ of its cells is enough for softening
-// (`laws/softening.hpp`). With r = t - σ n and the traction of bending added to r, σ1(σ*) is at most |σ| + √2 |r|:
-// facets far below that bound are not evaluated. A facet of a material plane begins by its own traction.
+// A facet of the material begins to crack if σ1(σ*) reaches its strength f (`laws/agreed_stress.hpp`), if it is in
+// tension or shear, and if its opening along a principal direction of the mean stress σ of its cells is enough for
+// softening (`laws/softening.hpp`). With r = t - σ n and the traction of bending added to r, σ1(σ*) is at most
+// |σ| + √2 |r|: facets far below that bound are not evaluated. Material planes begin by their traction.
 #include "../../laws/agreed_stress.hpp"
 #include "../../laws/softening.hpp"
 #include "../../registered.hpp"
@@ -141,12 +141,12 @@ BONDEM_CALL(find_agreed_stresses, "")
 
 // Cuts a softening curve into steps.
 //
-// A step ends where the traction is `ripple` above the curve, as a share of it, and at most a little below that of the
-// onset. After it the traction is as much below the curve. At the last step all steps together have dissipated the energy
-// under the curve.
+// A step ends where the traction is `ripple` above the curve, as a share of it, and at most a little below that of
+// the onset. After it the traction is as much below the curve. At the last step all steps together have dissipated
+// the energy under the curve.
 Index cut_teeth(Index, const SofteningTeeth &teeth) {
-    // a facet whose strength has fallen to the share `rest` of that at its onset breaks next; the limit `below` of a facet
-    // that softens is less than the onset, so that it softens further before others begin, and above the last traction
+    // a facet with the share `rest` of its strength at onset breaks next; the limit `below` of a softening facet is
+    // less than the onset, so that it softens further before others begin, and above the last traction
     const double rest = 0.12, below = teeth.ripple > 1e-3 ? 0.999 : 1.0 - 0.5 * teeth.ripple;
     const CurveShape curve = {teeth.kink, teeth.steep};
     const double onset = teeth.onset, brittleness = 1.0 / teeth.last, band = teeth.ripple, now = most(teeth.now, onset);

@@ -27,11 +27,11 @@ __attribute__((noinline)) inline OpeningEnergy<double> opening_energy_of(const E
 inline double rate_of(const OpeningEnergy<double> &energy) { return energy.opening + energy.sliding; }
 inline Index bond_of_row(const SofteningBeams &soft, Index c) { return Index(soft.row(c, soft_column::bond)); }
 
-// Product of the openings λ of beam k before and after the last step, in which it has moved at its present velocity [J];
-// below zero where it was pressed before. `rate` is Y now.
+// Product of the openings λ of beam k before and after the last step, in which it has moved at its present velocity
+// [J]; below zero where it was pressed before. `rate` is Y now.
 //
-// Schemes count work by the trapezoidal rule. A step in which s falls by Δs therefore loses Δs (Y - ½ ∇Y·Δx), which is
-// Δs λ λ' on a straight path.
+// Schemes count work by the trapezoidal rule. A step in which s falls by Δs so loses Δs (Y - ½ ∇Y·Δx): Δs λ λ' on a
+// straight path.
 __attribute__((noinline)) inline double opened_product(const Moving &all, const Beams &beams, const Ends<double> &ends, double rate, double dt, Index k) {
     const Motion<double> i(gather(all.motion.data, beams.i(k))), j(gather(all.motion.data, beams.j(k)));
     const BeamLoads<double> loads = beam_loads(ends, shape_of<double>(beams, k), stiffness_of(beams, k, 1.0));
@@ -43,8 +43,7 @@ inline void put_softened(const Beams &beams, const SofteningBounds &bounds, Inde
     bounds.press(k) = (1.0 - s) * beams.kn(k);
 }
 
-// Lowers the integrity of the beam of row c, except at a time that no step has reached; returns the dissipated energy
-// [J].
+// Lowers the integrity of the beam of row c, except before the first step of a call; returns the dissipation [J].
 inline double soften_beam(const Clock &clock, const Moving &all, const Beams &beams, const SofteningBounds &bounds,
                           const SofteningBeams &soft, Index c) {
     double *const row = &soft.row(c, 0);

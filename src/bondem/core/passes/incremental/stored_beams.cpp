@@ -9,8 +9,7 @@ namespace bondem {
 
 #if defined(BONDEM_LANES)
 
-// Integrates the stored forces and moments of the beams of a block over the step, and adds them to the sums of their
-// elements.
+// Integrates the stored loads of the beams of a block over the step, and adds them to the sums of their elements.
 void add_stored_loads(const Range &range, const Moving &all, const Beams &beams, const StoredLoads &stored,
                       const StepBlocks &blocks) {
     constexpr Index ahead = 32;  // distance in bonds at which first elements are prefetched

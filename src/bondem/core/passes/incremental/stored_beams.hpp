@@ -1,3 +1,4 @@
+// Energies of beams of the incremental formulation, on the CPU and on a device.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/incremental_tables.hpp"

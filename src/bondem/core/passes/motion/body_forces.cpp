@@ -1,5 +1,5 @@
-// Body forces on groups of elements, whose acceleration follows schedules. Their work is that of both halves of a step,
-// at the velocities next to the kick.
+// Body forces on groups of elements, whose accelerations follow schedules. Their work is added for each half of a
+// step, by the velocity in that half.
 #include "body_forces.hpp"
 
 #include "../../registered.hpp"

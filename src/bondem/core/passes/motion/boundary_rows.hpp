@@ -4,7 +4,7 @@
 
 namespace bondem {
 
-// A row of the boundary; six components are force or velocity along x, y, z, and torque or angular velocity about them.
+// A row of the boundary; six components are force or velocity along x, y, z, then torque or angular velocity.
 struct BoundaryRow {
     const Byte *fixed;  // which components have prescribed motion
     double *force, *half, *full, *reaction, *work;

@@ -38,8 +38,7 @@ BONDEM_INLINE void put_number(double *table, Index columns, Index c, const Short
 
 #if defined(BONDEM_LANES)
 
-// The elements from number e of the list on; the last element fills an incomplete group. All of them are read before
-// any of them is written.
+// The elements from number e of the list on; the last fills an incomplete group. All are read before one is written.
 struct Several {
     using Number = Lanes;
     Short element[lanes], row[lanes];
@@ -67,7 +66,7 @@ BONDEM_INLINE void put_number(double *table, Index columns, Index c, const Short
 
 #endif
 
-// Contents of a row of the motion.
+// Velocities and inverse inertia in a row of the motion.
 template <class T> struct Motion {
     Vector3<T> v;  // velocity [m/s]
     T m;  // 1/mass [1/kg]
@@ -79,7 +78,7 @@ template <class T> struct Motion {
           w{row.column[4], row.column[5], row.column[6]}, u(row.column[7]) {}
     Row<T> row() const { return {{v.x, v.y, v.z, m, w.x, w.y, w.z, u}}; }
 };
-// Contents of a row of the sums.
+// Force and torque in a row of the sums.
 template <class T> struct Wrench {
     Vector3<T> force, torque;  // [N, N·m]
 

@@ -5,8 +5,8 @@
 
 namespace bondem {
 
-// An orientation and its spin ω, by which a turned vector changes: (R b)' = ω × R b + R b'. This takes fewer operations
-// than the derivative of each operation.
+// An orientation and its spin ω, by which a turned vector changes: (R b)' = ω × R b + R b'. This takes fewer
+// operations than the derivative of each operation.
 template <class S> struct Quaternion<Dual<S>> {
     Dual<S> w, x, y, z;
     Vector3<S> spin{};

@@ -1,3 +1,4 @@
+// Sums of loads of elements that domains share, and of the dashpots of bonds.
 #include "../../registered.hpp"
 #include "elements.hpp"
 

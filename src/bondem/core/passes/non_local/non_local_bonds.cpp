@@ -1,5 +1,4 @@
-// Bonds of the non-local law: extra forces by the stresses of the previous step, then contributions to the present
-// stresses.
+// Bonds of the non-local law: extra forces by stresses of the step before, then contributions to the present ones.
 //
 // A step finds the forces of all bonds, then the stresses of all elements; after that the blocks add the forces as
 // those of other bonds. Without failure and contacts no pass needs the stresses before the elements move: blocks find

@@ -1,3 +1,4 @@
+// Energies of bonds of the non-local law, on the CPU and on a device.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/non_local_tables.hpp"

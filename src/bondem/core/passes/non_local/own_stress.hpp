@@ -1,4 +1,4 @@
-// The stress of an element, or of as many as there are lanes: turned into space, and found from the moments of its forces.
+// Stress of one element, or of as many as there are lanes: turned into space, and found from the moments of forces.
 #pragma once
 #include "bond_columns.hpp"
 

@@ -59,8 +59,7 @@ void break_pairs(const Range &range, const Moving &all, const Beams &beams, cons
 }
 BONDEM_PASS(break_pairs, of_events, "still pose; adds sum")
 
-// Subtracts the force of failed bonds from the stresses of their elements, and sets their integrity to 0; after
-// `break_pairs`.
+// Subtracts failed bonds from the stresses of their elements, and sets their integrity to 0; after `break_pairs`.
 void relieve_pairs(const Range &, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                    const LaggedStresses &stresses, const BeamIntegrity &state, const Candidates &candidates) {
     for_each_failing(candidates, [&](Index k, Index) {

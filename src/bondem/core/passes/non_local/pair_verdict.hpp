@@ -10,8 +10,8 @@ namespace bondem {
 // Columns of a stress in global axes that hold bounds of its largest and its least principal stress.
 enum BoundColumn : Index { largest_column = 6, least_column };
 
-// An index that is at least that of the criterion, by the rows of both elements: σ1 of a mean is at most the mean of both
-// σ1, and σ3 at least the mean of both σ3.
+// An index that is at least that of the criterion, by the rows of both elements: σ1 of a mean is at most the mean of
+// both σ1, and σ3 at least the mean of both σ3.
 template <class T>
 BONDEM_INLINE T bound_of_index(const Row<T> &i, const Row<T> &j, const Coefficients<T> &own) {
     const T largest = 0.5 * (i.column[largest_column] + j.column[largest_column]);

@@ -1,3 +1,4 @@
+// Contributions of contacts to the stresses of elements of the non-local law, on the CPU and on a device.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/contact_tables.hpp"

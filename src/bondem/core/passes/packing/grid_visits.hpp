@@ -18,7 +18,7 @@ inline VisitedCells visited_cells(Index centre, Index cells, bool periodic) {
 
 inline Index wrapped(Index at, Index cells) { return at < 0 ? at + cells : (at >= cells ? at - cells : at); }
 
-// Separations over the nearest images, as Period has them, of several spheres at once.
+// Separations along an axis over the nearest periodic images, of as many spheres as there are lanes [m].
 inline Lanes nearest_image(Lanes apart, double edge, double inverse) { return apart - edge * nearest(apart * inverse); }
 
 // Mask of the members first … first + lanes - 1 of the grid that are near a sphere, a bit each.

@@ -1,7 +1,7 @@
 // Hard spheres that fly, collide and grow: event-driven molecular dynamics.
 //
-// Lubachevsky and Stillinger, J. Stat. Phys. 60 (1990); one event per sphere, as Lubachevsky, J. Comput. Phys. 94 (1991).
-// All radii grow in proportion at a constant rate. Between collisions a sphere flies straight. The next event
+// Lubachevsky and Stillinger, J. Stat. Phys. 60 (1990); one event per sphere, as Lubachevsky, J. Comput. Phys. 94
+// (1991). All radii grow in proportion at a constant rate. Between collisions a sphere flies straight. The next event
 // of each is stored in a heap by time. One thread: events depend on each other, and their order determines the bits.
 #include "../../registered.hpp"
 #include "../../tables/columns.hpp"
@@ -121,8 +121,7 @@ struct Flying {
         flight.since(i) = now;
     }
 
-    // Collides two spheres, elastically for surfaces that move with the growth; adds distance times exchanged
-    // momentum [m²].
+    // Collides two spheres elastically, with surfaces that grow; adds distance times exchanged momentum [m²].
     void collide(Index i, Index j, double swell, double &virial) const {
         const Vector apart = period.nearest_image(position(j) - position(i));
         const double distance = length(apart);
@@ -172,8 +171,9 @@ struct Flying {
 
 }  // namespace
 
-// Advances spheres that fly and grow while the neighbour lists are valid, all to the same time. Returns its ending;
-// after `list_out_of_date` make new lists and call again. Walls on a grid of depths are ignored.
+// Advances spheres that fly and grow to the end of a duration, or until neighbour lists are out of date or the
+// collisions are too many; all end at the same time. Returns its ending; after `list_out_of_date` make new lists and
+// call again. Walls on a grid of depths are ignored.
 Index fly_and_grow(Index, const Spheres &spheres, const PackingWalls &walls, const Near &near, const Growing &growing,
                    const Flight &flight) {
     const Flying flying{spheres, walls, near, growing, flight, Period(spheres.period)};

@@ -1,6 +1,7 @@
-// Neighbours of spheres, by a grid of cells: the lists over which every short-range force runs.
+// Neighbours of spheres by a grid of cells, for packing, for shear bands and for searches of a contact model.
+// Contacts in a run have lists of their own (`passes/contacts/candidates.cpp`), by the same grid.
 //
-// Each pair is in the lists of both partners, so that a force can be gathered sphere by sphere in a fixed order and
+// Each pair is in the lists of both spheres, so that a force can be summed sphere by sphere in a fixed order, which
 // does not depend on the number of threads.
 #include "../../registered.hpp"
 #include "../../tables/packing_tables.hpp"
@@ -39,8 +40,7 @@ Index sort_into_cells(Index, const SphereGrid &grid) {
 }
 BONDEM_CALL(sort_into_cells, "")
 
-// Sorts spheres into the cells of their grid, and counts the neighbours of each, whose surfaces are at most `skin` apart:
-// fills `start`, too.
+// Sorts spheres into the cells of their grid, and counts the neighbours of each within a gap of `skin` in `start`.
 Index sort_and_count_neighbours(Index threads, const SphereGrid &grid) {
     sort_into_cells(threads, grid);
     const Index n = grid.sphere.size();

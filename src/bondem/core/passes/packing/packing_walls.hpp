@@ -86,7 +86,7 @@ struct Spline {
           slope{t - 0.5, -2.0 * t, t + 0.5} {}
 };
 
-// Depth at a point and its gradient, smooth over the grid; a coarse value where the depth exceeds `enough`.
+// Depth at a point and its gradient, smooth over the grid; without gradient where the depth is far above `enough`.
 inline Depth grid_depth(const PackingWalls &walls, Vector x, double enough) {
     const double h = walls.spacing;
     double at[3];
@@ -135,8 +135,8 @@ inline Vector carried_by_grid(const PlainWalls &plain, const PackingWalls &walls
     return left;
 }
 
-// Moves a sphere to the wall of the grid, by Newton's steps from either side. A sphere that touches flat walls moves
-// along them, or each wall in turn would push it off the other.
+// Moves a sphere beyond the wall of the grid back to it by three Newton steps; its velocity into the wall is lost. A
+// sphere that touches flat walls moves along them, or each wall in turn would push it off the other.
 inline void keep_on_grid(const PlainWalls &plain, const PackingWalls &walls, double r, Vector &x, Vector &v) {
     bool beyond = false;
     double steep = 1.0;

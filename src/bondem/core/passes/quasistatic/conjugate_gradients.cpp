@@ -109,8 +109,7 @@ void precondition(const ClumpCorrection &clumps, const double *r, double *z) {
 
 }  // namespace
 
-// Solves Sᵀ K S x = f by conjugate gradients from a guess, preconditioned by the clumps; returns 0 if they converge,
-// else 1.
+// Solves Sᵀ K S x = f by conjugate gradients from a guess, preconditioned by clumps; returns 0 if converged, else 1.
 Index conjugate_gradients(Index, const ScaledMatrix &matrix, const ClumpCorrection &clumps,
                           const ConjugateGradients &search) {
     const Index size = search.residual.size();

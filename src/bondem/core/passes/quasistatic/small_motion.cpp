@@ -1,7 +1,8 @@
 // Facets of any integrity s in small motions about the reference, without friction.
 //
-// A facet is two halves, each of which is softened where it opens and stays whole along the normal where it presses. With
-// F the force of a half as if it were whole, w its part of the compliance, δ the gap and σ the stress of its cell,
+// A facet is two halves, each of which is softened where it opens and stays whole along the normal where it presses.
+// With F the force of a half as if it were whole, w its part of the compliance, s_p its share in V θ, δ the gap and σ
+// the stress of its cell,
 //
 //     F = k δ + σ s_p / w       opens: s F       presses: s F + (1 - s) (F · n) n
 //     V θ += s (s_p · δ)        presses: and (1 - s) (s_p · n) (δ · n)

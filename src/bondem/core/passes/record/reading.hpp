@@ -27,7 +27,7 @@ inline double read(const Moving &all, const Rows &rows, Index quantity, Index p,
     return of_walls + (rows.fixed(r, axis) ? rows.reaction(r, axis) : rows.force(r, axis));
 }
 
-// Sum and largest value of the readings of a gauge.
+// Sum and largest absolute value of the readings of a gauge.
 struct Reading {
     ExactSum sum = {};
     double largest = -infinity;

@@ -1,3 +1,4 @@
+// Guard of the energy and rows of the history, on the CPU and on a device.
 #pragma once
 #include "../../steps.hpp"
 

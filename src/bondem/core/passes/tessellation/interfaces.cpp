@@ -54,8 +54,7 @@ struct Matcher {
         return {plane.normal, plane.d + dot(plane.normal, shift)};
     }
 
-    // Intersects the faces of one side of group g with those of the other; side `plus` also writes the shared
-    // patches.
+    // Intersects the faces of one side of group g with those of the other; side `plus` writes shared patches, too.
     bool lay(Index g, bool plus, const PolygonBuffer &one, const PolygonBuffer &two) const {
         const Array<const Index, 1> &mine = plus ? groups.plus : groups.minus;
         const Array<const Index, 1> &theirs = plus ? groups.minus : groups.plus;

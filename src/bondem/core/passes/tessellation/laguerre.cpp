@@ -1,10 +1,12 @@
-// Plain Laguerre cells: the points nearer to one sphere than to all others, in the power x² - R².
+// Laguerre cells of spheres: the points whose power |x - c|² - R² is least for the sphere of centre c and radius R.
 //
 // A cell begins as a box and is cut by the radical plane of one neighbour after another, in the order of their
 // distance. Every face is a polygon of its own, cut by planes, without a record of connections: degenerate cases are
-// harmless, and volumes and areas are exact to rounding. With ρ the distance of the farthest corner, a neighbour at
-// distance L cuts only if ½ (L - (R_max² - R²) / L) < ρ: there the search ends. Where small spheres are far from
-// large ones it ends before: no radius is above B + κ L, with B a bound about each element.
+// harmless, and volumes and areas are exact to rounding.
+//
+// With ρ the distance of the farthest corner from the centre, a neighbour at distance L cuts only if
+// ½ (L - (R_max² - R²) / L) < ρ, so the search ends at the first L beyond. It ends earlier by a bound of radii near
+// the element: no sphere at distance L from it has a radius above B + κ L.
 #include "../../registered.hpp"
 #include "../../tables/tessellation_tables.hpp"
 #include "pile.hpp"
@@ -12,11 +14,12 @@
 namespace bondem {
 namespace {
 
+// Endings: all cells made; too many faces; a neighbour half a period away; an empty cell; lists full; pile full.
 enum CellEnd : Index { cells_made, crowded, narrow, swallowed, lists_full, pile_full };
 
 // Most faces of one cell; `CellRoom` has room for two more.
 constexpr Index most_faces = 400;
-// κ: slope at which bounds of the radii fall with the distance from large spheres.
+// κ in the bound B + κ L of the radii of spheres at the distance L from an element.
 constexpr double slope = 0.5;
 // Tags of faces without an element behind them: sides of the box around all cells, and arbitrary ends.
 constexpr Index box_side = -1, local_end = -7;
@@ -66,7 +69,7 @@ struct Cell {
     }
 
     // Cuts the cell by the plane with the element `behind`; returns true if the plane reaches the cell. `faces` is 0
-    // if the cell is empty.
+    // for an empty cell.
     bool cut(const Plane &by, Index behind, double farthest, double tolerance) {
         double deepest = -infinity;
         for (Index f = 0; f < faces; f++) deepest = most(deepest, face(f).over(by).high);

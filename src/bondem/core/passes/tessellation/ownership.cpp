@@ -29,8 +29,7 @@ Heights heights_over(const Stack &part, const Plane &plane) {
     return found;
 }
 
-// Returns the pile of the part of solid s that is nearer to `own` than to the other elements among which it is
-// divided.
+// Returns the pile of the part of solid s nearer to `own` than to the other elements among which it is divided.
 const PolygonBuffer &share_of(const Solids &solids, Index s, Index own, const Dividing &dividing, const PolygonBuffer &first,
                      const PolygonBuffer &second) {
     const Vector x = dividing.sphere.row<const Vector>(solids.cell(s));
@@ -66,8 +65,8 @@ const PolygonBuffer &share_of(const Solids &solids, Index s, Index own, const Di
 
 }  // namespace
 
-// Divides solids among elements, each point to the one with the least power x² - R². After `parts_full` (the pile, cell,
-// owner, end) or `room_full` (part, spare) make room and call again: it continues with solid done[0].
+// Divides solids among elements, each point to the one with the least power x² - R². After `parts_full` (the pile,
+// cell, owner, end) or `room_full` (part, spare) make room and call again: it continues with solid done[0].
 Index divide_solids(Index, const Solids &solids, const Dividing &dividing, const PolygonBuffer &part, const PolygonBuffer &spare,
                     const PolygonBuffer &pile) {
     const Stack done{pile};
