@@ -52,7 +52,6 @@ class ShearBeam(PathCase):
 
     @property
     def shape(self) -> Shape:
-        """See `PathCase`."""
         slot = Box((SLIT, 2.0 * NOTCH, 3.0 * SLAB)).moved((0.5 * (LENGTH - SLIT), -NOTCH, -SLAB))
         return Box((LENGTH, DEPTH, SLAB)).cut(slot, name="notch")
 
@@ -77,7 +76,6 @@ class ShearBeam(PathCase):
         return connect(pack(self.shape, size=size, method=EVEN, seed=seed), method="laguerre")
 
     def run(self, seed: int) -> Outcome:
-        """See `PathCase`."""
         body = self.body(seed)
         loads: list[BoundaryCondition] = [line.load(body, by * _LOAD) for line, by in self.lines.values()]
         spared = tuple((line.x, line.y, _SPARED * DEPTH) for line, _ in self.lines.values())

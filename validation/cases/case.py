@@ -98,7 +98,7 @@ class Claim:
     words: str
 
     def verdict(self, values: list[float]) -> str:
-        """"met" where all values are within, "met by the mean" where that is, else "missed"."""
+        """Return "met" where all values are within, "met by the mean" where that is, else "missed"."""
         if all(self.low <= value <= self.high for value in values):
             return "met"
         return "met by the mean" if self.low <= float(np.mean(values)) <= self.high else "missed"

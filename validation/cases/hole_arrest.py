@@ -67,7 +67,6 @@ class HoleArrest(PathCase):
 
     @property
     def shape(self) -> Shape:
-        """See `PathCase`."""
         plate, unit = self.plate, LENGTH
         lower, _ = plate.plate.bounds
         wide, thick = plate.cells * unit, plate.thickness
@@ -85,7 +84,6 @@ class HoleArrest(PathCase):
         return connect(pack(self.shape, size=size, method=EVEN, seed=seed), method="laguerre")
 
     def run(self, seed: int) -> Outcome:
-        """See `PathCase`."""
         body, plate = self.body(seed), self.plate
         loads, read = plate.ends(body)
         walls = [Fix(Face(name), translation="z", rotation="") for name in ("z_min", "z_max")]

@@ -69,7 +69,6 @@ class InterfaceCrack(PathCase):
 
     @property
     def shape(self) -> Shape:
-        """See `PathCase`."""
         plate = self.plate
         lower, _ = plate.plate.bounds
         wide, thick = _CELLS * LENGTH, plate.thickness
@@ -87,7 +86,6 @@ class InterfaceCrack(PathCase):
         return connect(pack(self.shape, size=size, method=EVEN, seed=seed, around=self.behind), method="laguerre")
 
     def run(self, seed: int) -> Outcome:
-        """See `PathCase`."""
         body, plate, rest, behind = self.body(seed), self.plate, Everything(), self.behind
         loads, read = plate.ends(body)
         walls = [Fix(Face(name), translation="z", rotation="") for name in ("z_min", "z_max")]

@@ -77,7 +77,6 @@ class NooruMohamed(PathCase):
 
     @property
     def shape(self) -> Shape:
-        """See `PathCase`."""
         shape: Shape = Box((EDGE, EDGE, SLAB))
         slit = Box((2.0 * NOTCH, SLIT, 3.0 * SLAB))
         for name, x in (("left notch", -NOTCH), ("right notch", EDGE - NOTCH)):
@@ -91,7 +90,6 @@ class NooruMohamed(PathCase):
         return connect(pack(self.shape, size=size, method=EVEN, seed=seed), method="laguerre")
 
     def run(self, seed: int) -> Outcome:
-        """See `PathCase`."""
         body, law = self.body(seed), CellBond(E=E, nu=NU)
         edge = Box((EDGE, _GLUED, SLAB))
         rest, glued = Everything(), Within(edge | edge.moved((0.0, EDGE - _GLUED, 0.0)))

@@ -24,7 +24,6 @@ class SparedRankine(Rankine):
     lines: tuple[tuple[float, float, float], ...] = ()
 
     def factors(self, volume: PerBond, place: PerBond3, period: Floats | None, body: float) -> PerBond:
-        """See `Criterion`."""
         factor = super().factors(volume, place, period, body)
         for x, y, reach in self.lines:
             factor = np.where(np.hypot(place[:, 0] - x, place[:, 1] - y) < reach, _NEVER, factor)

@@ -48,7 +48,6 @@ class SplitCube(PathCase):
 
     @property
     def shape(self) -> Shape:
-        """See `PathCase`."""
         return Box((EDGE, EDGE, SLAB)).moved((-0.5 * EDGE, -0.5 * EDGE, 0.0))
 
     @property
@@ -63,7 +62,6 @@ class SplitCube(PathCase):
         return connect(packed, method="laguerre")
 
     def run(self, seed: int) -> Outcome:
-        """See `PathCase`."""
         body, rest, pads = self.body(seed), Everything(), Within(self.pads)
         own, strong = (
             Rankine(tension=TENSION * by, fracture_energy=ENERGY * by**2, on="stress") for by in (1.0, _NEVER)
@@ -71,9 +69,7 @@ class SplitCube(PathCase):
         failure: dict[Region | tuple[Region, Region], Criterion] = {rest: own, pads: strong, (rest, pads): strong}
         ends = [Fix(Face("y_min"), translation="y", rotation=""), Drive(Face("y_max"), y=-_WAY)]
         model = Model(body, CellBond(E=E, nu=NU), RHO, failure=failure, boundary=ends)
-        path = solve_quasistatic(
-            model, Face("y_max"), ripple=_RIPPLE, together=_TOGETHER, until=_UNTIL, most=_MOST
-        )
+        path = solve_quasistatic(model, Face("y_max"), ripple=_RIPPLE, together=_TOGETHER, until=_UNTIL, most=_MOST)
         assert body.facets is not None
         lost = path.integrity < 1.0 - LOST
         place = body.facets.centroid[path.bond[lost]]

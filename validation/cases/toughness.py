@@ -143,7 +143,6 @@ class CentreCrack(Cracked):
 
     @property
     def name(self) -> str:
-        """See `Cracked`."""
         return "centre crack"
 
     @property
@@ -157,7 +156,6 @@ class CentreCrack(Cracked):
         return float(np.sqrt(np.pi * alpha / np.cos(0.5 * np.pi * alpha)) * about)
 
     def ends(self, body: Lattice) -> tuple[list[BoundaryCondition], Region]:
-        """See `Cracked`."""
         tension = -_LOAD / (self.thickness * self.width)
         top = Face("y_max")
         middle = Fix(Face("x_min"), translation="x", rotation="")
@@ -176,22 +174,18 @@ class CompactTension(Cracked):
 
     @property
     def name(self) -> str:
-        """See `Cracked`."""
         return "compact tension"
 
     @property
     def plate(self) -> Shape:
-        """See `Cracked`."""
         size = Box((1.25 * self.width, 1.2 * self.width, self.thickness))
         return size.moved((-0.25 * self.width, -0.6 * self.width, 0.0))
 
     def k(self, alpha: float) -> float:
-        """See `Cracked`."""
         sum_ = 0.886 + 4.64 * alpha - 13.32 * alpha**2 + 14.72 * alpha**3 - 5.6 * alpha**4
         return float((2.0 + alpha) * sum_ / (1.0 - alpha) ** 1.5)
 
     def ends(self, body: Lattice) -> tuple[list[BoundaryCondition], Region]:
-        """See `Cracked`."""
         pins = {way: self._pin(body, way) for way in (1, -1)}
         loads: list[BoundaryCondition] = []
         for way, pin in pins.items():

@@ -50,7 +50,11 @@ def draw_packings(path: Path, lattices: Sequence[Lattice], titles: Sequence[str]
             axes[0, k].set_title(titles[k])
             axes[1, k].set_title("bonds of a slice, coloured by direction", fontweight="normal")
         bar = figure.colorbar(
-            ScalarMappable(norm, SEQUENTIAL), ax=list(axes[0]), orientation="horizontal", shrink=0.35, aspect=30,
+            ScalarMappable(norm, SEQUENTIAL),
+            ax=list(axes[0]),
+            orientation="horizontal",
+            shrink=0.35,
+            aspect=30,
             pad=0.02,
         )
         bar.set_label("radius over mean radius,  R / R̄  [-]")
@@ -99,8 +103,13 @@ def draw_histograms(path: Path, lattices: Sequence[Lattice], titles: Sequence[st
                 ax.set_xlabel(f"{told}\nhighest face: {density.max():.2f} of isotropic")
                 ax.spines[:].set_visible(False)
         bar = figure.colorbar(
-            ScalarMappable(norm, DIVERGING), ax=list(axes.flat), orientation="horizontal", shrink=0.4, aspect=35,
-            pad=0.02, extend="max",
+            ScalarMappable(norm, DIVERGING),
+            ax=list(axes.flat),
+            orientation="horizontal",
+            shrink=0.4,
+            aspect=35,
+            pad=0.02,
+            extend="max",
         )
         bar.set_label("bonds over those of an isotropic fabric [-]")
         bar.outline.set_visible(False)

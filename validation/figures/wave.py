@@ -97,9 +97,7 @@ def draw_snapshots(
             )  # fmt: skip
 
 
-def draw_travel(
-    path: Path, waves: Mapping[str, Wave], *, length: float, speed: float, velocity: float
-) -> None:
+def draw_travel(path: Path, waves: Mapping[str, Wave], *, length: float, speed: float, velocity: float) -> None:
     """Mean velocity of the cross-sections over place and time.
 
     Args:

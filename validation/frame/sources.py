@@ -88,8 +88,11 @@ def _named(text: str) -> tuple[list[str], bool]:
         elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
             # a name of a package may be a module in it
             found += [node.module, *(f"{node.module}.{alias.name}" for alias in node.names)]
-    asked = {node.attr for node in ast.walk(tree)
-             if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id in whole}
+    asked = {
+        node.attr
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id in whole
+    }
     return found, not all(attribute.startswith("__") for attribute in asked)
 
 

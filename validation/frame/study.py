@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
 
+from validation.frame.limits import Limit
 from validation.frame.request import Request
 
 Row = dict[str, Any]
@@ -22,10 +23,19 @@ class Study(ABC):
     """A study of packings; its subclasses are frozen dataclasses, whose fields are the options of its command.
 
     Attributes:
-        name: of the command, and in its results.
+        name: of the command and its module, and in its results.
+        limits: what options may be, by name.
     """
 
     name: ClassVar[str]
+    limits: ClassVar[Mapping[str, Limit]] = {}
+
+    def __init_subclass__(cls) -> None:
+        cls.name = cls.__module__.rpartition(".")[2]
+
+    def __post_init__(self) -> None:
+        for option, limit in self.limits.items():
+            limit(self.name, option, getattr(self, option))
 
     @abstractmethod
     def stages(self, out: Path) -> Stages:

@@ -39,9 +39,7 @@ def summary(
     return [_summarised(dict(zip(by, group, strict=True)), members, measured) for group, members in groups.items()]
 
 
-def _summarised(
-    group: dict[str, Any], members: list[Mapping[str, Any]], measured: Sequence[str]
-) -> dict[str, Any]:
+def _summarised(group: dict[str, Any], members: list[Mapping[str, Any]], measured: Sequence[str]) -> dict[str, Any]:
     good = [row for row in members if not row["error"]]
     found: dict[str, Any] = {
         "packings": len(members),

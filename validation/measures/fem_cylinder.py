@@ -153,7 +153,10 @@ class Continuum:
             modes[:, :, 3 + axis] = np.cross(np.eye(3)[axis], self.points / SHAPE.radius)
         modes = modes.reshape(-1, 6)[free]
         levels = pyamg.smoothed_aggregation_solver(
-            K.tobsr((3, 3)), B=modes, strength=("symmetric", {"theta": 0.0}), max_coarse=600,
+            K.tobsr((3, 3)),
+            B=modes,
+            strength=("symmetric", {"theta": 0.0}),
+            max_coarse=600,
             coarse_solver="splu",
         )
         precondition = levels.aspreconditioner()

@@ -5,10 +5,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 from bondem.calibration import calibrate
-from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondLaw
 from bondem.interactions.law_catalogue import DEFAULT
 from bondem.labtests.tension import Tension, static_tension
@@ -18,6 +17,7 @@ from bondem.specimen.lattice import Lattice
 from bondem.specimen.materials import fused_silica
 from validation.frame.failures import complain
 from validation.frame.files import plain
+from validation.frame.limits import numbers
 from validation.frame.study import Stages, Study
 from validation.rows.packings import PackingRequest, PackingTest, kept_lattice
 
@@ -112,16 +112,14 @@ class BarStudy(Study):
         packings: how many, seeds in sequence.
     """
 
+    limits: ClassVar = {
+        "count": numbers(least=500, advice="at least 500 spheres, or the cylinder is no bar"),
+        "packings": numbers(least=1),
+    }
 
     count: int = 10_000
     seed: int = SEED
     packings: int = 1
-
-    def __post_init__(self) -> None:
-        if self.count < 500:
-            raise InputError(f"count = {self.count}; give at least 500 spheres, or the cylinder is no bar")
-        if self.packings < 1:
-            raise InputError(f"packings = {self.packings}; give at least 1")
 
     @property
     def bars(self) -> list[PackingRequest]:

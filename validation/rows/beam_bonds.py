@@ -83,11 +83,9 @@ class SlowBeamsRun(Request):
 
     @property
     def weight(self) -> float:
-        """See `Request`."""
         return self.count * self.traverses
 
     def measured(self, folder: Path) -> dict[str, Any]:
-        """See `Request`: SI units."""
         case = self.case
         bonds = beam_bonds(case.E, case.nu, case.rho, case.tension)
         body = connect(pack(case.shape, count=self.count, seed=self.seed))
@@ -127,9 +125,7 @@ class SlowBeamsRun(Request):
 
     def _failure(self, body: Lattice, bonds: BeamBonds) -> dict[Any, PeripheralStress]:
         """Brittle beams, and those near rollers that do not break."""
-        strong = PeripheralStress(
-            tension=_STRONG * bonds.failure.tension, shear=_STRONG * bonds.failure.shear
-        )
+        strong = PeripheralStress(tension=_STRONG * bonds.failure.tension, shear=_STRONG * bonds.failure.shear)
         found: dict[Any, PeripheralStress] = {Everything(): bonds.failure}
         near = np.zeros(len(body.particles), dtype=bool)
         for line, reach in self.case.spared:
@@ -171,12 +167,10 @@ class StruckBeamsRun(Request):
 
     @property
     def weight(self) -> float:
-        """See `Request`."""
         return 100.0 * self.count
 
     @property
     def asked(self) -> dict[str, Any]:
-        """See `Request`."""
         return {"case": "kalthoff", "strength": self.strength, "seed": self.seed, "count": self.count}
 
     def measured(self, folder: Path) -> dict[str, Any]:

@@ -118,7 +118,6 @@ class BranchingRun(Request):
 
     @property
     def weight(self) -> float:
-        """See `Request`."""
         return self.count ** (4.0 / 3.0) * self.plate.duration
 
     def measured(self, folder: Path) -> dict[str, Any]:

@@ -119,7 +119,6 @@ class CeliguetaRun(Request):
 
     @property
     def weight(self) -> float:
-        """See `Request`."""
         return self.count ** (4 / 3) * self.slower / SPEED[self.test]
 
     def body(self) -> Lattice:
@@ -171,7 +170,6 @@ class CeliguetaRun(Request):
         return float((upper - lower)[self.axis])
 
     def measured(self, folder: Path) -> dict[str, Any]:
-        """See `Request`: SI units."""
         body = self.body()
         x, thick = body.centre[:, 0], body.particles.mean_radius
         length = float((self.shape.bounds[1] - self.shape.bounds[0])[0])
@@ -191,7 +189,6 @@ class CeliguetaRun(Request):
         return plain(self.read(body, run) | {"run_seconds": round(seconds, 1)})
 
     def whole(self, folder: Path) -> bool:
-        """See `Request`."""
         return self.kept_file(folder).exists()
 
     def read(self, body: Lattice, run: ExplicitResult) -> dict[str, Any]:

@@ -38,7 +38,6 @@ class PathRun(Request):
 
     @property
     def weight(self) -> float:
-        """See `Request`."""
         return self.case.finer**4
 
     @property
@@ -47,7 +46,6 @@ class PathRun(Request):
         return {"case": self.case.name, "finer": self.case.finer, "seed": self.seed}
 
     def measured(self, folder: Path) -> dict[str, Any]:
-        """See `Request`: SI units."""
         begun = perf_counter()
         found = self.case.run(self.seed)
         curve = thinned(np.asarray(found.curve))

@@ -48,11 +48,9 @@ class FractureRun(Request):
 
     @property
     def weight(self) -> float:
-        """See `Request`."""
         return self.finer**4
 
     def measured(self, folder: Path) -> dict[str, Any]:
-        """See `Request`: SI units."""
         case = self.case
         body = case.body(self.seed, self.finer)
         model, driven = case.model(body, self.curve)

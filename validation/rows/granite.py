@@ -43,11 +43,9 @@ class GraniteRun(Request):
 
     @property
     def weight(self) -> float:
-        """See `Request`."""
         return (self.count / 1000.0) ** (4.0 / 3.0)
 
     def measured(self, folder: Path) -> dict[str, Any]:
-        """See `Request`: SI units."""
         begun = perf_counter()
         test = _TESTS[self.test](self.granite, self.count, self.seed)
         return plain({

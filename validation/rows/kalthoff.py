@@ -129,7 +129,6 @@ class KalthoffRun(Request):
 
     @property
     def weight(self) -> float:
-        """See `Request`."""
         return self.size**-4
 
     def measured(self, folder: Path) -> dict[str, Any]:

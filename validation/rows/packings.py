@@ -64,7 +64,6 @@ class PackingRequest(Request):
 
     @property
     def weight(self) -> float:
-        """See `Request`."""
         return float(self.count)
 
     def packing_file(self, folder: Path) -> Path:
@@ -72,7 +71,6 @@ class PackingRequest(Request):
         return folder / "packings" / f"{self.name}.h5"
 
     def whole(self, folder: Path) -> bool:
-        """See `Request`."""
         return self.packing_file(folder).is_file()
 
     def measured(self, folder: Path) -> dict[str, Any]:
@@ -101,17 +99,14 @@ class PackingTest(Request):
 
     @property
     def weight(self) -> float:
-        """See `Request`."""
         return float(self.packing.count)
 
     @property
     def needs(self) -> PackingRequest:
-        """See `Request`."""
         return self.packing
 
     @property
     def asked(self) -> dict[str, Any]:
-        """See `Request`."""
         return asdict(self.packing)
 
 

@@ -47,12 +47,10 @@ class ProtocolTest(PackingTest):
 
     @property
     def weight(self) -> float:
-        """See `Request`."""
         return super().weight * self.steps
 
     @property
     def asked(self) -> dict[str, Any]:
-        """See `Request`."""
         return super().asked | {"steps": self.steps}
 
     def measured(self, folder: Path) -> dict[str, Any]:

@@ -104,11 +104,9 @@ class RingRun(Request):
 
     @property
     def weight(self) -> float:
-        """See `Request`."""
         return self.size**-4 / self.rate
 
     def measured(self, folder: Path) -> dict[str, Any]:
-        """See `Request`: SI units."""
         ring, body = self.ring, self.ring.body(self.size, self.seed)
         failure = Rankine(tension=ring.tension, fracture_energy=ring.fracture_energy)
         model = Model(body, CellBond(E=ring.E, nu=ring.nu), ring.rho, failure=failure)

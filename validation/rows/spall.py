@@ -88,7 +88,6 @@ class SpallRun(Request):
 
     @property
     def weight(self) -> float:
-        """See `Request`."""
         return self.size**-4
 
     def measured(self, folder: Path) -> dict[str, Any]:

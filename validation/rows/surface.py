@@ -83,7 +83,6 @@ class SpecimenRequest(Request):
 
     @property
     def weight(self) -> float:
-        """See `Request`."""
         return float(self.count) * (3.0 if self.target == "jamming" else 1.0)
 
     def file(self, folder: Path) -> Path:
@@ -91,7 +90,6 @@ class SpecimenRequest(Request):
         return folder / "packings" / f"{self.name}.h5"
 
     def whole(self, folder: Path) -> bool:
-        """See `Request`."""
         return self.file(folder).is_file()
 
     def measured(self, folder: Path) -> dict[str, Any]:
@@ -134,17 +132,14 @@ class ModuliRequest(Request):
 
     @property
     def weight(self) -> float:
-        """See `Request`."""
         return float(self.specimen.count) * (6.0 if self.specimen.form == "cell" or self.test == "stress" else 1.0)
 
     @property
     def needs(self) -> SpecimenRequest:
-        """See `Request`."""
         return self.specimen
 
     @property
     def asked(self) -> dict[str, Any]:
-        """See `Request`."""
         law = asdict(self.law)
         named = {name: law.get(name) for name in PARAMETERS}
         return asdict(self.specimen) | {"law": type(self.law).__name__, "test": self.test} | named

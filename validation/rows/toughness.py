@@ -41,7 +41,6 @@ class ToughnessRun(Request):
 
     @property
     def weight(self) -> float:
-        """See `Request`."""
         return self.over / self.cells**3
 
     @property
@@ -50,7 +49,6 @@ class ToughnessRun(Request):
         return {"kind": self.kind, "over": self.over, "size": self.cells, "seed": self.seed}
 
     def measured(self, folder: Path) -> dict[str, Any]:
-        """See `Request`: SI units."""
         plate, begun = self.plate, perf_counter()
         body = plate.body(self.seed)
         model, read = plate.model(body)

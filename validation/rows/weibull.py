@@ -90,12 +90,10 @@ class WeibullRun(Request):
 
     @property
     def weight(self) -> float:
-        """See `Request`."""
         return self.bar / self.size**3
 
     @property
     def asked(self) -> dict[str, Any]:
-        """See `Request`."""
         return {
             "bonds": "cells", "modulus": self.ceramic.modulus, "energy": self.ceramic.energy, "bar": self.bar,
             "size": self.size, "reach": self.reach, "seed": self.seed, "count": round(self.bar / self.size**3),
@@ -151,12 +149,10 @@ class WeibullSpheres(Request):
 
     @property
     def weight(self) -> float:
-        """See `Request`."""
         return float(self.count)
 
     @property
     def asked(self) -> dict[str, Any]:
-        """See `Request`."""
         return {
             "bonds": "spheres", "modulus": self.ceramic.modulus, "energy": 0.0, "bar": 3.0 * self.width**3,
             "size": 0.0, "reach": self.reach, "seed": self.seed, "count": self.count,

@@ -10,12 +10,12 @@ from typing import Any, ClassVar
 
 from bondem import __version__
 from bondem.calibration.abacus import Curve
-from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondLaw
 from bondem.interactions.law_catalogue import DEFAULT, LAWS, PARAMETERS
 from bondem.io.atomic import write_text
 from bondem.packing.sizes import SPREAD
 from validation.figures.abacus import draw_abacus, draw_reach, draw_silica
+from validation.frame.limits import numbers, words
 from validation.frame.study import Row, Stages, Study
 from validation.frame.tables import summary
 from validation.rows.elastic import MEASURED, SHAPES, ElasticRequest, cells_and_bars
@@ -75,7 +75,9 @@ class Abacus(Study):
         laws: some of `SWEEPS`.
     """
 
-    name: ClassVar[str] = "abacus"
+    limits: ClassVar = {
+        "count": numbers(least=100), "packings": numbers(least=1), "bars": numbers(least=0), "laws": words(SWEEPS),
+    }  # fmt: skip
 
     count: int = 10_000
     packings: int = 3
@@ -83,17 +85,7 @@ class Abacus(Study):
     spread: float = SPREAD
     laws: tuple[str, ...] = tuple(SWEEPS)
 
-    def __post_init__(self) -> None:
-        if self.count < 100:
-            raise InputError(f"count = {self.count}; give at least 100 elements")
-        if self.packings < 1 or self.bars < 0:
-            raise InputError(f"{self.packings} packings and {self.bars} bars; give at least 1 and 0")
-        unknown = [law for law in self.laws if law not in SWEEPS]
-        if unknown or not self.laws:
-            raise InputError(f"laws = {', '.join(unknown) or 'none'}; choose from {', '.join(SWEEPS)}")
-
     def stages(self, out: Path) -> Stages:
-        """See `Study`."""
         packings = cells_and_bars(self.count, self.spread, cells=self.packings, bars=self.bars)
         bonds = [law for name in self.laws for law in SWEEPS[name].laws]
         yield "pack", packings

@@ -7,11 +7,10 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from bondem._checks import choice
-from bondem.errors import InputError
 from bondem.interactions.law_catalogue import DEFAULT
 from bondem.packing.sizes import SPREAD
 from validation.figures.assembly import draw_assembly, draw_fineness, draw_scatter
+from validation.frame.limits import numbers, words
 from validation.frame.study import Row, Stages, Study
 from validation.frame.tables import summary
 from validation.measures.limit import Limit, limit
@@ -52,7 +51,10 @@ class Assembly(Study):
         spread: κ [-].
     """
 
-    name: ClassVar[str] = "assembly"
+    limits: ClassVar = {
+        "counts": numbers(least=300), "packings": numbers(least=2, advice="at least 2: one has no scatter"),
+        "cells": numbers(least=0), "targets": words(TARGETS),
+    }  # fmt: skip
 
     counts: tuple[int, ...] = COUNTS
     packings: int = 4
@@ -60,18 +62,7 @@ class Assembly(Study):
     targets: tuple[str, ...] = ("contacts",)
     spread: float = SPREAD
 
-    def __post_init__(self) -> None:
-        for target in self.targets:
-            choice(self.name, "targets", target, TARGETS)
-        if not self.counts or min(self.counts) < 300 or len(set(self.counts)) < len(self.counts):
-            raise InputError("give different numbers of elements, each at least 300, such as --counts 1000,4000")
-        if self.packings < 2:
-            raise InputError(f"packings = {self.packings}; give at least 2: one has no scatter")
-        if self.cells < 0:
-            raise InputError(f"cells = {self.cells}; give a number of packings, 0 for none")
-
     def stages(self, out: Path) -> Stages:
-        """See `Study`."""
         large = min(_CELL_COUNT, max(self.counts))
         packings = [
             PackingRequest(count, self.spread, "quench", target, seed, form == "cube", form)

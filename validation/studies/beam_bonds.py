@@ -8,12 +8,11 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from bondem._checks import choice
-from bondem.errors import InputError
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, sheet
 from validation.cases.gregoire import GREGOIRE
 from validation.cases.l_panel import L_PANEL
 from validation.frame.files import mean_and_scatter
+from validation.frame.limits import numbers, words
 from validation.frame.study import Row, Stages, Study
 from validation.rows.beam_bonds import SlowBeamsRun, StruckBeamsRun
 from validation.rows.kalthoff import Plate
@@ -47,23 +46,16 @@ class BeamBondsStudy(Study):
         struck: spheres of the plate.
     """
 
-    name: ClassVar[str] = "beam_bonds"
+    limits: ClassVar = {
+        "cases": words(CASES), "seeds": numbers(least=0), "count": numbers(least=300), "struck": numbers(least=300),
+    }  # fmt: skip
 
     cases: tuple[str, ...] = CASES
     seeds: tuple[int, ...] = (1, 2, 3)
     count: int = 1000
     struck: int = 8000
 
-    def __post_init__(self) -> None:
-        for name in self.cases:
-            choice(self.name, "cases", name, CASES)
-        if not self.seeds or min(self.seeds) < 0:
-            raise InputError("beam_bonds: give seeds from 0 up, such as --seeds 1,2,3")
-        if min(self.count, self.struck) < 300:
-            raise InputError("beam_bonds: fewer than 300 spheres have no crack; give a larger count and struck")
-
     def stages(self, out: Path) -> Stages:
-        """See `Study`."""
         requests: list[SlowBeamsRun | StruckBeamsRun] = []
         for name in self.cases:
             if name in SLOW:

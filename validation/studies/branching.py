@@ -7,8 +7,8 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from bondem.errors import InputError
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, sheet
+from validation.frame.limits import numbers, words
 from validation.frame.study import Row, Stages, Study
 from validation.rows.branching import BranchingRun, NotchedPlate
 
@@ -49,22 +49,13 @@ class Branching(Study):
         seeds: packings.
     """
 
-    name: ClassVar[str] = "branching"
+    limits: ClassVar = {"cases": words(PLATES), "counts": numbers(least=500), "seeds": numbers(least=0)}
 
     cases: tuple[str, ...] = ("A", "B30")
     counts: tuple[int, ...] = (10_000, 5_000, 20_000)
     seeds: tuple[int, ...] = (1, 2, 3)
 
-    def __post_init__(self) -> None:
-        if unknown := sorted(set(self.cases) - set(PLATES)):
-            raise InputError(f"branching: no case '{unknown[0]}'; there are {', '.join(PLATES)}")
-        if not self.seeds or min(self.seeds) < 0:
-            raise InputError("branching: give seeds from 0 up, such as --seeds 1,2,3")
-        if not self.counts or min(self.counts) < 500:
-            raise InputError("branching: counts below 500 have no crack; give such as --counts 10000,5000")
-
     def stages(self, out: Path) -> Stages:
-        """See `Study`."""
         requests = []
         for case in self.cases:
             plate = PLATES[case]

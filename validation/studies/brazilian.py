@@ -31,6 +31,7 @@ DISC = FlattenedDisc(DIAMETER, THICKNESS)
 #: Load at which the stress at the centre is f_t [N].
 EXPECTED = 0.5 * math.pi * DIAMETER * THICKNESS * TENSION / DISC.factor
 
+
 def pressed(body: bd.Lattice, failure: bd.Criterion | None) -> bd.ExplicitResult:
     """One disc until it has split, or to a third of the expected load without failure."""
     top = [0.0]

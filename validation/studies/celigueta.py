@@ -6,10 +6,9 @@ from itertools import product
 from pathlib import Path
 from typing import Any, ClassVar
 
-from bondem._checks import choice
-from bondem.errors import InputError
 from validation.figures.celigueta import draw_broken, draw_curves
 from validation.frame.files import mean_and_scatter
+from validation.frame.limits import numbers, words
 from validation.frame.study import Row, Stages, Study
 from validation.rows.celigueta import COUNT, FRICTION, CeliguetaRun
 
@@ -44,7 +43,11 @@ class Celigueta(Study):
         platens: friction of the plates, one after the other.
     """
 
-    name: ClassVar[str] = "celigueta"
+    limits: ClassVar = {
+        "count": numbers(least=200, or_zero=True, advice="200 elements or more, or 0 for the paper's"),
+        "seeds": numbers(least=0), "slower": numbers(above=0.0), "failures": words(FAILURES), "areas": words(AREAS),
+        "tests": words(MEASURED), "platens": numbers(least=0.0),
+    }  # fmt: skip
 
     count: int = 1000
     seeds: tuple[int, ...] = (1, 2, 3)
@@ -53,22 +56,6 @@ class Celigueta(Study):
     areas: tuple[str, ...] = AREAS
     tests: tuple[str, ...] = ("compression", "splitting")
     platens: tuple[float, ...] = (FRICTION,)
-
-    def __post_init__(self) -> None:
-        for name in self.failures:
-            choice(self.name, "failures", name, FAILURES)
-        for name in self.areas:
-            choice(self.name, "areas", name, AREAS)
-        for name in self.tests:
-            choice(self.name, "tests", name, tuple(MEASURED))
-        if not self.platens or min(self.platens) < 0.0:
-            raise InputError("celigueta: give friction of zero or more, such as --platens 0,0.1")
-        if self.count < 200 and self.count != 0:
-            raise InputError(f"celigueta: count = {self.count}; give 200 elements or more, or 0 for the paper's")
-        if not self.seeds or min(self.seeds) < 0:
-            raise InputError("celigueta: give seeds from 0 up, such as --seeds 1,2,3")
-        if not self.slower or min(self.slower) <= 0.0:
-            raise InputError("celigueta: give positive numbers, such as --slower 1,2")
 
     def requests(self) -> list[CeliguetaRun]:
         """All runs."""
@@ -79,7 +66,6 @@ class Celigueta(Study):
         ]  # fmt: skip
 
     def stages(self, out: Path) -> Stages:
-        """See `Study`."""
         yield "press", self.requests()
 
     def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:

@@ -10,12 +10,12 @@ import numpy as np
 
 from bondem.calibration.elastic import Calibration, calibrate
 from bondem.calibration.uncertainty import Sample, half_width
-from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondLaw
 from bondem.packing.sizes import SPREAD
 from bondem.specimen.materials import fused_silica
 from validation.figures.coverage import draw_coverage
 from validation.frame.failures import complain
+from validation.frame.limits import numbers, words
 from validation.frame.study import Row, Stages, Study
 from validation.rows.elastic import ElasticRequest, cells_and_bars
 from validation.rows.packings import PackingRequest, kept_lattice
@@ -26,6 +26,7 @@ LEVEL = 0.95
 # Random calibrations, drawn from all packings, of each number of packings.
 _DRAWS = 4000
 _SIZES = (2, 3, 4, 6, 8, 12, 16)
+
 
 @dataclass(frozen=True)
 class Coverage(Study):
@@ -38,20 +39,14 @@ class Coverage(Study):
         shape: "cylinder", the paper's 10 x 40 mm, or "cell", periodic.
     """
 
-    name: ClassVar[str] = "coverage"
+    limits: ClassVar = {
+        "calibrating": numbers(least=2), "held_out": numbers(least=1), "shape": words(("cylinder", "cell")),
+    }  # fmt: skip
 
     count: int = 10_000
     calibrating: int = 8
     held_out: int = 40
     shape: str = "cylinder"
-
-    def __post_init__(self) -> None:
-        if self.calibrating < 2 or self.held_out < 1:
-            raise InputError(
-                f"{self.calibrating} calibrating and {self.held_out} unseen packings; give at least 2 and 1"
-            )
-        if self.shape not in ("cylinder", "cell"):
-            raise InputError(f"shape = '{self.shape}'; choose from cylinder, cell")
 
     @property
     def bodies(self) -> list[PackingRequest]:
@@ -67,7 +62,6 @@ class Coverage(Study):
         complain((yield "test", [ElasticRequest(one, law, slopes=True) for one in self.bodies]), out, what="tests")
 
     def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:
-        """See `Study`."""
         return _results(self, _calibrated(tuple(self.bodies[: self.calibrating]), out), rows)
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:

@@ -5,10 +5,9 @@ from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any, ClassVar
 
-from bondem._checks import choice
-from bondem.errors import InputError
 from validation.cases.path_case import PathCase
 from validation.figures.crack_paths import draw_path
+from validation.frame.limits import numbers, words
 from validation.frame.study import Row, Stages, Study
 from validation.rows.crack_paths import CASES, PathRun
 
@@ -23,22 +22,13 @@ class CrackPaths(Study):
         finer: how many times smaller cells are than the cases have them.
     """
 
-    name: ClassVar[str] = "crack_paths"
+    limits: ClassVar = {"cases": words(CASES), "seeds": numbers(least=0), "finer": numbers(above=0.0, most=10.0)}
 
     cases: tuple[str, ...] = tuple(CASES)
     seeds: tuple[int, ...] = (1,)
     finer: float = 1.0
 
-    def __post_init__(self) -> None:
-        for name in self.cases:
-            choice(self.name, "cases", name, tuple(CASES))
-        if not self.seeds or min(self.seeds) < 0:
-            raise InputError("crack_paths: give seeds from 0 up, such as --seeds 1,2")
-        if not 0.0 < self.finer <= 10.0:
-            raise InputError(f"crack_paths: finer = {self.finer:g}; give a number above 0 up to 10")
-
     def stages(self, out: Path) -> Stages:
-        """See `Study`."""
         yield "break", [PathRun(replace(CASES[name], finer=self.finer), seed)
                         for name in self.cases for seed in self.seeds]  # fmt: skip
 

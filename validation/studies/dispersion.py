@@ -5,12 +5,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
 
-from bondem._checks import choice
-from bondem.errors import InputError
 from bondem.packing import METHODS
 from bondem.specimen.fabric import LIMITS
 from validation.figures.packing_curves import LARGEST_POSSIBLE, PRINTED_THRESHOLD, draw_dispersion
 from validation.figures.packings import draw_histograms, draw_packings
+from validation.frame.limits import numbers, words
 from validation.frame.study import Row, Stages, Study
 from validation.frame.tables import summary
 from validation.rows.packings import TARGETS, PackingRequest, kept_lattice
@@ -34,25 +33,16 @@ class Dispersion(Study):
         target: one of `TARGETS`.
     """
 
-    name: ClassVar[str] = "dispersion"
+    limits: ClassVar = {
+        "count": numbers(least=10), "spreads": numbers(least=0.0, below=2.0), "seeds": numbers(least=1),
+        "method": words(METHODS), "target": words(TARGETS),
+    }  # fmt: skip
 
     count: int = 3000
     spreads: tuple[float, ...] = SPREADS
     seeds: int = 1
     method: str = "shear"
     target: str = "contacts"
-
-    def __post_init__(self) -> None:
-        choice(self.name, "method", self.method, METHODS)
-        choice(self.name, "target", self.target, TARGETS)
-        if self.count < 10:
-            raise InputError(f"count = {self.count}; give at least 10 spheres")
-        if not self.spreads or not all(0.0 <= spread < 2.0 for spread in self.spreads):
-            raise InputError("give each κ from 0 to less than 2, such as --spreads 0,0.1,0.25")
-        if len(set(self.spreads)) < len(self.spreads):
-            raise InputError("the same κ is there twice; give different ones, such as --spreads 0,0.1,0.25")
-        if self.seeds < 1:
-            raise InputError(f"seeds = {self.seeds}; give at least 1 packing of each κ")
 
     @property
     def requests(self) -> list[PackingRequest]:
@@ -64,11 +54,9 @@ class Dispersion(Study):
         ]
 
     def stages(self, out: Path) -> Stages:
-        """See `Study`."""
         yield "pack", self.requests
 
     def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:
-        """See `Study`."""
         return {
             "count": self.count,
             "method": self.method,

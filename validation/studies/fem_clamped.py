@@ -115,9 +115,7 @@ def _sphere_loads(lattice: bd.Lattice, count: int) -> np.ndarray:
     return loads
 
 
-def measure(
-    record: Record, *, cells: tuple[int, ...] = (8, 12, 16), common: int = 12, packings: int = 5
-) -> None:
+def measure(record: Record, *, cells: tuple[int, ...] = (8, 12, 16), common: int = 12, packings: int = 5) -> None:
     """Solve on several meshes.
 
     Args:
@@ -127,8 +125,17 @@ def measure(
     """
     lattices = [bd.connect(bd.pack(SHAPE, count=COUNT, spread=SPREAD, seed=1 + k)) for k in range(packings)]
     record.keep(
-        E=E, nu=NU, rho=RHO, radius=SHAPE.radius, length=SHAPE.length, count=COUNT, spread=SPREAD,
-        bonds=[len(lattice.pairs) for lattice in lattices], cells=cells, common=common, packings=packings,
+        E=E,
+        nu=NU,
+        rho=RHO,
+        radius=SHAPE.radius,
+        length=SHAPE.length,
+        count=COUNT,
+        spread=SPREAD,
+        bonds=[len(lattice.pairs) for lattice in lattices],
+        cells=cells,
+        common=common,
+        packings=packings,
     )
     for each in cells:
         model = Continuum(each)

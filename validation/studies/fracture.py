@@ -5,14 +5,13 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, ClassVar
 
-from bondem._checks import choice
-from bondem.errors import InputError
 from validation.cases import gregoire, petersson
 from validation.cases.case import CURVES, Case
 from validation.cases.garcia_alvarez import GARCIA_ALVAREZ
 from validation.cases.l_panel import L_PANEL
 from validation.figures.fracture import draw_case
 from validation.frame.files import mean_and_scatter
+from validation.frame.limits import numbers, words
 from validation.frame.study import Row, Stages, Study
 from validation.measures.cohesive_crack import cohesive_crack
 from validation.rows.fracture import FractureRun
@@ -40,27 +39,21 @@ class Fracture(Study):
         curve: how cracks soften: "bilinear", Petersson's curve of concrete, or "straight".
     """
 
-    name: ClassVar[str] = "fracture"
+    limits: ClassVar = {
+        "cases": words(CASES), "seeds": numbers(least=0), "curve": words(CURVES),
+        "finer": numbers(above=0.0, most=10.0),
+    }  # fmt: skip
 
     cases: tuple[str, ...] = tuple(CASES)
     seeds: tuple[int, ...] = (1, 2, 3)
     finer: float = 1.0
     curve: str = "bilinear"
 
-    def __post_init__(self) -> None:
-        for name in self.cases:
-            choice(self.name, "cases", name, tuple(CASES))
-        choice(self.name, "curve", self.curve, tuple(CURVES))
-        if not self.seeds or min(self.seeds) < 0:
-            raise InputError("fracture: give seeds from 0 up, such as --seeds 1,2,3")
-        if not 0.0 < self.finer <= 10.0:
-            raise InputError(f"fracture: finer = {self.finer:g}; give a number above 0 up to 10")
-
     def stages(self, out: Path) -> Stages:
-        """See `Study`."""
-        yield "break", [
-            FractureRun(CASES[name], seed, self.finer, self.curve) for name in self.cases for seed in self.seeds
-        ]
+        yield (
+            "break",
+            [FractureRun(CASES[name], seed, self.finer, self.curve) for name in self.cases for seed in self.seeds],
+        )
 
     def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:
         """See `Study`: of each case its claim, what its packings gave, and the verdict."""

@@ -7,11 +7,11 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from bondem.errors import InputError
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, sheet
 from validation.cases.lac_du_bonnet import CLAIMS, Granite, bent, toughness
 from validation.figures.fracture import envelope
 from validation.frame.files import mean_and_scatter
+from validation.frame.limits import numbers, words
 from validation.frame.request import Request
 from validation.frame.study import Row, Stages, Study
 from validation.rows.fracture import FractureRun
@@ -42,25 +42,16 @@ class GraniteStudy(Study):
         finer: how many times smaller cells of the second size of notched beams are.
     """
 
-    name: ClassVar[str] = "granite"
+    limits: ClassVar = {
+        "tests": words(CLAIMS), "counts": numbers(least=100), "seeds": numbers(least=0), "finer": numbers(above=0.0),
+    }  # fmt: skip
 
     tests: tuple[str, ...] = tuple(CLAIMS)
     counts: tuple[int, ...] = (2_000, 6_000)
     seeds: tuple[int, ...] = (1, 2, 3)
     finer: float = 1.4
 
-    def __post_init__(self) -> None:
-        if unknown := sorted(set(self.tests) - set(CLAIMS)):
-            raise InputError(f"granite: no test '{unknown[0]}'; there are {', '.join(CLAIMS)}")
-        if not self.seeds or min(self.seeds) < 0:
-            raise InputError("granite: give seeds from 0 up, such as --seeds 1,2,3")
-        if not self.counts or min(self.counts) < 100:
-            raise InputError("granite: give counts of cells of 100 or more, such as --counts 2000,6000")
-        if not self.finer > 0.0:
-            raise InputError("granite: finer must exceed 0, such as --finer 1.4")
-
     def stages(self, out: Path) -> Stages:
-        """See `Study`."""
         granite, first = Granite(), self.seeds[0]
         requests: list[Request] = []
         for test in (one for one in _STRENGTHS if one in self.tests):

@@ -8,10 +8,10 @@ from typing import Any, ClassVar
 import numpy as np
 
 from bondem._types import Floats
-from bondem.errors import InputError
 from bondem.interactions.law_catalogue import CALIBRATED, DEFAULT
 from bondem.packing.sizes import SPREAD
 from validation.figures.influence import draw_bond_modulus, draw_bond_radius, draw_exponent, draw_nu_mu
+from validation.frame.limits import numbers
 from validation.frame.study import Row, Stages, Study
 from validation.frame.tables import summary
 from validation.rows.elastic import MEASURED, SHAPES, ElasticRequest, cells_and_bars
@@ -46,21 +46,14 @@ class Influence(Study):
         spread: κ [-].
     """
 
-    name: ClassVar[str] = "influence"
+    limits: ClassVar = {"count": numbers(least=100), "packings": numbers(least=1), "bars": numbers(least=0)}
 
     count: int = 10_000
     packings: int = 3
     bars: int = 3
     spread: float = SPREAD
 
-    def __post_init__(self) -> None:
-        if self.count < 100:
-            raise InputError(f"count = {self.count}; give at least 100 elements")
-        if self.packings < 1 or self.bars < 0:
-            raise InputError(f"{self.packings} packings and {self.bars} bars; give at least 1 and 0")
-
     def stages(self, out: Path) -> Stages:
-        """See `Study`."""
         packings = cells_and_bars(self.count, self.spread, cells=self.packings, bars=self.bars)
         tests = [
             *((law(E=_MODULUS, nu=nu_mu, radius_ratio=_RADIUS), False)

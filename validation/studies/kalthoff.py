@@ -7,10 +7,9 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from bondem._checks import number
-from bondem.errors import InputError
 from bondem.report.style import BLUE, GREEN, INK, ORANGE, sheet
 from validation.frame.files import mean_and_scatter
+from validation.frame.limits import numbers
 from validation.frame.study import Row, Stages, Study
 from validation.rows.kalthoff import KalthoffRun, Plate
 
@@ -40,21 +39,16 @@ class Kalthoff(Study):
         size: of cells [mm]; below h* = 2 E G / f_t², 2.3 mm with 1900 MPa.
     """
 
-    name: ClassVar[str] = "kalthoff"
+    limits: ClassVar = {
+        "strengths": numbers(above=0.0), "seeds": numbers(least=0),
+        "size": numbers(above=0.0, below=5.0, advice="at most half the thickness in mm"),
+    }  # fmt: skip
 
     strengths: tuple[float, ...] = (844.0, 1900.0)
     seeds: tuple[int, ...] = (1, 2, 3)
     size: float = 1.5
 
-    def __post_init__(self) -> None:
-        for strength in self.strengths:
-            number("kalthoff", "strengths", strength, above=0.0, unit="MPa", advice="positive strengths in MPa")
-        if not self.seeds or min(self.seeds) < 0:
-            raise InputError("kalthoff: give seeds from 0 up, such as --seeds 1,2,3")
-        number("kalthoff", "size", self.size, above=0.0, below=5.0, unit="mm", advice="at most half the thickness")
-
     def stages(self, out: Path) -> Stages:
-        """See `Study`."""
         yield "strike", [
             KalthoffRun(Plate(), 1e6 * strength, 1e-3 * self.size, seed)
             for strength in self.strengths for seed in self.seeds

@@ -46,9 +46,7 @@ def coulomb(strength: float) -> bd.Criterion:
 
 def softening(strength: float) -> bd.Criterion:
     """With a fracture energy."""
-    return bd.MohrCoulomb(
-        tension=strength, cohesion=OVER * strength, friction_angle=ANGLE, fracture_energy=ENERGY
-    )
+    return bd.MohrCoulomb(tension=strength, cohesion=OVER * strength, friction_angle=ANGLE, fracture_energy=ENERGY)
 
 
 def rankine(strength: float) -> bd.Criterion:

@@ -5,11 +5,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
 
-from bondem._checks import choice, count
 from bondem.packing.sizes import SPREAD
 from validation.figures.protocol import draw_protocol
 from validation.frame.failures import complain
 from validation.frame.files import mean_and_scatter
+from validation.frame.limits import numbers, words
 from validation.frame.study import Row, Stages, Study
 from validation.rows.packings import PackingRequest
 from validation.rows.protocol import ProtocolTest
@@ -42,20 +42,16 @@ class Protocol(Study):
         methods: of `bd.pack`; the paper's is "shear".
     """
 
-    name: ClassVar[str] = "protocol"
+    limits: ClassVar = {
+        "count": numbers(least=500, advice="at least 500 spheres, or the cylinder is no bar"),
+        "packings": numbers(least=1), "steps": numbers(least=1000), "methods": words(METHODS),
+    }  # fmt: skip
 
     # slow: shear compaction of a packing takes about half an hour
     count: int = 10_000
     packings: int = 4
     steps: int = 50_000
     methods: tuple[str, ...] = tuple(METHODS)
-
-    def __post_init__(self) -> None:
-        count("", "count", self.count, least=500, advice="at least 500 spheres, or the cylinder is no bar")
-        count("", "packings", self.packings, least=1, advice="at least 1")
-        count("", "steps", self.steps, least=1000, advice="at least 1000")
-        for method in self.methods:
-            choice(self.name, "method", method, tuple(METHODS))
 
     @property
     def bars(self) -> list[PackingRequest]:
@@ -67,7 +63,6 @@ class Protocol(Study):
         ]
 
     def stages(self, out: Path) -> Stages:
-        """See `Study`."""
         complain((yield "pack", self.bars), out)
         yield "test", [ProtocolTest(packing, self.steps) for packing in self.bars]
 

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
 
-from bondem._checks import count, number
 from bondem.interactions.beams.bond_law import BondLaw
 from bondem.observables.energy import EnergyParts
 from validation.figures.energy import draw_breakdown, draw_quasistatic, draw_settling
+from validation.frame.limits import numbers
 from validation.frame.study import Row
 from validation.measures.explicit_tension import ExplicitTension, explicit_tension
 from validation.rows.bar import BarStudy, BarTest, CalibratedBar
@@ -35,7 +35,6 @@ class SlowTension(BarTest):
 
     @property
     def weight(self) -> float:
-        """See `Request`."""
         return float(self.packing.count) * self.steps
 
     def tested(self, bar: CalibratedBar, folder: Path) -> dict[str, Any]:
@@ -63,17 +62,14 @@ class QuasiStatic(BarStudy):
         phi: of the scheme of Tchamwa and Wielgosz [-].
     """
 
-    name: ClassVar[str] = "quasistatic"
+    limits: ClassVar = BarStudy.limits | {
+        "steps": numbers(least=1000, advice="at least 1000; a slow test takes some ten thousands"),
+        "ramp": numbers(above=0.0, below=1.0), "phi": numbers(least=1.0),
+    }  # fmt: skip
 
     steps: int = 100_000
     ramp: float = 0.5
     phi: float = 1.3
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        count("", "steps", self.steps, least=1000, advice="at least 1000; a slow test takes some ten thousands")
-        number("", "ramp", self.ramp, above=0.0, below=1.0, advice="the share of the steps in which the load grows")
-        number("", "phi", self.phi, least=1.0, advice="1 or more")
 
     def tests(self, packings: Sequence[PackingRequest], law: BondLaw, density: float) -> Sequence[SlowTension]:
         """See `BarStudy`: the run, and shorter ones beside it."""
@@ -84,7 +80,6 @@ class QuasiStatic(BarStudy):
         ]
 
     def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:
-        """See `Study`."""
         _, run = self.first(out)
         return rows[0]["bar"] | _numbers(self, rows, run)
 

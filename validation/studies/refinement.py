@@ -7,11 +7,10 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from bondem._checks import choice
-from bondem.errors import InputError
 from bondem.packing import METHOD, METHODS
 from bondem.packing.sizes import SPREAD
 from validation.figures.packing_curves import draw_refinement
+from validation.frame.limits import numbers, words
 from validation.frame.study import Row, Stages, Study
 from validation.frame.tables import summary
 from validation.measures.limit import Limit, limit
@@ -44,7 +43,10 @@ class Refinement(Study):
             limits against: there are no walls in them.
     """
 
-    name: ClassVar[str] = "refinement"
+    limits: ClassVar = {
+        "counts": numbers(least=10), "packings": numbers(least=1), "periodic": numbers(least=0),
+        "method": words(METHODS), "targets": words(TARGETS),
+    }  # fmt: skip
 
     counts: tuple[int, ...] = COUNTS
     packings: int = 5
@@ -52,17 +54,6 @@ class Refinement(Study):
     method: str = METHOD
     targets: tuple[str, ...] = TARGETS
     periodic: int = 3
-
-    def __post_init__(self) -> None:
-        choice(self.name, "method", self.method, METHODS)
-        for target in self.targets:
-            choice(self.name, "targets", target, TARGETS)
-        if not self.counts or min(self.counts) < 10 or len(set(self.counts)) < len(self.counts):
-            raise InputError("give different numbers of spheres, each at least 10, such as --counts 1000,4000")
-        if self.packings < 1:
-            raise InputError(f"packings = {self.packings}; give at least 1")
-        if self.periodic < 0:
-            raise InputError(f"periodic = {self.periodic}; give a number of packings, 0 for none")
 
     @property
     def requests(self) -> list[PackingRequest]:
@@ -77,11 +68,9 @@ class Refinement(Study):
         ]
 
     def stages(self, out: Path) -> Stages:
-        """See `Study`."""
         yield "pack", self.requests
 
     def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:
-        """See `Study`."""
         good = [row for row in rows if not row["error"]]
         return {
             "spread": self.spread,

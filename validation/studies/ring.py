@@ -8,10 +8,9 @@ from typing import Any, ClassVar
 import numpy as np
 from matplotlib.ticker import FixedLocator, FormatStrFormatter, NullLocator
 
-from bondem._checks import number
-from bondem.errors import InputError
 from bondem.report.style import BLUE, INK, sheet
 from validation.frame.files import mean_and_scatter
+from validation.frame.limits import numbers
 from validation.frame.study import Row, Stages, Study
 from validation.rows.ring import Ring, RingRun
 
@@ -36,7 +35,10 @@ class RingStudy(Study):
         side: of the section [m].
     """
 
-    name: ClassVar[str] = "ring"
+    limits: ClassVar = {
+        "rates": numbers(above=0.0), "seeds": numbers(least=0),
+        "side": numbers(above=0.0, below=2e-3, advice="a width of up to 2 mm"),
+    }  # fmt: skip
 
     rates: tuple[float, ...] = (2e3, 4e3, 8e3, 16e3)
     seeds: tuple[int, ...] = (1, 2, 3)
@@ -44,16 +46,10 @@ class RingStudy(Study):
     side: float = Ring.side
 
     def __post_init__(self) -> None:
-        for rate in self.rates:
-            number("ring", "rates", rate, above=0.0, unit="1/s", advice="positive rates in 1/s")
-        if not self.seeds or min(self.seeds) < 0:
-            raise InputError("ring: give seeds from 0 up, such as --seeds 1,2,3")
-        number("ring", "side", self.side, above=0.0, below=2e-3, unit="m", advice="a width of up to 2 mm")
-        number("ring", "size", self.size, above=0.0, below=0.503 * self.side, unit="m",
-               advice="at most half the section")  # fmt: skip
+        super().__post_init__()
+        numbers(above=0.0, below=0.503 * self.side, advice="at most half the section")(self.name, "size", self.size)
 
     def stages(self, out: Path) -> Stages:
-        """See `Study`."""
         ring = Ring(side=self.side)
         yield "fly", [RingRun(ring, rate, self.size, seed) for rate in self.rates for seed in self.seeds]
 

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 
@@ -64,16 +64,12 @@ class SectionStudy(BarStudy):
         packings: how many, seeds in sequence; the picture shows the first.
     """
 
-    name: ClassVar[str] = "section"
-
     packings: int = 8
 
     def tests(self, packings: Sequence[PackingRequest], law: BondLaw, density: float) -> Sequence[SectionTest]:
-        """See `BarStudy`."""
         return [SectionTest(one, law, density) for one in packings]
 
     def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:
-        """See `Study`."""
         return rows[0]["bar"] | {
             "summary": _summary(rows),
             "paper": {"bending_frequency": PAPER, "radius": implied_radius(PAPER["walls"], PAPER["effective"])},

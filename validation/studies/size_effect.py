@@ -8,11 +8,11 @@ from typing import Any, ClassVar
 import numpy as np
 
 from bondem._types import Floats
-from bondem.errors import InputError
 from bondem.report.style import BLUE, GREY, INK, ORANGE, sheet
 from validation.cases.case import CURVES
 from validation.cases.gregoire import GREGOIRE, beam, scaled
 from validation.figures.axes import plain_ticks
+from validation.frame.limits import numbers
 from validation.frame.study import Row, Stages, Study
 from validation.measures.cohesive_crack import cohesive_crack
 from validation.measures.size_effect import SizeEffect
@@ -35,22 +35,16 @@ class SizeEffectStudy(Study):
         finer: how many times smaller cells are than the case has them, 0.046 D.
     """
 
-    name: ClassVar[str] = "size_effect"
+    limits: ClassVar = {
+        "depths": numbers(least=10.0, most=2000.0, fewest=2), "seeds": numbers(least=0),
+        "finer": numbers(above=0.0, most=10.0),
+    }  # fmt: skip
 
     depths: tuple[float, ...] = (50.0, 100.0, 200.0)
     seeds: tuple[int, ...] = (1,)
     finer: float = 1.0
 
-    def __post_init__(self) -> None:
-        if len(set(self.depths)) < 2 or not all(10.0 <= depth <= 2000.0 for depth in self.depths):
-            raise InputError("size_effect: give two depths or more, of 10 to 2000 mm, such as --depths 50,100,200")
-        if not self.seeds or min(self.seeds) < 0:
-            raise InputError("size_effect: give seeds from 0 up, such as --seeds 1,2,3")
-        if not 0.0 < self.finer <= 10.0:
-            raise InputError(f"size_effect: finer = {self.finer:g}; give a number above 0 up to 10")
-
     def stages(self, out: Path) -> Stages:
-        """See `Study`."""
         yield "break", [FractureRun(scaled(1e-3 * depth), seed, self.finer)
                         for depth in self.depths for seed in self.seeds]  # fmt: skip
 

@@ -7,9 +7,8 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from bondem._checks import number
-from bondem.errors import InputError
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, sheet
+from validation.frame.limits import numbers
 from validation.frame.study import Row, Stages, Study
 from validation.rows.spall import Bar, SpallRun
 
@@ -39,24 +38,17 @@ class Spall(Study):
         sizes: of cells [mm]: the first with all packings, the others with the first one.
     """
 
-    name: ClassVar[str] = "spall"
+    limits: ClassVar = {
+        "strengths": numbers(above=0.0), "energies": numbers(above=0.0), "seeds": numbers(least=0),
+        "sizes": numbers(above=0.0),
+    }  # fmt: skip
 
     strengths: tuple[float, ...] = (8.0, 18.9)
     energies: tuple[float, ...] = (50.0, 100.0)
     seeds: tuple[int, ...] = (1, 2, 3)
     sizes: tuple[float, ...] = (3.0, 2.0)
 
-    def __post_init__(self) -> None:
-        for name, unit in (("strengths", "MPa"), ("energies", "J/m²"), ("sizes", "mm")):
-            if not getattr(self, name):
-                raise InputError(f"spall: give {name} in {unit}, with commas between")
-            for value in getattr(self, name):
-                number("spall", name, value, above=0.0, unit=unit, advice=f"positive {name} in {unit}")
-        if not self.seeds or min(self.seeds) < 0:
-            raise InputError("spall: give seeds from 0 up, such as --seeds 1,2,3")
-
     def stages(self, out: Path) -> Stages:
-        """See `Study`."""
         usual = [(self.energies[0], self.sizes[0], seed) for seed in self.seeds]
         energies = [(energy, self.sizes[0], self.seeds[0]) for energy in self.energies[1:]]
         sizes = [(self.energies[0], size, self.seeds[0]) for size in self.sizes[1:]]

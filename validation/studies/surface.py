@@ -9,11 +9,11 @@ from typing import Any, ClassVar
 import numpy as np
 
 from bondem import __version__
-from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondLaw
 from bondem.interactions.law_catalogue import LAWS, PARAMETERS
 from bondem.io.atomic import write_text
 from validation.figures.surface import draw_surface
+from validation.frame.limits import numbers
 from validation.frame.study import Row, Stages, Study
 from validation.rows.surface import ModuliRequest, SpecimenRequest
 from validation.studies.surface_fit import CurveFit, Fit, bulk_means, column, fitted_range, law_name
@@ -22,9 +22,7 @@ from validation.studies.surface_tables import accuracy, bodies, ends, predicted
 _COMMON: dict[str, Any] = {"E": 1e9, "nu": 0.3}
 
 #: Laws whose rows the coefficients are fitted to, from shear-soft to shear-stiff.
-FITTED: tuple[BondLaw, ...] = tuple(
-    law.at(value, **_COMMON) for law in LAWS.values() for value in law.free.fitted
-)
+FITTED: tuple[BondLaw, ...] = tuple(law.at(value, **_COMMON) for law in LAWS.values() for value in law.free.fitted)
 
 #: Laws held out, to test them on; the first is used for what is measured once only.
 HELD_OUT: tuple[BondLaw, ...] = tuple(
@@ -47,20 +45,16 @@ class SurfaceStudy(Study):
         laws: bond laws the correction is fitted to; all of `FITTED` unless given.
     """
 
-    name: ClassVar[str] = "surface"
+    limits: ClassVar = {
+        "counts": numbers(least=300, advice="300 or more"), "seeds": numbers(least=1),
+        "other_count": numbers(least=300), "cell_count": numbers(least=300),
+    }  # fmt: skip
 
     counts: tuple[int, ...] = (2000, 5000, 20_000)
     seeds: int = 3
     other_count: int = 4000
     cell_count: int = 5000
     laws: tuple[BondLaw, ...] = FITTED
-
-    def __post_init__(self) -> None:
-        least = min(*self.counts, self.other_count, self.cell_count) if self.counts else 0
-        if least < 300:
-            raise InputError(f"counts = {self.counts}, {self.other_count} and {self.cell_count}; give 300 or more")
-        if self.seeds < 1:
-            raise InputError(f"seeds = {self.seeds}; give at least one packing of each shape")
 
     @property
     def specimens(self) -> list[SpecimenRequest]:
@@ -89,7 +83,6 @@ class SurfaceStudy(Study):
         return max(1, self.seeds - fewer)
 
     def stages(self, out: Path) -> Stages:
-        """See `Study`."""
         specimens = self.specimens
         pulled = [one for one in specimens if one.form in (*_BARS, "cell")]
         found = [ModuliRequest(one, law) for one in pulled for law in (*self.laws, *HELD_OUT)]

@@ -7,12 +7,11 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from bondem._checks import choice
-from bondem.errors import InputError
 from bondem.report.style import BLUE, GREY, INK, ORANGE, sheet
 from validation.cases.toughness import PLATES
 from validation.figures.axes import plain_ticks
 from validation.frame.files import mean_and_scatter
+from validation.frame.limits import numbers, words
 from validation.frame.study import Row, Stages, Study
 from validation.rows.toughness import ToughnessRun
 
@@ -31,22 +30,13 @@ class Toughness(Study):
         cells: size of cells at the tip, over l = E' G_f / f_t².
     """
 
-    name: ClassVar[str] = "toughness"
+    limits: ClassVar = {"plates": words(PLATES), "seeds": numbers(least=0), "cells": numbers(least=0.02, most=0.4)}
 
     plates: tuple[str, ...] = tuple(PLATES)
     seeds: tuple[int, ...] = (1, 2)
     cells: float = 0.2
 
-    def __post_init__(self) -> None:
-        for kind in self.plates:
-            choice(self.name, "plates", kind, tuple(PLATES))
-        if not self.seeds or min(self.seeds) < 0:
-            raise InputError("toughness: give seeds from 0 up, such as --seeds 1,2")
-        if not 0.02 <= self.cells <= 0.4:
-            raise InputError(f"toughness: cells = {self.cells:g}; give 0.02 to 0.4, such as 0.2")
-
     def stages(self, out: Path) -> Stages:
-        """See `Study`."""
         yield "pull", [
             ToughnessRun(kind, over, self.cells, seed)
             for kind in self.plates for over in PLATES[kind][1] for seed in self.seeds

@@ -7,7 +7,6 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from bondem._checks import count, number
 from bondem.interactions.beams.bond_law import BondLaw
 from bondem.labtests.cantilever import Cantilever
 from bondem.labtests.modal import NaturalFrequencies, natural_frequencies
@@ -16,6 +15,7 @@ from bondem.model.model import Model
 from bondem.specimen.materials import fused_silica
 from validation.figures.energy import draw_breakdown, draw_inertia, draw_vibration_energy
 from validation.frame.files import mean_and_scatter
+from validation.frame.limits import numbers
 from validation.frame.study import Row
 from validation.measures.inertia import inertia_excess, stiffness_effect
 from validation.measures.ramped_vibration import ramped_vibration
@@ -43,7 +43,6 @@ class VibrationTest(BarTest):
 
     @property
     def weight(self) -> float:
-        """See `Request`."""
         return float(self.packing.count) * (1000 + self.steps)
 
     def tested(self, bar: CalibratedBar, folder: Path) -> dict[str, Any]:
@@ -69,25 +68,18 @@ class Vibration(BarStudy):
         ramp: share of the steps in which the loads grow [-].
     """
 
-    name: ClassVar[str] = "vibration"
+    limits: ClassVar = BarStudy.limits | {"steps": numbers(least=1000), "ramp": numbers(above=0.0, below=1.0)}
 
     packings: int = 5
     steps: int = 50_000
     ramp: float = 0.4
 
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        count("", "steps", self.steps, least=1000, advice="at least 1000")
-        number("", "ramp", self.ramp, above=0.0, below=1.0, advice="the share of the steps in which the loads grow")
-
     def tests(self, packings: Sequence[PackingRequest], law: BondLaw, density: float) -> Sequence[VibrationTest]:
-        """See `BarStudy`."""
         return [
             VibrationTest(one, law, density, self.steps if k == 0 else 0, self.ramp) for k, one in enumerate(packings)
         ]
 
     def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:
-        """See `Study`."""
         return rows[0]["bar"] | {"run": rows[0]["run"], "summary": _summary(rows)}
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
@@ -120,9 +112,7 @@ def _numbers(run: FreeVibration, modes: NaturalFrequencies) -> dict[str, Any]:
         "rotational_share_largest": float(share.max()),
         "energy_error": run.energy_error,
         "total_drift": float(drift * np.ptp(run.time[free]) / total[free].mean()),
-        "frequency": {
-            kind: {"signal": run.frequency(kind), "mode": getattr(modes, kind)} for kind in _KINDS
-        },
+        "frequency": {kind: {"signal": run.frequency(kind), "mode": getattr(modes, kind)} for kind in _KINDS},
     }
 
 

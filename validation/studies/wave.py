@@ -5,12 +5,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
 
-from bondem._checks import number
 from bondem.interactions.beams.bond_law import BondLaw
 from bondem.labtests.cantilever import Cantilever
 from bondem.labtests.wave import Wave, first_passage, strike
 from validation.figures.wave import draw_arrival, draw_faces, draw_snapshots, draw_travel
 from validation.frame.files import mean_and_scatter
+from validation.frame.limits import numbers
 from validation.frame.study import Row
 from validation.rows.bar import BarStudy, BarTest, CalibratedBar
 from validation.rows.packings import PackingRequest, kept_lattice
@@ -67,21 +67,15 @@ class WaveStudy(BarStudy):
         velocity: of the struck face [m/s].
     """
 
-    name: ClassVar[str] = "wave"
+    limits: ClassVar = BarStudy.limits | {"velocity": numbers(above=0.0)}
 
     packings: int = 5
     velocity: float = 0.1
 
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        number("", "velocity", self.velocity, above=0.0, unit="m/s", advice="a positive velocity in m/s")
-
     def tests(self, packings: Sequence[PackingRequest], law: BondLaw, density: float) -> Sequence[WaveTest]:
-        """See `BarStudy`."""
         return [WaveTest(one, law, density, self.velocity, k == 0) for k, one in enumerate(packings)]
 
     def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:
-        """See `Study`."""
         return rows[0]["bar"] | {
             "velocity": self.velocity,
             "levels": list(LEVELS),

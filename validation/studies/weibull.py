@@ -7,9 +7,9 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from bondem.errors import InputError
 from bondem.report.style import BLUE, GREEN, INK, ORANGE, sheet
 from validation.figures.axes import plain_ticks
+from validation.frame.limits import numbers
 from validation.frame.request import Request
 from validation.frame.study import Row, Stages, Study
 from validation.rows.weibull import Ceramic, WeibullRun, WeibullSpheres
@@ -40,20 +40,15 @@ class WeibullStudy(Study):
         seeds: seeds of the strengths.
     """
 
-    name: ClassVar[str] = "weibull"
+    limits: ClassVar = {
+        "moduli": numbers(above=1.0), "length": numbers(above=0.0), "seeds": numbers(least=0, fewest=2),
+    }  # fmt: skip
 
     moduli: tuple[float, ...] = (5.0, 10.0, 20.0)
     length: float = 6.0
     seeds: tuple[int, ...] = tuple(range(11, 51))
 
-    def __post_init__(self) -> None:
-        if not (self.moduli and min(self.moduli) > 1.0 and self.length > 0.0):
-            raise InputError("weibull: moduli must exceed 1 and length 0 mm, such as --moduli 5,10 --length 6")
-        if len(self.seeds) < 2 or min(self.seeds) < 0:
-            raise InputError("weibull: give two seeds or more, from 0 up, such as --seeds 11,12,13")
-
     def stages(self, out: Path) -> Stages:
-        """See `Study`."""
         reach, one = 1e-3 * self.length, Ceramic(modulus=_MODULUS)
         small, large = (count * _SIZE**3 for count in _VOLUMES)
         bars = [(Ceramic(modulus=m), bar, _SIZE, reach) for m in self.moduli for bar in (small, large)]

@@ -23,9 +23,7 @@ from validation.frame.record import Record
 ANGLE, COHESION, TENSION = math.radians(60.0), 14.5e6, 6e6
 CRITERIA: dict[str, bd.Criterion] = {
     "Rankine": bd.Rankine(tension=TENSION),
-    "Mohr-Coulomb": bd.MohrCoulomb(
-        tension=COHESION / math.tan(ANGLE), cohesion=COHESION, friction_angle=ANGLE
-    ),
+    "Mohr-Coulomb": bd.MohrCoulomb(tension=COHESION / math.tan(ANGLE), cohesion=COHESION, friction_angle=ANGLE),
 }
 #: Stresses between which bisection looks [Pa], and its steps.
 FARTHEST, HALVINGS = 600e6, 50
