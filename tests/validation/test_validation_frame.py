@@ -44,6 +44,9 @@ def test_what_measures_is_in_the_closure_and_what_draws_is_not():
     measured = closure("validation.rows.elastic", ROOTS)
     assert {"bondem.labtests.isotropic", "bondem.interactions.beams.beam_tables", "bondem._core"} <= measured
     assert not {name for name in measured if name.startswith(("bondem.report", "validation.figures", "bondem.cli"))}
+    plate = closure("validation.rows.kalthoff", ROOTS)  # takes all names from the package
+    assert {"bondem.damage.criteria.rankine", "bondem.packing.even", "bondem.errors"} <= plate
+    assert not {name for name in plate if name.startswith(("bondem.report", "bondem.cli", "bondem.calibration"))}
 
 
 def test_sources_of_the_core_count(copy):

@@ -16,17 +16,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem.boundary.conditions import BoundaryCondition
-from bondem.damage.bilinear import Bilinear
-from bondem.geometry.elementary_shapes import Box
-from bondem.geometry.shape import Shape
-from bondem.interactions.cells.cell_bond import CellBond
-from bondem.model.model import Model
-from bondem.packing import EVEN, pack
-from bondem.packing.grading import Graded
-from bondem.specimen.bonding import connect
-from bondem.specimen.lattice import Lattice
-from bondem.statics.quasistatic.quasistatic_run import solve_quasistatic
+import bondem as bd
 from validation.cases.case import Claim, Line
 from validation.cases.path_case import Outcome, PathCase, cracked
 from validation.cases.spared import SparedRankine
@@ -51,9 +41,9 @@ class ShearBeam(PathCase):
     """The beam, its notch from below; the inner force acts from above to the left of it."""
 
     @property
-    def shape(self) -> Shape:
-        slot = Box((SLIT, 2.0 * NOTCH, 3.0 * SLAB)).moved((0.5 * (LENGTH - SLIT), -NOTCH, -SLAB))
-        return Box((LENGTH, DEPTH, SLAB)).cut(slot, name="notch")
+    def shape(self) -> bd.Shape:
+        slot = bd.Box((SLIT, 2.0 * NOTCH, 3.0 * SLAB)).moved((0.5 * (LENGTH - SLIT), -NOTCH, -SLAB))
+        return bd.Box((LENGTH, DEPTH, SLAB)).cut(slot, name="notch")
 
     @property
     def lines(self) -> dict[str, tuple[Line, float]]:
@@ -67,22 +57,22 @@ class ShearBeam(PathCase):
             "outer support": (Line(far, 0.0), left), "inner support": (Line(near, 0.0), 1.0 + SHARE - left),
         }  # fmt: skip
 
-    def body(self, seed: int) -> Lattice:
+    def body(self, seed: int) -> bd.Lattice:
         """Its cells."""
-        about: Shape = Box((2.0 * INNER + 60e-3, DEPTH, SLAB)).moved((0.5 * LENGTH - INNER - 30e-3, 0.0, 0.0))
+        about: bd.Shape = bd.Box((2.0 * INNER + 60e-3, DEPTH, SLAB)).moved((0.5 * LENGTH - INNER - 30e-3, 0.0, 0.0))
         for line, _ in self.lines.values():
-            about = about | Box((_THIN, _THIN, SLAB)).moved((line.x, min(line.y, DEPTH - _THIN), 0.0))
-        size = Graded(fine=_FINE / self.finer, coarse=_COARSE / self.finer, about=about, growth=0.3)
-        return connect(pack(self.shape, size=size, method=EVEN, seed=seed), method="laguerre")
+            about = about | bd.Box((_THIN, _THIN, SLAB)).moved((line.x, min(line.y, DEPTH - _THIN), 0.0))
+        size = bd.Graded(fine=_FINE / self.finer, coarse=_COARSE / self.finer, about=about, growth=0.3)
+        return bd.connect(bd.pack(self.shape, size=size, method="even", seed=seed), method="laguerre")
 
     def run(self, seed: int) -> Outcome:
         body = self.body(seed)
-        loads: list[BoundaryCondition] = [line.load(body, by * _LOAD) for line, by in self.lines.values()]
+        loads: list[bd.BoundaryCondition] = [line.load(body, by * _LOAD) for line, by in self.lines.values()]
         spared = tuple((line.x, line.y, _SPARED * DEPTH) for line, _ in self.lines.values())
-        failure = SparedRankine(tension=TENSION, fracture_energy=ENERGY, curve=Bilinear(), lines=spared)
-        model = Model(body, CellBond(E=E, nu=NU), RHO, failure=failure, boundary=loads)
+        failure = SparedRankine(tension=TENSION, fracture_energy=ENERGY, curve=bd.Bilinear(), lines=spared)
+        model = bd.Model(body, bd.CellBond(E=E, nu=NU), RHO, failure=failure, boundary=loads)
         pushed, below = (self.lines[name][0].cells(body) for name in ("inner force", "outer support"))
-        path = solve_quasistatic(
+        path = bd.solve_quasistatic(
             model, pushed, ripple=_RIPPLE, together=_TOGETHER, until=_UNTIL, gauges={"way": (below, pushed)}
         )
         whole = THICK / SLAB

@@ -13,24 +13,8 @@ from functools import cache
 
 import numpy as np
 
-from bondem.boundary.conditions import Drive, Fix
-from bondem.boundary.gauges import Gauge
-from bondem.boundary.schedules import Ramp
-from bondem.calibration.elastic import calibrate
-from bondem.damage.criteria.peripheral_stress import PeripheralStress
-from bondem.dynamics.damping import MassDamping
-from bondem.dynamics.history import History
+import bondem as bd
 from bondem.errors import UnstableRunError
-from bondem.geometry.elementary_shapes import Box
-from bondem.interactions.beams.euler_bernoulli import EulerBernoulli
-from bondem.model.model import Model
-from bondem.model.state import State
-from bondem.packing import pack
-from bondem.run import solve_explicit
-from bondem.specimen.bonding import connect
-from bondem.specimen.lattice import Lattice
-from bondem.specimen.material import Material
-from bondem.specimen.regions import Face
 
 #: The bar for calibration: seed, spheres, and its edge [m]; no strength depends on the last.
 SEED, COUNT, EDGE = 101, 1000, 0.01
@@ -54,9 +38,9 @@ class BeamBonds:
         tension: strength of the bar in the last test [Pa].
     """
 
-    law: EulerBernoulli
+    law: bd.EulerBernoulli
     density: float
-    failure: PeripheralStress
+    failure: bd.PeripheralStress
     factor: float
     tension: float
 
@@ -64,9 +48,9 @@ class BeamBonds:
 @cache
 def beam_bonds(E: float, nu: float, rho: float, tension: float) -> BeamBonds:
     """Bonds for a material with a tensile strength [Pa]."""
-    bar = connect(pack(Box((3.0 * EDGE, EDGE, EDGE)), count=COUNT, seed=SEED))
-    fit = calibrate(bar, Material("of the case", E=E, nu=nu, rho=rho), law=EulerBernoulli)
-    assert isinstance(fit.law, EulerBernoulli)
+    bar = bd.connect(bd.pack(bd.Box((3.0 * EDGE, EDGE, EDGE)), count=COUNT, seed=SEED))
+    fit = bd.calibrate(bar, bd.Material("of the case", E=E, nu=nu, rho=rho), law=bd.EulerBernoulli)
+    assert isinstance(fit.law, bd.EulerBernoulli)
     failure = _criterion(2.0 * tension)
     found = _pulled(bar, fit.law, fit.density, failure, E, tension)
     for _ in range(PULLS - 1):
@@ -75,31 +59,32 @@ def beam_bonds(E: float, nu: float, rho: float, tension: float) -> BeamBonds:
     return BeamBonds(fit.law, fit.density, failure, found / failure.tension, found)
 
 
-def _criterion(tension: float) -> PeripheralStress:
-    return PeripheralStress(tension=tension, shear=SHEAR * tension)
+def _criterion(tension: float) -> bd.PeripheralStress:
+    return bd.PeripheralStress(tension=tension, shear=SHEAR * tension)
 
 
 def _pulled(
-    bar: Lattice, law: EulerBernoulli, density: float, failure: PeripheralStress, E: float, tension: float
+    bar: bd.Lattice, law: bd.EulerBernoulli, density: float, failure: bd.PeripheralStress, E: float, tension: float
 ) -> float:
     """Strength of a bar in direct tension [Pa], slowly."""
     length, section = 3.0 * EDGE, EDGE**2
     sound = math.sqrt(E / (density * 0.63))
     rise = _TRAVERSES * length / sound
     speed = tension / E * length / rise
-    model = Model(bar, law, density, failure=failure, boundary=[
-        Fix(Face("x_min"), translation="x", rotation=""), Drive(Face("x_max"), vx=Ramp(0.0, speed, 0.2 * rise)),
+    model = bd.Model(bar, law, density, failure=failure, boundary=[
+        bd.Fix(bd.Face("x_min"), translation="x", rotation=""),
+        bd.Drive(bd.Face("x_max"), vx=bd.Ramp(0.0, speed, 0.2 * rise)),
     ])  # fmt: skip
     peak = [0.0]
 
-    def ended(state: State, record: History) -> bool:
+    def ended(state: bd.State, record: bd.History) -> bool:
         now = float(record["end"][-1, 0])
         peak[0] = max(peak[0], now)
         return peak[0] > 0.2 * tension * section and now < 0.3 * peak[0]
 
-    run = solve_explicit(
-        model, duration=_REACH * rise, every=20, gauges={"end": Gauge(Face("x_max"), "force")}, callback=ended,
-        damping=MassDamping(alpha=2.0 * _DAMPING * math.pi * sound / length),
+    run = bd.solve_explicit(
+        model, duration=_REACH * rise, every=20, gauges={"end": bd.Gauge(bd.Face("x_max"), "force")}, callback=ended,
+        damping=bd.MassDamping(alpha=2.0 * _DAMPING * math.pi * sound / length),
     )  # fmt: skip
     if run.status.failed:
         raise UnstableRunError(run.message)

@@ -17,23 +17,13 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import KDTree
 
+import bondem as bd
 from bondem._types import Floats
-from bondem.boundary.conditions import BoundaryCondition, Fix, Load
-from bondem.damage.bilinear import Bilinear
 from bondem.errors import InputError
-from bondem.geometry.shape import Shape
-from bondem.interactions.cells.cell_bond import CellBond
-from bondem.model.model import Model
-from bondem.packing import EVEN, pack
-from bondem.packing.grading import Graded
-from bondem.specimen.bonding import connect
-from bondem.specimen.lattice import Lattice
-from bondem.specimen.regions import Face, Index
-from bondem.statics.quasistatic.quasistatic_run import QuasistaticResult
 from validation.cases.spared import SparedRankine
 
 #: How cracks of concrete soften: along two lines, after Petersson (1981), or along one.
-CURVES: Mapping[str, Bilinear | None] = {"bilinear": Bilinear(), "straight": None}
+CURVES: Mapping[str, bd.Bilinear | None] = {"bilinear": bd.Bilinear(), "straight": None}
 # Load at a factor of 1 [N]: nothing depends on it.
 _LOAD = 1e3
 # How far from its level a facet of a flat surface may lie [m], and how far from the vertical its normal.
@@ -53,7 +43,7 @@ class Line:
     x: float
     y: float
 
-    def cells(self, body: Lattice) -> Index:
+    def cells(self, body: bd.Lattice) -> bd.Index:
         """The elements under the line: those nearest to points along it, one row of cells across the body.
 
         Raises:
@@ -69,9 +59,9 @@ class Line:
         z = lower[2] + (upper[2] - lower[2]) * (np.arange(_POINTS) + 0.5) / _POINTS
         along = np.column_stack([np.full(_POINTS, self.x), z])
         nearest = KDTree(free.centroid[level][:, [0, 2]]).query(along)[1]
-        return Index(np.unique(free.cell[level[nearest]]))
+        return bd.Index(np.unique(free.cell[level[nearest]]))
 
-    def load(self, body: Lattice, force: float) -> Load:
+    def load(self, body: bd.Lattice, force: float) -> bd.Load:
         """A force along y [N] on the cells under the line, through the middle of the line exactly.
 
         It leaves them free to turn: a row of cells is never quite straight, and would clamp the body if it was held.
@@ -79,7 +69,7 @@ class Line:
         cells = self.cells(body)
         lower, upper = body.particles.envelope.bounds
         off = np.array([self.x, self.y, 0.5 * (lower[2] + upper[2])]) - cells.anchor(body)
-        return Load(cells, force=(0.0, force, 0.0), moment=(-off[2] * force, 0.0, off[0] * force))
+        return bd.Load(cells, force=(0.0, force, 0.0), moment=(-off[2] * force, 0.0, off[0] * force))
 
 
 @dataclass(frozen=True)
@@ -136,8 +126,8 @@ class Case:
     rho: float
     tension: float
     fracture_energy: float
-    shape: Shape
-    about: Shape
+    shape: bd.Shape
+    about: bd.Shape
     fine: float
     coarse: float
     path: tuple[float, float, float, float]
@@ -152,12 +142,12 @@ class Case:
     together: float = 0.01
     until: float = 0.2
 
-    def body(self, seed: int, finer: float = 1.0) -> Lattice:
+    def body(self, seed: int, finer: float = 1.0) -> bd.Lattice:
         """Cells, fine where the crack is expected; `finer` is how many times smaller they are."""
-        size = Graded(fine=self.fine / finer, coarse=self.coarse / finer, about=self.about, growth=0.3)
-        return connect(pack(self.shape, size=size, method=EVEN, seed=seed), method="laguerre")
+        size = bd.Graded(fine=self.fine / finer, coarse=self.coarse / finer, about=self.about, growth=0.3)
+        return bd.connect(bd.pack(self.shape, size=size, method="even", seed=seed), method="laguerre")
 
-    def model(self, body: Lattice, curve: str = "bilinear") -> tuple[Model, Index]:
+    def model(self, body: bd.Lattice, curve: str = "bilinear") -> tuple[bd.Model, bd.Index]:
         """The test on a body, and the elements that are pushed; rollers are forces in balance, and nothing rubs.
 
         Args:
@@ -165,7 +155,7 @@ class Case:
             curve: how cracks soften (`CURVES`).
         """
         line, way = self.driven
-        boundary: list[BoundaryCondition] = [Fix(Face(name)) for name in self.clamped]
+        boundary: list[bd.BoundaryCondition] = [bd.Fix(bd.Face(name)) for name in self.clamped]
         boundary.append(line.load(body, way * _LOAD))
         if self.held:
             first, second = self.held
@@ -175,10 +165,10 @@ class Case:
         failure = SparedRankine(
             tension=self.tension, fracture_energy=self.fracture_energy, curve=CURVES[curve], lines=lines
         )
-        model = Model(body, CellBond(E=self.E, nu=self.nu), self.rho, failure=failure, boundary=boundary)
+        model = bd.Model(body, bd.CellBond(E=self.E, nu=self.nu), self.rho, failure=failure, boundary=boundary)
         return model, line.cells(body)
 
-    def gauges(self, body: Lattice) -> dict[str, tuple[Index, Index]]:
+    def gauges(self, body: bd.Lattice) -> dict[str, tuple[bd.Index, bd.Index]]:
         """What is measured: how far the pushed line is from each roller, and the mouth of the crack."""
         pushed = self.driven[0].cells(body)
         gauges = {f"roller {k}": (one.cells(body), pushed) for k, one in enumerate(self.held)}
@@ -186,7 +176,7 @@ class Case:
             gauges["CMOD"] = self.mouth[0].cells(body), self.mouth[1].cells(body)
         return gauges
 
-    def way(self, path: QuasistaticResult) -> Floats:
+    def way(self, path: bd.QuasistaticResult) -> Floats:
         """How far the pushed line has gone at each event, from the rollers where there are any [m], (e,)."""
         if not self.held:
             return path.displacement

@@ -10,25 +10,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+import bondem as bd
 from bondem._types import Floats
-from bondem.boundary.conditions import BoundaryCondition, Drive
-from bondem.boundary.gauges import Gauge
-from bondem.boundary.schedules import Ramp
-from bondem.damage.criteria.criterion import Criterion
-from bondem.dynamics.damping import MassDamping
-from bondem.dynamics.history import History
-from bondem.dynamics.plan import ExplicitResult
 from bondem.errors import UnstableRunError
-from bondem.geometry.elementary_shapes import Box, Cylinder
-from bondem.geometry.shape import Shape
-from bondem.interactions.cells.cell_bond import CellBond
-from bondem.model.model import Model
-from bondem.model.state import State
-from bondem.packing import EVEN, pack
-from bondem.run import solve_explicit
-from bondem.specimen.bonding import connect
-from bondem.specimen.lattice import Lattice
-from bondem.specimen.regions import Face
 
 #: α, half the angle of a flat [rad].
 HALF = math.radians(10.0)
@@ -39,7 +23,7 @@ _TRAVERSES, _BEGIN, _ENDING, _LONGEST, _STRAIN = 100.0, 0.1, 0.5, 4.0, 8.0
 # The density of a test [kg/m³]: nothing depends on it, as speeds are shares of that of sound.
 _DENSITY = 2000.0
 #: Whether a test ends, by its state and what it has recorded.
-Ended = Callable[[State, History], bool]
+Ended = Callable[[bd.State, bd.History], bool]
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,7 +42,7 @@ class BrazilianTest:
     curve: Floats
     asymmetry: float
     residual: float
-    state: State
+    state: bd.State
 
 
 @dataclass(frozen=True)
@@ -82,19 +66,19 @@ class FlattenedDisc:
         """At the centre [Pa] under a force on the flats [N]."""
         return 2.0 * self.factor * force / (math.pi * self.diameter * self.thickness)
 
-    def body(self, count: int, seed: int) -> Lattice:
+    def body(self, count: int, seed: int) -> bd.Lattice:
         """Its cells."""
         flat, thick = 0.5 * self.diameter * math.cos(HALF), self.thickness
-        shape: Shape = Cylinder(radius=0.5 * self.diameter, length=thick)
-        block = Box((3.0 * thick, self.diameter, 2.0 * self.diameter))
+        shape: bd.Shape = bd.Cylinder(radius=0.5 * self.diameter, length=thick)
+        block = bd.Box((3.0 * thick, self.diameter, 2.0 * self.diameter))
         for name, y in (("top", flat), ("bottom", -flat - self.diameter)):
             shape = shape.cut(block.moved((-thick, y, -self.diameter)), name=name)
-        return connect(pack(shape, count=count, method=EVEN, seed=seed), method="laguerre")
+        return bd.connect(bd.pack(shape, count=count, method="even", seed=seed), method="laguerre")
 
     def loaded(
-        self, body: Lattice, law: CellBond, failure: Criterion | None, expected: float, ended: Ended, *,
+        self, body: bd.Lattice, law: bd.CellBond, failure: bd.Criterion | None, expected: float, ended: Ended, *,
         density: float,
-    ) -> ExplicitResult:  # fmt: skip
+    ) -> bd.ExplicitResult:  # fmt: skip
         """Flats that come together by some 8 σ / E of the height until the expected stress σ, with forces of both.
 
         Args:
@@ -106,23 +90,23 @@ class FlattenedDisc:
         """
         sound = math.sqrt(law.E / density)
         rise, speed = self._pace(law, expected, density)
-        boundary: list[BoundaryCondition] = [
-            Drive(Face(name), vy=Ramp(0.0, sign * speed, _BEGIN * rise))
+        boundary: list[bd.BoundaryCondition] = [
+            bd.Drive(bd.Face(name), vy=bd.Ramp(0.0, sign * speed, _BEGIN * rise))
             for name, sign in (("top", -1), ("bottom", 1))
         ]
-        model = Model(body, law, density, failure=failure, boundary=boundary)
-        return solve_explicit(
+        model = bd.Model(body, law, density, failure=failure, boundary=boundary)
+        return bd.solve_explicit(
             model, duration=_LONGEST * rise, every=40, callback=ended,
-            damping=MassDamping(alpha=0.1 * math.pi * sound / self.diameter),
-            gauges={name: Gauge(Face(name), "force") for name in ("top", "bottom")},
+            damping=bd.MassDamping(alpha=0.1 * math.pi * sound / self.diameter),
+            gauges={name: bd.Gauge(bd.Face(name), "force") for name in ("top", "bottom")},
         )  # fmt: skip
 
-    def _pace(self, law: CellBond, expected: float, density: float) -> tuple[float, float]:
+    def _pace(self, law: bd.CellBond, expected: float, density: float) -> tuple[float, float]:
         """When the expected stress is reached [s], and the speed of each flat [m/s]."""
         rise = _TRAVERSES * self.diameter / math.sqrt(law.E / density)
         return rise, 0.5 * _STRAIN * expected / law.E * self.diameter / rise
 
-    def press(self, body: Lattice, law: CellBond, failure: Criterion, expected: float) -> BrazilianTest:
+    def press(self, body: bd.Lattice, law: bd.CellBond, failure: bd.Criterion, expected: float) -> BrazilianTest:
         """Press a disc until its load has fallen to half of its peak.
 
         Args:
@@ -136,7 +120,7 @@ class FlattenedDisc:
         rise, speed = self._pace(law, expected, _DENSITY)
         top = [0.0]
 
-        def ended(_: State, record: History) -> bool:
+        def ended(_: bd.State, record: bd.History) -> bool:
             now = float(self.stress(np.abs(record["top"][-1, 1])))
             top[0] = max(top[0], now)
             return top[0] > 0.3 * expected and now < _ENDING * top[0]

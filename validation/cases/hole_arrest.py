@@ -23,18 +23,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+import bondem as bd
 from bondem._types import Floats
-from bondem.boundary.conditions import Fix
-from bondem.geometry.elementary_shapes import Box, Cylinder
-from bondem.geometry.shape import Shape
-from bondem.interactions.cells.cell_bond import CellBond
-from bondem.model.model import Model
-from bondem.packing import EVEN, pack
-from bondem.packing.grading import Graded
-from bondem.specimen.bonding import connect
-from bondem.specimen.lattice import Lattice
-from bondem.specimen.regions import Face
-from bondem.statics.quasistatic.quasistatic_run import QuasistaticResult, solve_quasistatic
 from validation.cases.case import Claim
 from validation.cases.path_case import LOST, Outcome, PathCase
 from validation.cases.spared import SparedRankine
@@ -66,30 +56,32 @@ class HoleArrest(PathCase):
         return (NOTCH + AHEAD + 2.0 * RADIUS) * LENGTH
 
     @property
-    def shape(self) -> Shape:
+    def shape(self) -> bd.Shape:
         plate, unit = self.plate, LENGTH
         lower, _ = plate.plate.bounds
         wide, thick = plate.cells * unit, plate.thickness
-        slot = Box((NOTCH * unit - lower[0] + wide, wide, 3.0 * thick)).moved((lower[0] - wide, -0.5 * wide, -thick))
-        hole = Cylinder(radius=RADIUS * unit, length=3.0 * thick).rotated("y", 0.5 * math.pi)
+        slot = bd.Box((NOTCH * unit - lower[0] + wide, wide, 3.0 * thick)).moved(
+            (lower[0] - wide, -0.5 * wide, -thick)
+        )
+        hole = bd.Cylinder(radius=RADIUS * unit, length=3.0 * thick).rotated("y", 0.5 * math.pi)
         at = (self.far - RADIUS * unit, 0.0, 2.0 * thick)
         return plate.plate.cut(slot, name="notch").cut(hole.moved(at), name="hole")
 
-    def body(self, seed: int) -> Lattice:
+    def body(self, seed: int) -> bd.Lattice:
         """Its cells."""
         plate, unit = self.plate, LENGTH
-        place = Box(((0.4 + AHEAD + 2.0 * RADIUS + _BEHIND) * unit, 2.0 * _BESIDE * unit, plate.thickness))
+        place = bd.Box(((0.4 + AHEAD + 2.0 * RADIUS + _BEHIND) * unit, 2.0 * _BESIDE * unit, plate.thickness))
         about = place.moved(((NOTCH - 0.4) * unit, -_BESIDE * unit, 0.0))
-        size = Graded(fine=plate.cells * unit, coarse=_COARSE * unit, about=about, growth=0.3)
-        return connect(pack(self.shape, size=size, method=EVEN, seed=seed), method="laguerre")
+        size = bd.Graded(fine=plate.cells * unit, coarse=_COARSE * unit, about=about, growth=0.3)
+        return bd.connect(bd.pack(self.shape, size=size, method="even", seed=seed), method="laguerre")
 
     def run(self, seed: int) -> Outcome:
         body, plate = self.body(seed), self.plate
         loads, read = plate.ends(body)
-        walls = [Fix(Face(name), translation="z", rotation="") for name in ("z_min", "z_max")]
+        walls = [bd.Fix(bd.Face(name), translation="z", rotation="") for name in ("z_min", "z_max")]
         failure = SparedRankine(tension=TENSION, fracture_energy=ENERGY, lines=plate.spared)
-        model = Model(body, CellBond(E=E, nu=NU), RHO, failure=failure, boundary=[*walls, *loads])
-        path = solve_quasistatic(model, read, ripple=_RIPPLE, together=_TOGETHER, until=_UNTIL)
+        model = bd.Model(body, bd.CellBond(E=E, nu=NU), RHO, failure=failure, boundary=[*walls, *loads])
+        path = bd.solve_quasistatic(model, read, ripple=_RIPPLE, together=_TOGETHER, until=_UNTIL)
         reached, behind = self._events(body, path)
         tough = plate.thickness * math.sqrt(plate.width) * TOUGHNESS
         k = plate.k(self.far / plate.width) / tough
@@ -101,7 +93,7 @@ class HoleArrest(PathCase):
             values={"K behind": top * k, "rise": top / least, "K at the notch": first},
         )  # fmt: skip
 
-    def _events(self, body: Lattice, path: QuasistaticResult) -> tuple[int, int | None]:
+    def _events(self, body: bd.Lattice, path: bd.QuasistaticResult) -> tuple[int, int | None]:
         """Return the event at which the crack reaches the hole, and that at which it starts behind it."""
         assert body.facets is not None
         lost = path.integrity < 1.0 - LOST

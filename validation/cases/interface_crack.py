@@ -19,18 +19,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem.boundary.conditions import Fix
-from bondem.damage.criteria.criterion import Criterion
-from bondem.damage.criteria.rankine import Rankine
-from bondem.geometry.elementary_shapes import Box
-from bondem.geometry.shape import Shape
-from bondem.interactions.cells.cell_bond import CellBond
-from bondem.model.model import Model
-from bondem.packing import EVEN, pack
-from bondem.specimen.bonding import connect
-from bondem.specimen.lattice import Lattice
-from bondem.specimen.regions import Everything, Face, Plane, Region
-from bondem.statics.quasistatic.quasistatic_run import solve_quasistatic
+import bondem as bd
 from validation.cases.case import Claim
 from validation.cases.path_case import LOST, Outcome, PathCase
 from validation.cases.spared import SparedRankine
@@ -68,38 +57,43 @@ class InterfaceCrack(PathCase):
         return (NOTCH + AHEAD) * LENGTH
 
     @property
-    def shape(self) -> Shape:
+    def shape(self) -> bd.Shape:
         plate = self.plate
         lower, _ = plate.plate.bounds
         wide, thick = _CELLS * LENGTH, plate.thickness
-        slot = Box((NOTCH * LENGTH - lower[0] + wide, wide, 3.0 * thick))
+        slot = bd.Box((NOTCH * LENGTH - lower[0] + wide, wide, 3.0 * thick))
         return plate.plate.cut(slot.moved((lower[0] - wide, -0.5 * wide, -thick)), name="notch")
 
     @property
-    def behind(self) -> Plane:
+    def behind(self) -> bd.Plane:
         """The material behind the interface."""
-        return Plane(point=(self.at, 0.0, 0.0), normal=(1.0, 0.0, 0.0))
+        return bd.Plane(point=(self.at, 0.0, 0.0), normal=(1.0, 0.0, 0.0))
 
-    def body(self, seed: int) -> Lattice:
+    def body(self, seed: int) -> bd.Lattice:
         """Its cells."""
         size = _CELLS / self.finer * LENGTH
-        return connect(pack(self.shape, size=size, method=EVEN, seed=seed, around=self.behind), method="laguerre")
+        return bd.connect(
+            bd.pack(self.shape, size=size, method="even", seed=seed, around=self.behind), method="laguerre"
+        )
 
     def run(self, seed: int) -> Outcome:
-        body, plate, rest, behind = self.body(seed), self.plate, Everything(), self.behind
+        body, plate, rest, behind = self.body(seed), self.plate, bd.Everything(), self.behind
         loads, read = plate.ends(body)
-        walls = [Fix(Face(name), translation="z", rotation="") for name in ("z_min", "z_max")]
+        walls = [bd.Fix(bd.Face(name), translation="z", rotation="") for name in ("z_min", "z_max")]
         material = SparedRankine(tension=TENSION, fracture_energy=ENERGY, lines=plate.spared)
         strength, energy = WEAK if self.weak else (1.0, 1.0)
-        joint = Rankine(
+        joint = bd.Rankine(
             tension=strength * TENSION, fracture_energy=energy * ENERGY, on="traction" if self.weak else "stress"
         )
-        failure: dict[Region | tuple[Region, Region], Criterion] = {
+        failure: dict[bd.Region | tuple[bd.Region, bd.Region], bd.Criterion] = {
             rest: material, behind: material, (rest, behind): joint,
         }  # fmt: skip
-        law: dict[Region, CellBond] = {rest: CellBond(E=E, nu=NU), behind: CellBond(E=self.ratio * E, nu=NU)}
-        model = Model(body, law, RHO, failure=failure, boundary=[*walls, *loads])
-        path = solve_quasistatic(model, read, ripple=_RIPPLE, together=_TOGETHER, until=_UNTIL)
+        law: dict[bd.Region, bd.CellBond] = {
+            rest: bd.CellBond(E=E, nu=NU),
+            behind: bd.CellBond(E=self.ratio * E, nu=NU),
+        }
+        model = bd.Model(body, law, RHO, failure=failure, boundary=[*walls, *loads])
+        path = bd.solve_quasistatic(model, read, ripple=_RIPPLE, together=_TOGETHER, until=_UNTIL)
         assert body.facets is not None
         side = behind.mask(body)
         across = side[body.pairs[:, 0]] != side[body.pairs[:, 1]]

@@ -29,25 +29,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+import bondem as bd
 from bondem._types import Floats
-from bondem.boundary.conditions import BoundaryCondition, Drive, Fix, Load
-from bondem.boundary.gauges import Gauge
-from bondem.boundary.schedules import Table
-from bondem.damage.bilinear import Bilinear
-from bondem.damage.criteria.criterion import Criterion
-from bondem.damage.criteria.rankine import Rankine
-from bondem.dynamics.damping import MassDamping
 from bondem.errors import UnstableRunError
-from bondem.geometry.elementary_shapes import Box
-from bondem.geometry.shape import Shape
-from bondem.interactions.cells.cell_bond import CellBond
-from bondem.model.model import Model
-from bondem.packing import EVEN, pack
-from bondem.packing.grading import Graded
-from bondem.run import solve_explicit, solve_static
-from bondem.specimen.bonding import connect
-from bondem.specimen.lattice import Lattice
-from bondem.specimen.regions import Everything, Face, Intersection, Region, Within
+from bondem.specimen.regions import Intersection
 from validation.cases.case import Claim
 from validation.cases.path_case import Outcome, PathCase, cracked
 
@@ -76,38 +61,42 @@ class NooruMohamed(PathCase):
     shear: float = 0.0
 
     @property
-    def shape(self) -> Shape:
-        shape: Shape = Box((EDGE, EDGE, SLAB))
-        slit = Box((2.0 * NOTCH, SLIT, 3.0 * SLAB))
+    def shape(self) -> bd.Shape:
+        shape: bd.Shape = bd.Box((EDGE, EDGE, SLAB))
+        slit = bd.Box((2.0 * NOTCH, SLIT, 3.0 * SLAB))
         for name, x in (("left notch", -NOTCH), ("right notch", EDGE - NOTCH)):
             shape = shape.cut(slit.moved((x, 0.5 * (EDGE - SLIT), -SLAB)), name=name)
         return shape
 
-    def body(self, seed: int) -> Lattice:
+    def body(self, seed: int) -> bd.Lattice:
         """Its cells."""
-        about = Box((EDGE, 2.0 * _NEAR, SLAB)).moved((0.0, 0.5 * EDGE - _NEAR, 0.0))
-        size = Graded(fine=_FINE / self.finer, coarse=_COARSE / self.finer, about=about, growth=0.3)
-        return connect(pack(self.shape, size=size, method=EVEN, seed=seed), method="laguerre")
+        about = bd.Box((EDGE, 2.0 * _NEAR, SLAB)).moved((0.0, 0.5 * EDGE - _NEAR, 0.0))
+        size = bd.Graded(fine=_FINE / self.finer, coarse=_COARSE / self.finer, about=about, growth=0.3)
+        return bd.connect(bd.pack(self.shape, size=size, method="even", seed=seed), method="laguerre")
 
     def run(self, seed: int) -> Outcome:
-        body, law = self.body(seed), CellBond(E=E, nu=NU)
-        edge = Box((EDGE, _GLUED, SLAB))
-        rest, glued = Everything(), Within(edge | edge.moved((0.0, EDGE - _GLUED, 0.0)))
+        body, law = self.body(seed), bd.CellBond(E=E, nu=NU)
+        edge = bd.Box((EDGE, _GLUED, SLAB))
+        rest, glued = bd.Everything(), bd.Within(edge | edge.moved((0.0, EDGE - _GLUED, 0.0)))
         plate, strong = (
-            Rankine(tension=TENSION * by, fracture_energy=ENERGY * by**2, curve=Bilinear(), on="stress")
+            bd.Rankine(tension=TENSION * by, fracture_energy=ENERGY * by**2, curve=bd.Bilinear(), on="stress")
             for by in (1.0, _NEVER)
         )
-        failure: dict[Region | tuple[Region, Region], Criterion] = {rest: plate, glued: strong, (rest, glued): strong}
+        failure: dict[bd.Region | tuple[bd.Region, bd.Region], bd.Criterion] = {
+            rest: plate,
+            glued: strong,
+            (rest, glued): strong,
+        }
         sound = math.sqrt(E / RHO)
         unit = EDGE / sound
         level = self._level(body, law)
         times = np.cumsum([0.0, _SHEAR, _SETTLE, *[_PULL] * _STEPS]) * unit
         height = level + np.array([-level, 0.0, *np.arange(_STEPS + 1) * _STEP])
-        boundary = self._boundary(body, Table(times[:3], [0.0, 1.0, 1.0]), Table(times, height))
-        model = Model(body, law, RHO, failure=failure, boundary=boundary)
-        run = solve_explicit(
-            model, duration=float(times[-1]), every=20, damping=MassDamping(alpha=0.1 * math.pi * sound / EDGE),
-            gauges={"top": Gauge(Face("y_max"), "force")},
+        boundary = self._boundary(body, bd.Table(times[:3], [0.0, 1.0, 1.0]), bd.Table(times, height))
+        model = bd.Model(body, law, RHO, failure=failure, boundary=boundary)
+        run = bd.solve_explicit(
+            model, duration=float(times[-1]), every=20, damping=bd.MassDamping(alpha=0.1 * math.pi * sound / EDGE),
+            gauges={"top": bd.Gauge(bd.Face("y_max"), "force")},
         )  # fmt: skip
         if run.status.failed:
             raise UnstableRunError(run.message)
@@ -121,29 +110,29 @@ class NooruMohamed(PathCase):
                     "force before": float(force[~pulled][-1]), "residual": run.residual},
         )  # fmt: skip
 
-    def _boundary(self, body: Lattice, shear: Table, height: Table) -> list[BoundaryCondition]:
+    def _boundary(self, body: bd.Lattice, shear: bd.Table, height: bd.Table) -> list[bd.BoundaryCondition]:
         """The frame; the shear force of a whole plate acts on the slab in proportion to its thickness."""
-        upper = Box((EDGE, EDGE, 2.0 * SLAB)).moved((-0.5 * EDGE, 0.5 * (EDGE + SLIT), -0.5 * SLAB))
-        lower = Box((EDGE, 0.5 * (EDGE - SLIT), 2.0 * SLAB)).moved((0.5 * EDGE, 0.0, -0.5 * SLAB))
+        upper = bd.Box((EDGE, EDGE, 2.0 * SLAB)).moved((-0.5 * EDGE, 0.5 * (EDGE + SLIT), -0.5 * SLAB))
+        lower = bd.Box((EDGE, 0.5 * (EDGE - SLIT), 2.0 * SLAB)).moved((0.5 * EDGE, 0.0, -0.5 * SLAB))
         force = (self.shear * SLAB / THICK, 0.0, 0.0)
         return [
-            Fix(Face("y_min"), rotation=""),
-            Fix(Intersection(Face("x_max"), Within(lower)), translation="x", rotation=""),
-            Load(Intersection(Face("x_min"), Within(upper)), force=force, schedule=shear),
-            Drive(Face("y_max"), y=height),
+            bd.Fix(bd.Face("y_min"), rotation=""),
+            bd.Fix(Intersection(bd.Face("x_max"), bd.Within(lower)), translation="x", rotation=""),
+            bd.Load(Intersection(bd.Face("x_min"), bd.Within(upper)), force=force, schedule=shear),
+            bd.Drive(bd.Face("y_max"), y=height),
         ]
 
-    def _level(self, body: Lattice, law: CellBond) -> float:
+    def _level(self, body: bd.Lattice, law: bd.CellBond) -> float:
         """Displacement of the upper edge at which the elastic plate under the shear force has no normal force [m]."""
         reaction = []
         for shear, height in ((1.0, 0.0), (0.0, 1e-6)):
-            end = Table([0.0, 1.0], [0.0, shear]), Table([0.0, 1.0], [0.0, height])
-            found = solve_static(Model(body, law, RHO, boundary=self._boundary(body, *end)))
-            reaction.append(float(found.reaction[Face("y_max").select(body), 1].sum()))
+            end = bd.Table([0.0, 1.0], [0.0, shear]), bd.Table([0.0, 1.0], [0.0, height])
+            found = bd.solve_static(bd.Model(body, law, RHO, boundary=self._boundary(body, *end)))
+            reaction.append(float(found.reaction[bd.Face("y_max").select(body), 1].sum()))
         return float(-reaction[0] / reaction[1] * 1e-6)
 
 
-def _apart(body: Lattice, integrity: Floats) -> float:
+def _apart(body: bd.Lattice, integrity: Floats) -> float:
     """Height that cracks span at mid-width [m], without a tenth of their area above and below."""
     place, area = cracked(body, integrity)
     middle = np.abs(place[:, 0] - 0.5 * EDGE) < _MIDDLE

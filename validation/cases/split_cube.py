@@ -15,18 +15,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem.boundary.conditions import Drive, Fix
-from bondem.damage.criteria.criterion import Criterion
-from bondem.damage.criteria.rankine import Rankine
-from bondem.geometry.elementary_shapes import Box
-from bondem.geometry.shape import Shape
-from bondem.interactions.cells.cell_bond import CellBond
-from bondem.model.model import Model
-from bondem.packing import EVEN, pack
-from bondem.specimen.bonding import connect
-from bondem.specimen.lattice import Lattice
-from bondem.specimen.regions import Everything, Face, Region, Within
-from bondem.statics.quasistatic.quasistatic_run import solve_quasistatic
+import bondem as bd
 from validation.cases.case import Claim
 from validation.cases.path_case import LOST, Outcome, PathCase
 
@@ -47,29 +36,35 @@ class SplitCube(PathCase):
     """The slab, its middle at x = y = 0, pressed along y."""
 
     @property
-    def shape(self) -> Shape:
-        return Box((EDGE, EDGE, SLAB)).moved((-0.5 * EDGE, -0.5 * EDGE, 0.0))
+    def shape(self) -> bd.Shape:
+        return bd.Box((EDGE, EDGE, SLAB)).moved((-0.5 * EDGE, -0.5 * EDGE, 0.0))
 
     @property
-    def pads(self) -> Shape:
+    def pads(self) -> bd.Shape:
         """The strips."""
-        pad = Box((STRIP, _PAD, SLAB))
+        pad = bd.Box((STRIP, _PAD, SLAB))
         return pad.moved((-0.5 * STRIP, 0.5 * EDGE, 0.0)) | pad.moved((-0.5 * STRIP, -0.5 * EDGE - _PAD, 0.0))
 
-    def body(self, seed: int) -> Lattice:
+    def body(self, seed: int) -> bd.Lattice:
         """Its cells."""
-        packed = pack(self.shape | self.pads, size=_CELL / self.finer, method=EVEN, seed=seed)
-        return connect(packed, method="laguerre")
+        packed = bd.pack(self.shape | self.pads, size=_CELL / self.finer, method="even", seed=seed)
+        return bd.connect(packed, method="laguerre")
 
     def run(self, seed: int) -> Outcome:
-        body, rest, pads = self.body(seed), Everything(), Within(self.pads)
+        body, rest, pads = self.body(seed), bd.Everything(), bd.Within(self.pads)
         own, strong = (
-            Rankine(tension=TENSION * by, fracture_energy=ENERGY * by**2, on="stress") for by in (1.0, _NEVER)
+            bd.Rankine(tension=TENSION * by, fracture_energy=ENERGY * by**2, on="stress") for by in (1.0, _NEVER)
         )
-        failure: dict[Region | tuple[Region, Region], Criterion] = {rest: own, pads: strong, (rest, pads): strong}
-        ends = [Fix(Face("y_min"), translation="y", rotation=""), Drive(Face("y_max"), y=-_WAY)]
-        model = Model(body, CellBond(E=E, nu=NU), RHO, failure=failure, boundary=ends)
-        path = solve_quasistatic(model, Face("y_max"), ripple=_RIPPLE, together=_TOGETHER, until=_UNTIL, most=_MOST)
+        failure: dict[bd.Region | tuple[bd.Region, bd.Region], bd.Criterion] = {
+            rest: own,
+            pads: strong,
+            (rest, pads): strong,
+        }
+        ends = [bd.Fix(bd.Face("y_min"), translation="y", rotation=""), bd.Drive(bd.Face("y_max"), y=-_WAY)]
+        model = bd.Model(body, bd.CellBond(E=E, nu=NU), RHO, failure=failure, boundary=ends)
+        path = bd.solve_quasistatic(
+            model, bd.Face("y_max"), ripple=_RIPPLE, together=_TOGETHER, until=_UNTIL, most=_MOST
+        )
         assert body.facets is not None
         lost = path.integrity < 1.0 - LOST
         place = body.facets.centroid[path.bond[lost]]

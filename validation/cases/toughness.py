@@ -23,17 +23,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem.boundary.conditions import BoundaryCondition, Fix, Load
-from bondem.boundary.loads import Pressure
-from bondem.geometry.elementary_shapes import Box
-from bondem.geometry.shape import Shape
-from bondem.interactions.cells.cell_bond import CellBond
-from bondem.model.model import Model
-from bondem.packing import EVEN, pack
-from bondem.packing.grading import Graded
-from bondem.specimen.bonding import connect
-from bondem.specimen.lattice import Lattice
-from bondem.specimen.regions import Face, Index, Region
+import bondem as bd
 from validation.cases.spared import SparedRankine
 
 #: E [Pa], ν, f_t [Pa] and G_f [J/m²]: only l of them counts.
@@ -70,7 +60,7 @@ class Cracked(ABC):
 
     @property
     @abstractmethod
-    def plate(self) -> Shape:
+    def plate(self) -> bd.Shape:
         """The plate without its notch, at its place."""
 
     @abstractmethod
@@ -78,7 +68,7 @@ class Cracked(ABC):
         """K B √W / P, with P the load and B the thickness."""
 
     @abstractmethod
-    def ends(self, body: Lattice) -> tuple[list[BoundaryCondition], Region]:
+    def ends(self, body: bd.Lattice) -> tuple[list[bd.BoundaryCondition], bd.Region]:
         """What loads it, and which region to read."""
 
     @property
@@ -97,31 +87,31 @@ class Cracked(ABC):
         return _THICK * self.cells * LENGTH
 
     @property
-    def shape(self) -> Shape:
+    def shape(self) -> bd.Shape:
         """The plate with its notch."""
         lower, _ = self.plate.bounds
         wide, tip = self.cells * LENGTH, _ALPHA * self.width
-        slot = Box((tip - lower[0] + wide, wide, 3.0 * self.thickness))
+        slot = bd.Box((tip - lower[0] + wide, wide, 3.0 * self.thickness))
         return self.plate.cut(slot.moved((lower[0] - wide, -0.5 * wide, -self.thickness)), name="notch")
 
     @property
-    def about(self) -> Shape:
+    def about(self) -> bd.Shape:
         """Where cells are fine."""
         tip = _ALPHA * self.width
-        place = Box(((_BESIDE + _AHEAD) * LENGTH, 2.0 * _BESIDE * LENGTH, self.thickness))
+        place = bd.Box(((_BESIDE + _AHEAD) * LENGTH, 2.0 * _BESIDE * LENGTH, self.thickness))
         return place.moved((tip - _BESIDE * LENGTH, -_BESIDE * LENGTH, 0.0))
 
-    def body(self, seed: int) -> Lattice:
+    def body(self, seed: int) -> bd.Lattice:
         """Its cells."""
-        size = Graded(fine=self.cells * LENGTH, coarse=_COARSE * LENGTH, about=self.about, growth=0.3)
-        return connect(pack(self.shape, size=size, method=EVEN, seed=seed), method="laguerre")
+        size = bd.Graded(fine=self.cells * LENGTH, coarse=_COARSE * LENGTH, about=self.about, growth=0.3)
+        return bd.connect(bd.pack(self.shape, size=size, method="even", seed=seed), method="laguerre")
 
-    def model(self, body: Lattice) -> tuple[Model, Region]:
+    def model(self, body: bd.Lattice) -> tuple[bd.Model, bd.Region]:
         """The test on a body, and the region whose load is read."""
         loads, read = self.ends(body)
-        walls = [Fix(Face(name), translation="z", rotation="") for name in ("z_min", "z_max")]
+        walls = [bd.Fix(bd.Face(name), translation="z", rotation="") for name in ("z_min", "z_max")]
         failure = SparedRankine(tension=TENSION, fracture_energy=ENERGY, lines=self.spared)
-        return Model(body, CellBond(E=E, nu=NU), RHO, failure=failure, boundary=[*walls, *loads]), read
+        return bd.Model(body, bd.CellBond(E=E, nu=NU), RHO, failure=failure, boundary=[*walls, *loads]), read
 
     def intensity(self, load: float) -> float:
         """K over K_Ic at a load [N]."""
@@ -146,20 +136,20 @@ class CentreCrack(Cracked):
         return "centre crack"
 
     @property
-    def plate(self) -> Shape:
+    def plate(self) -> bd.Shape:
         """See `Cracked`; x = 0 is the plane of symmetry."""
-        return Box((self.width, 4.0 * self.width, self.thickness)).moved((0.0, -2.0 * self.width, 0.0))
+        return bd.Box((self.width, 4.0 * self.width, self.thickness)).moved((0.0, -2.0 * self.width, 0.0))
 
     def k(self, alpha: float) -> float:
         """See `Cracked`; P is the load on the half, σ B W."""
         about = 1.0 - 0.025 * alpha**2 + 0.06 * alpha**4
         return float(np.sqrt(np.pi * alpha / np.cos(0.5 * np.pi * alpha)) * about)
 
-    def ends(self, body: Lattice) -> tuple[list[BoundaryCondition], Region]:
+    def ends(self, body: bd.Lattice) -> tuple[list[bd.BoundaryCondition], bd.Region]:
         tension = -_LOAD / (self.thickness * self.width)
-        top = Face("y_max")
-        middle = Fix(Face("x_min"), translation="x", rotation="")
-        return [middle, Pressure(top, tension), Pressure(Face("y_min"), tension)], top
+        top = bd.Face("y_max")
+        middle = bd.Fix(bd.Face("x_min"), translation="x", rotation="")
+        return [middle, bd.Pressure(top, tension), bd.Pressure(bd.Face("y_min"), tension)], top
 
 
 @dataclass(frozen=True)
@@ -177,21 +167,21 @@ class CompactTension(Cracked):
         return "compact tension"
 
     @property
-    def plate(self) -> Shape:
-        size = Box((1.25 * self.width, 1.2 * self.width, self.thickness))
+    def plate(self) -> bd.Shape:
+        size = bd.Box((1.25 * self.width, 1.2 * self.width, self.thickness))
         return size.moved((-0.25 * self.width, -0.6 * self.width, 0.0))
 
     def k(self, alpha: float) -> float:
         sum_ = 0.886 + 4.64 * alpha - 13.32 * alpha**2 + 14.72 * alpha**3 - 5.6 * alpha**4
         return float((2.0 + alpha) * sum_ / (1.0 - alpha) ** 1.5)
 
-    def ends(self, body: Lattice) -> tuple[list[BoundaryCondition], Region]:
+    def ends(self, body: bd.Lattice) -> tuple[list[bd.BoundaryCondition], bd.Region]:
         pins = {way: self._pin(body, way) for way in (1, -1)}
-        loads: list[BoundaryCondition] = []
+        loads: list[bd.BoundaryCondition] = []
         for way, pin in pins.items():
             off = np.array([0.0, way * 0.275 * self.width, 0.5 * self.thickness]) - pin.anchor(body)
             force = (0.0, way * _LOAD, 0.0)
-            loads.append(Load(pin, force=force, moment=(-off[2] * force[1], 0.0, off[0] * force[1])))
+            loads.append(bd.Load(pin, force=force, moment=(-off[2] * force[1], 0.0, off[0] * force[1])))
         return loads, pins[1]
 
     @property
@@ -199,9 +189,9 @@ class CompactTension(Cracked):
         """See `Cracked`: twice the radius of the pins."""
         return tuple((0.0, way * 0.275 * self.width, 0.25 * self.width) for way in (1, -1))
 
-    def _pin(self, body: Lattice, way: int) -> Index:
+    def _pin(self, body: bd.Lattice, way: int) -> bd.Index:
         away = body.centre[:, :2] - [0.0, way * 0.275 * self.width]
-        return Index(np.flatnonzero(np.hypot(*away.T) < 0.125 * self.width))
+        return bd.Index(np.flatnonzero(np.hypot(*away.T) < 0.125 * self.width))
 
 
 #: Kinds of plates, and their widths W over l.

@@ -18,6 +18,8 @@ ROOTS: Mapping[str, Path] = {
     "validation": REPOSITORY / "validation",
 }
 _OTHERS = ("numpy", "scipy")
+#: Module of each public name.
+_HOMES: Mapping[str, str] = vars(bondem)["_HOME"] | vars(bondem)["_MODULES"]
 
 
 @cache
@@ -70,14 +72,19 @@ def _known(name: str, roots: Mapping[str, Path]) -> bool:
 
 def _imports(name: str, roots: Mapping[str, Path]) -> list[str]:
     names, asked = _named(_file(name, roots).read_text(encoding="utf-8"))
-    found = [one for one in names if _known(one, roots)]
-    # the package loads what it is asked for when it is asked for it: any of its modules may be meant
-    return found + _all_of("bondem", roots["bondem"]) if asked else found
+    found = [one for one in [*names, *map(_home, asked)] if _known(one, roots)]
+    # a name that the package does not list may be in any of its modules
+    return found if all(map(_home, asked)) else found + _all_of("bondem", roots["bondem"])
+
+
+def _home(name: str) -> str:
+    """Module of a public name; none where the package lists no such name."""
+    return _HOMES.get(name, "")
 
 
 @cache
-def _named(text: str) -> tuple[list[str], bool]:
-    """Modules, or names in them, that a source imports, and whether it asks the package itself for names."""
+def _named(text: str) -> tuple[list[str], set[str]]:
+    """Modules, or names in them, that a source imports, and names that it asks the package itself for."""
     found: list[str] = []
     tree = ast.parse(text)
     whole: set[str] = set()
@@ -93,7 +100,7 @@ def _named(text: str) -> tuple[list[str], bool]:
         for node in ast.walk(tree)
         if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id in whole
     }
-    return found, not all(attribute.startswith("__") for attribute in asked)
+    return found, {attribute for attribute in asked if not attribute.startswith("__")}
 
 
 def _all_of(name: str, folder: Path) -> list[str]:

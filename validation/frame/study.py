@@ -28,7 +28,7 @@ class Study(ABC):
     """
 
     name: ClassVar[str]
-    limits: ClassVar[Mapping[str, Limit]] = {}
+    limits: ClassVar[dict[str, Limit]] = {}
 
     def __init_subclass__(cls) -> None:
         cls.name = cls.__module__.rpartition(".")[2]

@@ -5,15 +5,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+import bondem as bd
 from bondem._types import Floats
 from bondem.errors import InputError
-from bondem.geometry.elementary_shapes import Cylinder
 from bondem.labtests.tension import static_bond_forces
-from bondem.model.model import Model
 from bondem.specimen.interior import solid
-from bondem.specimen.lattice import Lattice
-from bondem.specimen.regions import Face
-from bondem.statics.static import StaticResult
 
 # Points along a bond; one reaches over some two annuli.
 _POINTS = 64
@@ -45,7 +41,7 @@ class SectionProfile:
         return np.concatenate([[0.0], np.cumsum(self.stress * area)]) / (math.pi * self.edge[-1] ** 2)
 
 
-def section_profile(model: Model, solution: StaticResult, *, annuli: int = 40) -> SectionProfile:
+def section_profile(model: bd.Model, solution: bd.StaticResult, *, annuli: int = 40) -> SectionProfile:
     """Axial stress and volume fraction over the distance from the axis of a cylinder in tension.
 
     A bond carries its axial force along the straight line between two centres: its share of an annulus is the length
@@ -61,7 +57,7 @@ def section_profile(model: Model, solution: StaticResult, *, annuli: int = 40) -
     """
     lattice = model.lattice
     shape = lattice.particles.envelope
-    if not isinstance(shape, Cylinder):
+    if not isinstance(shape, bd.Cylinder):
         raise InputError(f"a profile over the radius takes a Cylinder, not a {type(shape).__name__}")
     low, high = 0.25 * shape.length, 0.75 * shape.length
     edge = np.linspace(0.0, shape.radius, annuli + 1)
@@ -104,12 +100,12 @@ class SectionRadii:
     centres: float
 
     @classmethod
-    def of(cls, lattice: Lattice, *, force: Floats, mass: Floats, depth: float = 0.02) -> "SectionRadii":
+    def of(cls, lattice: bd.Lattice, *, force: Floats, mass: Floats, depth: float = 0.02) -> "SectionRadii":
         """Of a cylinder, from ⟨y²⟩ and ⟨z²⟩ of force and mass [m²], (2,) each."""
         shape = lattice.particles.envelope
-        if not isinstance(shape, Cylinder):
+        if not isinstance(shape, bd.Cylinder):
             raise InputError(f"the radius of a section takes a Cylinder, not a {type(shape).__name__}")
-        side = Face("side", depth).select(lattice)
+        side = bd.Face("side", depth).select(lattice)
         centres = float(np.hypot(*lattice.particles.position[side, 1:].T).mean())
         return cls(
             walls=shape.radius,

@@ -6,20 +6,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+import bondem as bd
 from bondem._types import Floats
-from bondem.boundary.conditions import Load
-from bondem.boundary.schedules import Ramp
 from bondem.dynamics.explicit import integrate
-from bondem.dynamics.history import History
-from bondem.dynamics.plan import Plan, settled
-from bondem.dynamics.schemes import TchamwaWielgosz
+from bondem.dynamics.plan import settled
 from bondem.errors import InputError, UnstableRunError
-from bondem.interactions.beams.assignment import BondAssignment
 from bondem.labtests.gauge_length import AffineField, middle_half
-from bondem.model.model import Model
-from bondem.model.state import State
-from bondem.specimen.lattice import Lattice
-from bondem.specimen.regions import Face
 
 # Records of a run: enough for a curve, and for a mean over the last of them.
 _RECORDS = 1000
@@ -81,8 +73,8 @@ class ExplicitTension:
 
 
 def explicit_tension(
-    lattice: Lattice,
-    law: BondAssignment,
+    lattice: bd.Lattice,
+    law: bd.BondAssignment,
     *,
     density: float,
     steps: int = 100_000,
@@ -109,21 +101,21 @@ def explicit_tension(
         raise InputError(f"steps = {steps}; a slow test takes at least 1000, and some ten thousands to be slow")
     if not 0.0 < ramp < 1.0:
         raise InputError(f"ramp = {ramp}; give the share of the steps in which the load grows, in (0, 1)")
-    free = Model(lattice, law, density=density)
-    plan = settled(free, Plan(duration=0.0, scheme=TchamwaWielgosz(phi), every=max(steps // _RECORDS, 1)))
+    free = bd.Model(lattice, law, density=density)
+    plan = settled(free, bd.Plan(duration=0.0, scheme=bd.TchamwaWielgosz(phi), every=max(steps // _RECORDS, 1)))
     assert plan.dt is not None
     duration = ramp * steps * plan.dt
     force = stress * lattice.particles.envelope.section()
-    grows = Ramp(0.0, 1.0, duration)
+    grows = bd.Ramp(0.0, 1.0, duration)
     model = free.with_boundary([
-        Load(Face("x_max", _DEPTH), force=(force, 0.0, 0.0), schedule=grows),
-        Load(Face("x_min", _DEPTH), force=(-force, 0.0, 0.0), schedule=grows),
+        bd.Load(bd.Face("x_max", _DEPTH), force=(force, 0.0, 0.0), schedule=grows),
+        bd.Load(bd.Face("x_min", _DEPTH), force=(-force, 0.0, 0.0), schedule=grows),
     ])  # fmt: skip
     chosen = middle_half(lattice)
     position = lattice.particles.position[chosen]
     strain: list[tuple[float, float]] = []
 
-    def read(state: State, _record: History) -> None:
+    def read(state: bd.State, _record: bd.History) -> None:
         axial, *lateral = np.diag(AffineField.fit(position, state.displacement[chosen]).strain)
         strain.append((axial, 0.5 * sum(lateral)))
 

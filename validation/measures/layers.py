@@ -20,17 +20,10 @@ from functools import lru_cache
 
 import numpy as np
 
+import bondem as bd
 from bondem._types import PerElement
 from bondem.calibration.density import balanced_density
-from bondem.calibration.elastic import calibrate
 from bondem.errors import InputError
-from bondem.geometry.elementary_shapes import Cell
-from bondem.interactions.beams.euler_bernoulli import EulerBernoulli
-from bondem.packing import pack
-from bondem.specimen.bonding import connect
-from bondem.specimen.lattice import Lattice
-from bondem.specimen.material import Material
-from bondem.specimen.regions import Index
 
 # At walls E_μ is a - b r̃ times, and r̃ c times that inside. Found on cube, beam and bracket of 8000 spheres, of fused
 # silica (r̃ = 0.71) and steel (0.33), after simpler forms (no factor, one factor on E_μ) had failed there and at
@@ -39,7 +32,7 @@ from bondem.specimen.regions import Index
 _SKIN = (1.14, 0.17, 1.07)
 
 # The periodic cell that the inside is calibrated in, its number of spheres, and Poisson's ratio of the bonds [-].
-_CUBE, _CELL, _NU_MU = Cell((1e-2, 1e-2, 1e-2)), 4000, 0.3
+_CUBE, _CELL, _NU_MU = bd.Cell((1e-2, 1e-2, 1e-2)), 4000, 0.3
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,14 +46,14 @@ class Layers:
         contacts: mean number of bonds of the elements inside [-].
     """
 
-    bond: Mapping[Index | tuple[Index, Index], EulerBernoulli]
+    bond: Mapping[bd.Index | tuple[bd.Index, bd.Index], bd.EulerBernoulli]
     density: PerElement
-    inner: EulerBernoulli
-    outer: EulerBernoulli
+    inner: bd.EulerBernoulli
+    outer: bd.EulerBernoulli
     contacts: float
 
 
-def calibrate_layers(lattice: Lattice, material: Material, *, touching: float = 0.25) -> Layers:
+def calibrate_layers(lattice: bd.Lattice, material: bd.Material, *, touching: float = 0.25) -> Layers:
     """Euler–Bernoulli bonds meant to give a body the E, ν and ρ of a material, in bending too; experimental.
 
     How near they come depends on the packing: see the module.
@@ -90,7 +83,7 @@ def calibrate_layers(lattice: Lattice, material: Material, *, touching: float = 
     a, b, c = _SKIN
     assert inner.radius_ratio is not None
     outer = replace(inner, E=(a - b * inner.radius_ratio) * inner.E, radius_ratio=c * inner.radius_ratio)
-    skin, inside = Index(np.flatnonzero(at_wall)), Index(np.flatnonzero(~at_wall))
+    skin, inside = bd.Index(np.flatnonzero(at_wall)), bd.Index(np.flatnonzero(~at_wall))
     return Layers(
         bond={inside: inner, skin: outer, (skin, inside): outer},
         density=balanced_density(lattice, material.rho),
@@ -101,8 +94,8 @@ def calibrate_layers(lattice: Lattice, material: Material, *, touching: float = 
 
 
 @lru_cache(maxsize=64)
-def _inner(material: Material, contacts: float) -> EulerBernoulli:
-    particles = pack(_CUBE, count=_CELL, spread=0.25, seed=1, coordination_number=contacts)
-    law = calibrate(connect(particles), material, law=EulerBernoulli, nu_mu=_NU_MU).law
-    assert isinstance(law, EulerBernoulli)
+def _inner(material: bd.Material, contacts: float) -> bd.EulerBernoulli:
+    particles = bd.pack(_CUBE, count=_CELL, spread=0.25, seed=1, coordination_number=contacts)
+    law = bd.calibrate(bd.connect(particles), material, law=bd.EulerBernoulli, nu_mu=_NU_MU).law
+    assert isinstance(law, bd.EulerBernoulli)
     return law

@@ -4,21 +4,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+import bondem as bd
 from bondem._types import Floats
-from bondem.boundary.conditions import Fix, Load
-from bondem.boundary.schedules import Ramp
 from bondem.dynamics.explicit import integrate
-from bondem.dynamics.history import History
-from bondem.dynamics.plan import Plan, settled
-from bondem.dynamics.schemes import TchamwaWielgosz
+from bondem.dynamics.plan import settled
 from bondem.errors import UnstableRunError
-from bondem.interactions.beams.bond_law import BondLaw
 from bondem.labtests.beam_tests import Bar
 from bondem.labtests.gauge_length import rigid_motion
-from bondem.model.model import Model
-from bondem.model.state import State
-from bondem.specimen.lattice import Lattice
-from bondem.specimen.regions import Face
 
 #: What is tested.
 KINDS = ("tension", "bending", "torsion")
@@ -63,7 +55,7 @@ class RampedLoad:
 
 
 def ramped_load(
-    lattice: Lattice, law: BondLaw, bar: Bar, kind: str, *, density: float, steps: int, ramp: float, phi: float
+    lattice: bd.Lattice, law: bd.BondLaw, bar: Bar, kind: str, *, density: float, steps: int, ramp: float, phi: float
 ) -> RampedLoad:
     """Hold x_min, let a load grow on x_max, then hold the load.
 
@@ -87,18 +79,18 @@ def ramped_load(
         "bending": ({"force": (0.0, force, 0.0)}, bar.deflection(force)),
         "torsion": ({"moment": (moment, 0.0, 0.0)}, bar.twist(moment)),
     }[kind]
-    end, held = Face("x_max", _DEPTH), Fix(Face("x_min", _DEPTH))
-    clamped = Model(lattice, law, density=density, boundary=[held])
-    plan = settled(clamped, Plan(duration=0.0, scheme=TchamwaWielgosz(phi), every=max(steps // _RECORDS, 1)))
+    end, held = bd.Face("x_max", _DEPTH), bd.Fix(bd.Face("x_min", _DEPTH))
+    clamped = bd.Model(lattice, law, density=density, boundary=[held])
+    plan = settled(clamped, bd.Plan(duration=0.0, scheme=bd.TchamwaWielgosz(phi), every=max(steps // _RECORDS, 1)))
     assert plan.dt is not None
     growing = ramp * steps * plan.dt
-    model = clamped.with_boundary([held, Load(end, **load, schedule=Ramp(0.0, 1.0, growing))])
+    model = clamped.with_boundary([held, bd.Load(end, **load, schedule=bd.Ramp(0.0, 1.0, growing))])
     loaded = end.select(lattice)
     position = lattice.particles.position[loaded]
     component = KINDS.index(kind)
     time, answer = [], []
 
-    def read(state: State, _record: History) -> None:
+    def read(state: bd.State, _record: bd.History) -> None:
         moved = state.displacement[loaded]
         time.append(state.time)
         answer.append(rigid_motion(position, moved)[3] if kind == "torsion" else moved[:, component].mean())

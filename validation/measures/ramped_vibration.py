@@ -2,37 +2,26 @@
 
 import numpy as np
 
-from bondem.boundary.conditions import Fix
-from bondem.boundary.schedules import Ramp
-from bondem.dynamics.plan import Plan, settled
+import bondem as bd
+from bondem.dynamics.plan import settled
 from bondem.errors import InputError
 from bondem.interactions.law_catalogue import AnyLaw
 from bondem.labtests.beam_tests import CrossSection
-from bondem.labtests.vibration import (
-    RECORD_INTERVAL,
-    FreeVibration,
-    combined_load,
-    end_gauges,
-    recorded_vibration,
-)
-from bondem.model.model import Model
-from bondem.run import solve_explicit
-from bondem.specimen.lattice import Lattice
-from bondem.specimen.regions import Face
+from bondem.labtests.vibration import RECORD_INTERVAL, combined_load, end_gauges, recorded_vibration
 
 # Depth of both faces in mean radii [-], and the approximate final stress of each load [Pa].
 _DEPTH, _STRESS = 0.02, 1e5
 
 
 def ramped_vibration(
-    lattice: Lattice,
+    lattice: bd.Lattice,
     law: AnyLaw,
     *,
     density: float,
     steps: int = 50_000,
     ramp: float = 0.4,
     safety: float = 0.9,
-) -> FreeVibration:
+) -> bd.labtests.FreeVibration:
     """Load a clamped specimen gradually, release it and record the whole motion, as in the paper.
 
     The loads are those of `free_vibration`. They increase from zero and are removed within one step.
@@ -53,34 +42,34 @@ def ramped_vibration(
     growing = round(ramp * steps / RECORD_INTERVAL) * RECORD_INTERVAL
     if not 0 < growing < steps:
         raise InputError(f"ramp = {ramp}: not in (0, 1); give the share of the steps in which the loads increase")
-    held = Fix(Face("x_min", _DEPTH))
-    model = Model(lattice, law, density=density, boundary=[held])
-    dt = settled(model, Plan(duration=0.0, safety=safety)).dt
+    held = bd.Fix(bd.Face("x_min", _DEPTH))
+    model = bd.Model(lattice, law, density=density, boundary=[held])
+    dt = settled(model, bd.Plan(duration=0.0, safety=safety)).dt
     assert dt is not None
     released = growing * dt
     section = CrossSection.of(lattice.particles.envelope)
-    load = combined_load(section, stress=_STRESS, depth=_DEPTH, schedule=Ramp(0.0, 1.0, released))
-    loaded = solve_explicit(
+    load = combined_load(section, stress=_STRESS, depth=_DEPTH, schedule=bd.Ramp(0.0, 1.0, released))
+    loaded = bd.solve_explicit(
         model.with_boundary([held, load]), duration=released, dt=dt, gauges=end_gauges(_DEPTH), every=RECORD_INTERVAL
     )
     energy = float(loaded.history.energy["work"][-1])
     before = recorded_vibration(loaded, 0.0, energy)
     # a run of its own: the kick that closes its last step is the load's, the one that opens the next is not
-    free = solve_explicit(
+    free = bd.solve_explicit(
         model, duration=(steps - growing) * dt, dt=dt, gauges=end_gauges(_DEPTH), every=RECORD_INTERVAL,
         state=loaded.state,
     )  # fmt: skip
     return _joined(before, recorded_vibration(free, released, energy))
 
 
-def _joined(before: FreeVibration, after: FreeVibration) -> FreeVibration:
+def _joined(before: bd.labtests.FreeVibration, after: bd.labtests.FreeVibration) -> bd.labtests.FreeVibration:
     """Join two runs, without the first record of the second, which equals the last record of the first."""
     carried = {name: before.energy[name][-1] for name in ("work", "loss", "friction", "balance")}
     energy = {
         name: np.concatenate([values, after.energy[name][1:] + carried.get(name, 0.0)])
         for name, values in before.energy.items()
     }
-    return FreeVibration(
+    return bd.labtests.FreeVibration(
         time=np.concatenate([before.time, after.time[1:]]),
         signal={kind: np.concatenate([values, after.signal[kind][1:]]) for kind, values in before.signal.items()},
         energy=energy,

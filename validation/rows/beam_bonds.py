@@ -8,22 +8,9 @@ from typing import Any
 
 import numpy as np
 
+import bondem as bd
 from bondem._types import Floats
-from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
-from bondem.boundary.gauges import Gauge
-from bondem.boundary.schedules import Ramp
-from bondem.damage.criteria.peripheral_stress import PeripheralStress
-from bondem.dynamics.damping import MassDamping
-from bondem.dynamics.history import History
-from bondem.dynamics.plan import ExplicitResult
 from bondem.errors import InputError, UnstableRunError
-from bondem.model.model import Model
-from bondem.model.state import State
-from bondem.packing import pack
-from bondem.run import solve_explicit
-from bondem.specimen.bonding import connect
-from bondem.specimen.lattice import Lattice
-from bondem.specimen.regions import Everything, Face, Index
 from validation.cases.beam_bonds import BeamBonds, beam_bonds
 from validation.cases.case import Case, Line
 from validation.frame.files import plain, thinned
@@ -38,7 +25,7 @@ _ACROSS, _ABOVE = 0.6, 0.9
 _DIGITS = 4
 
 
-def _implied(model: Model) -> dict[str, float]:
+def _implied(model: bd.Model) -> dict[str, float]:
     found = model.implied_fracture
     assert found is not None
     return {"implied_energy": found.fracture_energy, "toughness": found.toughness, "length": found.length}
@@ -49,13 +36,13 @@ def _calibrated(bonds: BeamBonds) -> dict[str, float]:
             "bond_tension": bonds.failure.tension, "factor": bonds.factor, "tension": bonds.tension}  # fmt: skip
 
 
-def _completed(run: ExplicitResult) -> ExplicitResult:
+def _completed(run: bd.ExplicitResult) -> bd.ExplicitResult:
     if run.status.failed:
         raise UnstableRunError(run.message)
     return run
 
 
-def _broken(body: Lattice, state: State) -> Floats:
+def _broken(body: bd.Lattice, state: bd.State) -> Floats:
     """Middles of the bonds that have broken [m], (k, 3)."""
     chosen = np.flatnonzero(state.bond_integrity <= 0.0)
     return body.centre[body.pairs[chosen, 0]] + 0.5 * body.branch[chosen]
@@ -88,29 +75,29 @@ class SlowBeamsRun(Request):
     def measured(self, folder: Path) -> dict[str, Any]:
         case = self.case
         bonds = beam_bonds(case.E, case.nu, case.rho, case.tension)
-        body = connect(pack(case.shape, count=self.count, seed=self.seed))
+        body = bd.connect(bd.pack(case.shape, count=self.count, seed=self.seed))
         size = float(np.ptp(case.shape.bounds, axis=0).max())
         sound = math.sqrt(case.E / case.rho)
         rise = self.traverses * size / sound
         speed, begin = self.way / rise, _BEGIN * rise
         line, sign = case.driven
         driven = _row(body, line)
-        boundary: list[BoundaryCondition] = [Fix(Face(name)) for name in case.clamped]
-        boundary += [Fix(_row(body, one), translation="y", rotation="") for one in case.held]
-        boundary.append(Drive(driven, vy=Ramp(0.0, sign * speed, begin)))
-        model = Model(body, bonds.law, bonds.density, boundary=boundary, failure=self._failure(body, bonds))
+        boundary: list[bd.BoundaryCondition] = [bd.Fix(bd.Face(name)) for name in case.clamped]
+        boundary += [bd.Fix(_row(body, one), translation="y", rotation="") for one in case.held]
+        boundary.append(bd.Drive(driven, vy=bd.Ramp(0.0, sign * speed, begin)))
+        model = bd.Model(body, bonds.law, bonds.density, boundary=boundary, failure=self._failure(body, bonds))
         peak = [0.0]
 
-        def ended(state: State, record: History) -> bool:
+        def ended(state: bd.State, record: bd.History) -> bool:
             now = sign * float(record["load"][-1, 1])
             peak[0] = max(peak[0], now)
             return state.time > 0.5 * rise and now < _ENDING * peak[0]
 
         begun = perf_counter()
-        run = _completed(solve_explicit(
+        run = _completed(bd.solve_explicit(
             model, duration=self.reach / speed + 0.5 * begin, every=20, callback=ended,
-            damping=MassDamping(alpha=2.0 * _DAMPING * math.pi * sound / size),
-            gauges={"load": Gauge(driven, "force"), "way": Gauge(driven, "displacement")},
+            damping=bd.MassDamping(alpha=2.0 * _DAMPING * math.pi * sound / size),
+            gauges={"load": bd.Gauge(driven, "force"), "way": bd.Gauge(driven, "displacement")},
         ))  # fmt: skip
         load, way = (sign * run.history[name][:, 1] for name in ("load", "way"))
         place = _broken(body, run.state)
@@ -118,24 +105,24 @@ class SlowBeamsRun(Request):
             "bonds": len(body.pairs), "steps": run.steps, "run_seconds": round(perf_counter() - begun, 1),
             "residual": run.residual, "peak": load.max(), "displacement": way[np.argmax(load)],
             "broken": len(run.events), "given_energy": case.fracture_energy, "E": case.E,
-            **_calibrated(bonds), **_implied(Model(body, bonds.law, bonds.density, failure=bonds.failure)),
+            **_calibrated(bonds), **_implied(bd.Model(body, bonds.law, bonds.density, failure=bonds.failure)),
             "curve": {"displacement": thinned(way), "load": thinned(load)},
             **{axis: [float(f"{one:.{_DIGITS}g}") for one in place[:, k].tolist()] for k, axis in enumerate("xy")},
         })  # fmt: skip
 
-    def _failure(self, body: Lattice, bonds: BeamBonds) -> dict[Any, PeripheralStress]:
+    def _failure(self, body: bd.Lattice, bonds: BeamBonds) -> dict[Any, bd.PeripheralStress]:
         """Brittle beams, and those near rollers that do not break."""
-        strong = PeripheralStress(tension=_STRONG * bonds.failure.tension, shear=_STRONG * bonds.failure.shear)
-        found: dict[Any, PeripheralStress] = {Everything(): bonds.failure}
+        strong = bd.PeripheralStress(tension=_STRONG * bonds.failure.tension, shear=_STRONG * bonds.failure.shear)
+        found: dict[Any, bd.PeripheralStress] = {bd.Everything(): bonds.failure}
         near = np.zeros(len(body.particles), dtype=bool)
         for line, reach in self.case.spared:
             near |= np.hypot(body.centre[:, 0] - line.x, body.centre[:, 1] - line.y) < reach
         if near.any():
-            found[Index(np.flatnonzero(near))] = strong
+            found[bd.Index(np.flatnonzero(near))] = strong
         return found
 
 
-def _row(body: Lattice, line: Line) -> Index:
+def _row(body: bd.Lattice, line: Line) -> bd.Index:
     """The row of spheres at a line.
 
     Raises:
@@ -146,7 +133,7 @@ def _row(body: Lattice, line: Line) -> Index:
     chosen = np.flatnonzero((np.abs(x) < _ACROSS * wide) & (np.abs(y) < _ABOVE * wide) & body.connected)
     if not len(chosen):
         raise InputError(f"no sphere lies at {line}; take more of them")
-    return Index(chosen)
+    return bd.Index(chosen)
 
 
 @dataclass(frozen=True)
@@ -177,11 +164,11 @@ class StruckBeamsRun(Request):
         """See `Request`: SI units, angles in degrees; None where no crack is near the notch."""
         plate = self.plate
         bonds = beam_bonds(plate.E, plate.nu, plate.rho, self.strength)
-        body = connect(pack(plate.shape, count=self.count, seed=self.seed))
+        body = bd.connect(bd.pack(plate.shape, count=self.count, seed=self.seed))
         size = 2.0 * body.particles.mean_radius
-        model = Model(body, bonds.law, bonds.density, boundary=plate.conditions(size), failure=bonds.failure)
+        model = bd.Model(body, bonds.law, bonds.density, boundary=plate.conditions(size), failure=bonds.failure)
         begun = perf_counter()
-        run = _completed(solve_explicit(model, duration=DURATION, every=50))
+        run = _completed(bd.solve_explicit(model, duration=DURATION, every=50))
         place = _broken(body, run.state)
         try:
             angle = plate.angle(place, np.ones(len(place)), size)

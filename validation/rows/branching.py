@@ -9,22 +9,9 @@ from typing import Any
 
 import numpy as np
 
+import bondem as bd
 from bondem._types import Floats
-from bondem.boundary.loads import Pressure
-from bondem.damage.criteria.rankine import Rankine
-from bondem.dynamics.plan import Status
 from bondem.errors import InputError, UnstableRunError
-from bondem.fracture.crack_growth import CrackGrowth, crack_speed
-from bondem.fracture.fragments import fragments
-from bondem.geometry.elementary_shapes import Box
-from bondem.interactions.cells.cell_bond import CellBond
-from bondem.model.model import Model
-from bondem.observables.breakage import BrokenBonds
-from bondem.packing import EVEN, pack
-from bondem.run import solve_explicit
-from bondem.specimen.bonding import connect
-from bondem.specimen.lattice import Lattice
-from bondem.specimen.regions import Face
 from validation.frame.files import plain, thinned
 from validation.frame.request import Request
 
@@ -85,19 +72,19 @@ class NotchedPlate:
         (x,) = (root.real for root in roots if abs(root.imag) < 1e-9 and 0.0 < root.real < 1.0)
         return shear * sqrt(x)
 
-    def body(self, count: int, seed: int) -> Lattice:
+    def body(self, count: int, seed: int) -> bd.Lattice:
         """Its cells."""
         wide = self.slot
-        slot = Box((self.length, wide, 3.0 * self.thickness))
+        slot = bd.Box((self.length, wide, 3.0 * self.thickness))
         placed = slot.moved((-0.5 * self.length, 0.5 * (self.height - wide), -self.thickness))
-        shape = Box((self.length, self.height, self.thickness)).cut(placed, name="notch")
-        return connect(pack(shape, count=count, method=EVEN, seed=seed), method="laguerre")
+        shape = bd.Box((self.length, self.height, self.thickness)).cut(placed, name="notch")
+        return bd.connect(bd.pack(shape, count=count, method="even", seed=seed), method="laguerre")
 
-    def model(self, body: Lattice) -> Model:
+    def model(self, body: bd.Lattice) -> bd.Model:
         """The test on a body."""
-        sides = [Pressure(Face(name), -self.stress) for name in ("y_min", "y_max")]
-        failure = Rankine(tension=self.tension, fracture_energy=self.fracture_energy)
-        return Model(body, CellBond(E=self.E, nu=self.nu), self.rho, failure=failure, boundary=sides)
+        sides = [bd.Pressure(bd.Face(name), -self.stress) for name in ("y_min", "y_max")]
+        failure = bd.Rankine(tension=self.tension, fracture_energy=self.fracture_energy)
+        return bd.Model(body, bd.CellBond(E=self.E, nu=self.nu), self.rho, failure=failure, boundary=sides)
 
 
 @dataclass(frozen=True)
@@ -125,9 +112,9 @@ class BranchingRun(Request):
         plate, begun = self.plate, perf_counter()
         body = plate.body(self.count, self.seed)
         model, packed = plate.model(body), perf_counter()
-        run = solve_explicit(model, duration=plate.duration, every=50)
+        run = bd.solve_explicit(model, duration=plate.duration, every=50)
         seconds = perf_counter() - packed
-        if run.status is not Status.COMPLETED:
+        if run.status is not bd.Status.COMPLETED:
             raise UnstableRunError(run.message)
         assert body.facets is not None
         broken = np.flatnonzero(run.state.bond_integrity < _BROKEN)
@@ -136,8 +123,9 @@ class BranchingRun(Request):
         row: dict[str, Any] = {
             "steps": run.state.step, "pack_seconds": round(packed - begun, 1), "run_seconds": round(seconds, 1),
             "residual": run.residual, "size": size, "rayleigh": plate.rayleigh, "longest": plate.longest,
-            "area": body.facets.area[broken].sum(), "pieces": int((fragments(body, run.state).size >= _CRUMB).sum()),
-            "onset": None, "onset_x": None, "onset_y": None, "speed": None, "low": None, "high": None,
+            "area": body.facets.area[broken].sum(), "onset": None,
+            "pieces": int((bd.fragments(body, run.state).size >= _CRUMB).sum()),
+            "onset_x": None, "onset_y": None, "speed": None, "low": None, "high": None,
             "fastest": None, "branched": branching(place[:, 0], place[:, 1], size), "branched_at": None,
             **{axis: [float(f"{one:.{_DIGITS}g}") for one in place[:, k].tolist()] for k, axis in enumerate("xy")},
         }  # fmt: skip
@@ -148,16 +136,16 @@ class BranchingRun(Request):
         return plain(row | _grown(plate, events, row["branched"]))
 
 
-def plate_volume(body: Lattice) -> float:
+def plate_volume(body: bd.Lattice) -> float:
     """Of all cells [m³]."""
     assert body.cells is not None
     return float(body.cells.volume.sum())
 
 
-def _grown(plate: NotchedPlate, events: BrokenBonds, branched: float | None) -> dict[str, Any]:
+def _grown(plate: NotchedPlate, events: bd.BrokenBonds, branched: float | None) -> dict[str, Any]:
     """Speeds of the front along x, and of what is farthest from the tip."""
     try:
-        growth = crack_speed(events, plate.tip, (1.0, 0.0, 0.0))
+        growth = bd.crack_speed(events, plate.tip, (1.0, 0.0, 0.0))
     except InputError:  # it has not come far enough
         return {"front": {"time": [], "length": []}}
     far = np.maximum.accumulate(np.hypot(*(events.position - plate.tip)[:, :2].T))
@@ -169,7 +157,7 @@ def _grown(plate: NotchedPlate, events: BrokenBonds, branched: float | None) -> 
     }  # fmt: skip
 
 
-def _front(growth: CrackGrowth) -> dict[str, Floats]:
+def _front(growth: bd.CrackGrowth) -> dict[str, Floats]:
     return {"time": thinned(growth.time), "length": thinned(growth.length)}
 
 

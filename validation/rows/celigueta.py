@@ -15,30 +15,8 @@ from typing import Any
 
 import numpy as np
 
+import bondem as bd
 from bondem._types import Floats
-from bondem.boundary.gauges import Gauge, WallGauge
-from bondem.boundary.schedules import Ramp
-from bondem.boundary.wall_motions import Driven
-from bondem.boundary.walls import PlaneWall
-from bondem.damage.criteria.criterion import Criterion
-from bondem.damage.criteria.mohr_coulomb import MohrCoulomb
-from bondem.damage.criteria.rankine import Rankine
-from bondem.dynamics.damping import LocalDamping
-from bondem.dynamics.events import Event
-from bondem.dynamics.explicit import ExplicitResult
-from bondem.dynamics.history import History
-from bondem.geometry.elementary_shapes import Cylinder
-from bondem.geometry.shape import Shape
-from bondem.interactions.contact.contact_law import LinearContact
-from bondem.interactions.non_local.non_local_law import NonLocal
-from bondem.labtests.failure.shear import punch_specimen
-from bondem.model.model import Model
-from bondem.model.state import State
-from bondem.packing import pack
-from bondem.run import solve_explicit
-from bondem.specimen.bonding import connect
-from bondem.specimen.lattice import Lattice
-from bondem.specimen.regions import Index
 from validation.frame.files import plain
 from validation.frame.request import Request
 
@@ -65,16 +43,16 @@ _ELASTIC = (0.2, 0.5)
 _DIGITS = 5
 
 
-def criterion(name: str) -> Criterion:
+def criterion(name: str) -> bd.Criterion:
     """The paper's, by name; the cone of Mohr and Coulomb with its tip and no strength in tension beside."""
     if name == "Rankine":
-        return Rankine(tension=6e6)
+        return bd.Rankine(tension=6e6)
     angle = math.radians(60.0)
-    return MohrCoulomb(tension=14.5e6 / math.tan(angle), cohesion=14.5e6, friction_angle=angle)
+    return bd.MohrCoulomb(tension=14.5e6 / math.tan(angle), cohesion=14.5e6, friction_angle=angle)
 
 
 @dataclass(frozen=True)
-class Fallen(Event):
+class Fallen(bd.Event):
     """The force on the second plate has fallen to a share of its peak.
 
     Attributes:
@@ -87,7 +65,7 @@ class Fallen(Event):
     least: float
     peak: list[float] = field(default_factory=lambda: [0.0])
 
-    def happened(self, state: State, history: History) -> bool:
+    def happened(self, state: bd.State, history: bd.History) -> bool:
         force = abs(float(state.wall_force[1, self.axis]))
         self.peak[0] = max(self.peak[0], force)
         return self.peak[0] > self.least and force < FALLEN * self.peak[0]
@@ -121,33 +99,35 @@ class CeliguetaRun(Request):
     def weight(self) -> float:
         return self.count ** (4 / 3) * self.slower / SPEED[self.test]
 
-    def body(self) -> Lattice:
+    def body(self) -> bd.Lattice:
         """The specimen, bonded."""
-        particles = pack(self.shape, count=self.count, spread=0.25, seed=self.seed)
-        return connect(particles, method="laguerre") if self.areas == "facet" else connect(particles, reach=REACH)
+        particles = bd.pack(self.shape, count=self.count, spread=0.25, seed=self.seed)
+        return (
+            bd.connect(particles, method="laguerre") if self.areas == "facet" else bd.connect(particles, reach=REACH)
+        )
 
-    def model(self, body: Lattice) -> Model:
+    def model(self, body: bd.Lattice) -> bd.Model:
         """Between its plates; spheres are as heavy as the concrete that they stand for."""
         speed, axis = SPEED[self.test] / self.slower, self.axis
         low, high = (float(bound[axis]) for bound in self.shape.bounds)
-        law = NonLocal(E=E, nu=NU)
+        law = bd.NonLocal(E=E, nu=NU)
         density = RHO
         if self.areas == "weighted":
-            law = NonLocal(E=E, nu=NU, areas="weighted", lever="contact")
+            law = bd.NonLocal(E=E, nu=NU, areas="weighted", lever="contact")
             density = RHO * self.shape.volume / float(body.particles.volume.sum())
         direction = np.eye(3)[axis]
-        along: dict[str, Any] = {"v" + "xyz"[axis]: Ramp(0.0, -speed, _START)}
-        motion = Driven(**along)
+        along: dict[str, Any] = {"v" + "xyz"[axis]: bd.Ramp(0.0, -speed, _START)}
+        motion = bd.Driven(**along)
         hole, piston = (HOLE, PISTON) if self.test == "shear" else (0.0, None)
         walls = [
-            PlaneWall(tuple(low * direction), tuple(direction), friction=self.friction, inner=hole),
-            PlaneWall(tuple(high * direction), tuple(-direction), motion, self.friction, piston),
+            bd.PlaneWall(tuple(low * direction), tuple(direction), friction=self.friction, inner=hole),
+            bd.PlaneWall(tuple(high * direction), tuple(-direction), motion, self.friction, piston),
         ]
-        contact = LinearContact(E=E, friction=FRICTION, kappa=2.0 * (1.0 + NU), damping=self.dashpot)
-        return Model(body, law, density, failure=criterion(self.failure), contact=contact, walls=walls)
+        contact = bd.LinearContact(E=E, friction=FRICTION, kappa=2.0 * (1.0 + NU), damping=self.dashpot)
+        return bd.Model(body, law, density, failure=criterion(self.failure), contact=contact, walls=walls)
 
     @property
-    def shape(self) -> Shape:
+    def shape(self) -> bd.Shape:
         """Of the specimen."""
         return _specimen(self.test)
 
@@ -173,14 +153,14 @@ class CeliguetaRun(Request):
         body = self.body()
         x, thick = body.centre[:, 0], body.particles.mean_radius
         length = float((self.shape.bounds[1] - self.shape.bounds[0])[0])
-        gauges: dict[str, Any] = {"still": WallGauge(0, "force"), "moving": WallGauge(1, "force"),
-                                  "way": WallGauge(1, "displacement")}  # fmt: skip
+        gauges: dict[str, Any] = {"still": bd.WallGauge(0, "force"), "moving": bd.WallGauge(1, "force"),
+                                  "way": bd.WallGauge(1, "displacement")}  # fmt: skip
         for name, at in (("near", 0.25 * length), ("far", 0.75 * length)):
-            gauges[name] = Gauge(Index(np.flatnonzero(np.abs(x - at) < thick)), "displacement")
+            gauges[name] = bd.Gauge(bd.Index(np.flatnonzero(np.abs(x - at) < thick)), "displacement")
         speed = SPEED[self.test] / self.slower
         begun = perf_counter()
-        run = solve_explicit(
-            self.model(body), duration=_FARTHEST[self.test] / speed, damping=LocalDamping(DAMPING), every=200,
+        run = bd.solve_explicit(
+            self.model(body), duration=_FARTHEST[self.test] / speed, damping=bd.LocalDamping(DAMPING), every=200,
             gauges=gauges, until=Fallen(self.axis, 0.3e6 * self.section),
         )  # fmt: skip
         seconds = perf_counter() - begun
@@ -191,7 +171,7 @@ class CeliguetaRun(Request):
     def whole(self, folder: Path) -> bool:
         return self.kept_file(folder).exists()
 
-    def read(self, body: Lattice, run: ExplicitResult) -> dict[str, Any]:
+    def read(self, body: bd.Lattice, run: bd.ExplicitResult) -> dict[str, Any]:
         """Peak [Pa], E of the curve and between two sections [Pa], curves, and how they ended."""
         history, axis = run.history, self.axis
         stress = np.abs(history["moving"][:, axis]) / self.section
@@ -217,8 +197,8 @@ class CeliguetaRun(Request):
 
 
 @functools.cache
-def _specimen(test: str) -> Shape:
-    return punch_specimen() if test == "shear" else Cylinder(radius=RADIUS, length=LENGTH)
+def _specimen(test: str) -> bd.Shape:
+    return bd.labtests.punch_specimen() if test == "shear" else bd.Cylinder(radius=RADIUS, length=LENGTH)
 
 
 def _slope(strain: Floats, stress: Floats, peak: int) -> float | None:

@@ -8,14 +8,8 @@ from typing import Any
 
 import numpy as np
 
+import bondem as bd
 from bondem._types import Floats
-from bondem.labtests.failure.direct_tension import direct_tension
-from bondem.labtests.failure.uniaxial_compression import uniaxial_compression
-from bondem.labtests.loading import StrengthTest
-from bondem.model.state import State
-from bondem.packing import EVEN, pack
-from bondem.specimen.bonding import connect
-from bondem.specimen.lattice import Lattice
 from validation.cases.flattened_disc import BrazilianTest
 from validation.cases.lac_du_bonnet import CORE, DISC, Granite
 from validation.frame.files import plain, thinned
@@ -55,28 +49,28 @@ class GraniteRun(Request):
         })  # fmt: skip
 
 
-def _core(count: int, seed: int) -> Lattice:
-    return connect(pack(CORE, count=count, method=EVEN, seed=seed), method="laguerre")
+def _core(count: int, seed: int) -> bd.Lattice:
+    return bd.connect(bd.pack(CORE, count=count, method="even", seed=seed), method="laguerre")
 
 
-def _compressed(granite: Granite, count: int, seed: int) -> StrengthTest:
-    return uniaxial_compression(_core(count, seed), granite.law, granite.failure)
+def _compressed(granite: Granite, count: int, seed: int) -> bd.labtests.StrengthTest:
+    return bd.labtests.uniaxial_compression(_core(count, seed), granite.law, granite.failure)
 
 
-def _pulled(granite: Granite, count: int, seed: int) -> StrengthTest:
-    return direct_tension(_core(count, seed), granite.law, granite.failure)
+def _pulled(granite: Granite, count: int, seed: int) -> bd.labtests.StrengthTest:
+    return bd.labtests.direct_tension(_core(count, seed), granite.law, granite.failure)
 
 
 def _split(granite: Granite, count: int, seed: int) -> BrazilianTest:
     return DISC.press(DISC.body(count, seed), granite.law, granite.failure, granite.tension)
 
 
-_TESTS: dict[str, Callable[[Granite, int, int], StrengthTest | BrazilianTest]] = {
+_TESTS: dict[str, Callable[[Granite, int, int], bd.labtests.StrengthTest | BrazilianTest]] = {
     "ucs": _compressed, "direct_tension": _pulled, "brazilian": _split,
 }  # fmt: skip
 
 
-def _left(state: State) -> dict[str, int]:
+def _left(state: bd.State) -> dict[str, int]:
     """What has happened to a specimen: facets that have cracked and broken, cells that have slipped."""
     return {
         "cracked": int((state.bond_integrity < 1.0).sum()), "broken": int((state.bond_integrity <= 0.0).sum()),

@@ -7,21 +7,9 @@ from typing import Any
 
 import numpy as np
 
+import bondem as bd
 from bondem._types import Floats
-from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
-from bondem.boundary.schedules import Ramp
-from bondem.damage.criteria.rankine import Rankine
-from bondem.dynamics.plan import Status
 from bondem.errors import InputError, UnstableRunError
-from bondem.geometry.elementary_shapes import Box
-from bondem.geometry.shape import Shape
-from bondem.interactions.cells.cell_bond import CellBond
-from bondem.model.model import Model
-from bondem.packing import EVEN, pack
-from bondem.run import solve_explicit
-from bondem.specimen.bonding import connect
-from bondem.specimen.lattice import Lattice
-from bondem.specimen.regions import Face, Region, Within
 from validation.frame.files import plain
 from validation.frame.request import Request
 
@@ -63,32 +51,36 @@ class Plate:
         return self.notch[:2]
 
     @property
-    def shape(self) -> Shape:
+    def shape(self) -> bd.Shape:
         """The half of it, with its notch."""
         deep, at, wide = self.notch
-        slot = Box((2.0 * deep, wide, 3.0 * self.thickness)).moved((-deep, at - 0.5 * wide, -self.thickness))
-        return Box((self.length, self.width, self.thickness)).cut(slot, name="notch")
+        slot = bd.Box((2.0 * deep, wide, 3.0 * self.thickness)).moved((-deep, at - 0.5 * wide, -self.thickness))
+        return bd.Box((self.length, self.width, self.thickness)).cut(slot, name="notch")
 
-    def body(self, size: float, seed: int) -> Lattice:
+    def body(self, size: float, seed: int) -> bd.Lattice:
         """Its cells, of a size [m]."""
         shape = self.shape
-        return connect(pack(shape, count=round(shape.volume / size**3), method=EVEN, seed=seed), method="laguerre")
+        return bd.connect(
+            bd.pack(shape, count=round(shape.volume / size**3), method="even", seed=seed), method="laguerre"
+        )
 
-    def struck(self, size: float) -> Region:
+    def struck(self, size: float) -> bd.Region:
         """The edge between the notches."""
         _, at, wide = self.notch
-        return Face("x_min") & Within(Box((3.0 * size, at - 0.5 * wide, self.thickness)))
+        return bd.Face("x_min") & bd.Within(bd.Box((3.0 * size, at - 0.5 * wide, self.thickness)))
 
-    def model(self, body: Lattice, tension: float, size: float) -> Model:
+    def model(self, body: bd.Lattice, tension: float, size: float) -> bd.Model:
         """The test on a body of a strength [Pa], of cells of a size [m]."""
-        failure = Rankine(tension=tension, fracture_energy=self.fracture_energy)
-        return Model(body, CellBond(E=self.E, nu=self.nu), self.rho, failure=failure, boundary=self.conditions(size))
+        failure = bd.Rankine(tension=tension, fracture_energy=self.fracture_energy)
+        return bd.Model(
+            body, bd.CellBond(E=self.E, nu=self.nu), self.rho, failure=failure, boundary=self.conditions(size)
+        )
 
-    def conditions(self, size: float) -> list[BoundaryCondition]:
+    def conditions(self, size: float) -> list[bd.BoundaryCondition]:
         """The plane of symmetry, and what strikes elements of a size [m]."""
         return [
-            Fix(Face("y_min"), translation="y", rotation=""),
-            Drive(self.struck(size), vx=Ramp(0.0, self.speed, _RISE)),
+            bd.Fix(bd.Face("y_min"), translation="y", rotation=""),
+            bd.Drive(self.struck(size), vx=bd.Ramp(0.0, self.speed, _RISE)),
         ]
 
     def angle(self, place: Floats, area: Floats, size: float) -> float:
@@ -136,9 +128,9 @@ class KalthoffRun(Request):
         plate, body = self.plate, self.plate.body(self.size, self.seed)
         model = plate.model(body, self.tension, self.size)
         begun = perf_counter()
-        run = solve_explicit(model, duration=DURATION, every=50)
+        run = bd.solve_explicit(model, duration=DURATION, every=50)
         seconds = perf_counter() - begun
-        if run.status is not Status.COMPLETED:
+        if run.status is not bd.Status.COMPLETED:
             raise UnstableRunError(run.message)
         integrity = np.empty(len(body.pairs))
         integrity[model.layout.bond_order] = run.state.integrity

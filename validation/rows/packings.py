@@ -12,14 +12,11 @@ from typing import Any, cast
 
 import numpy as np
 
-from bondem.geometry.elementary_shapes import Box, Cell, Cylinder, Shape
-from bondem.io.particles_file import load_bonded, save_particles
-from bondem.packing import Method, pack
-from bondem.specimen.bonding import connect
+import bondem as bd
+from bondem.io.particles_file import load_bonded
+from bondem.packing import Method
 from bondem.specimen.direction_sphere import direction_sphere
-from bondem.specimen.fabric import fabric
 from bondem.specimen.interior import region
-from bondem.specimen.lattice import Lattice
 from validation.frame.request import Request
 
 #: What `pack` can be asked for here: the onset of jamming, or 6.2 contacts a sphere, its default.
@@ -29,7 +26,7 @@ TARGETS = ("jamming", "contacts")
 _EDGES = (0.01, 0.01, 0.01)
 
 #: What is packed: a cube, or the bar of the paper's §5.1, 10 mm thick and 40 mm long.
-FORMS: dict[str, Shape] = {"cube": Box(_EDGES), "bar": Cylinder(radius=5e-3, length=40e-3)}
+FORMS: dict[str, bd.Shape] = {"cube": bd.Box(_EDGES), "bar": bd.Cylinder(radius=5e-3, length=40e-3)}
 
 # Contacts of spheres this far from the walls [mean radii] are free of them.
 _DEEP = 3.0
@@ -58,9 +55,9 @@ class PackingRequest(Request):
     form: str = "cube"
 
     @property
-    def shape(self) -> Shape:
+    def shape(self) -> bd.Shape:
         """What is filled."""
-        return Cell(_EDGES) if self.periodic else FORMS[self.form]
+        return bd.Cell(_EDGES) if self.periodic else FORMS[self.form]
 
     @property
     def weight(self) -> float:
@@ -76,14 +73,14 @@ class PackingRequest(Request):
     def measured(self, folder: Path) -> dict[str, Any]:
         """Pack, bond and measure, and keep the packing; the time is that of packing."""
         start = time.perf_counter()
-        particles = pack(
+        particles = bd.pack(
             self.shape, count=self.count, spread=self.spread, method=cast(Method, self.method), seed=self.seed,
             jamming=self.target == "jamming",
         )  # fmt: skip
         seconds = round(time.perf_counter() - start, 3)
-        lattice = connect(particles)
+        lattice = bd.connect(particles)
         found = _measures(lattice)
-        save_particles(self.packing_file(folder), lattice, provenance=asdict(self))
+        bd.save_particles(self.packing_file(folder), lattice, provenance=asdict(self))
         return {"seconds": seconds} | found
 
 
@@ -110,15 +107,15 @@ class PackingTest(Request):
         return asdict(self.packing)
 
 
-def kept_lattice(request: PackingRequest, folder: Path) -> Lattice:
+def kept_lattice(request: PackingRequest, folder: Path) -> bd.Lattice:
     """The spheres and bonds behind a row."""
     particles, pairs = load_bonded(request.packing_file(folder))
     assert pairs is not None
-    return Lattice(particles, pairs)
+    return bd.Lattice(particles, pairs)
 
 
-def _measures(lattice: Lattice) -> dict[str, Any]:
-    quality = fabric(lattice)
+def _measures(lattice: bd.Lattice) -> dict[str, Any]:
+    quality = bd.fabric(lattice)
     particles = lattice.particles
     inside = region(particles).depth(particles.position) >= _DEEP * particles.mean_radius
     bonds = np.bincount(lattice.pairs.ravel(), minlength=len(particles))

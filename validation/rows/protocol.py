@@ -6,14 +6,11 @@ from typing import Any
 
 from scipy.optimize import root_scalar
 
-from bondem.calibration.response import Response
+import bondem as bd
 from bondem.errors import InputError
-from bondem.geometry.elementary_shapes import Cylinder
-from bondem.interactions.beams.euler_bernoulli import EulerBernoulli
 from bondem.labtests.beam_tests import Bar, CrossSection
 from bondem.labtests.faces import specimen_faces
 from bondem.labtests.wave import first_passage, strike
-from bondem.specimen.lattice import Lattice
 from bondem.specimen.materials import fused_silica
 from validation.frame.files import plain
 from validation.measures.ramped_loads import KINDS, ramped_load
@@ -21,7 +18,7 @@ from validation.measures.ramped_vibration import ramped_vibration
 from validation.rows.packings import PackingTest, kept_lattice
 
 #: Table 2 of the paper.
-PRINTED = EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71)
+PRINTED = bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71)
 #: How E and ν are read off a tension test: eqs (12)–(15), or the affine fit of `static_tension`.
 MEASURES = ("paper", "affine")
 #: Levels of the first peak of the far face at which a wave may be said to have arrived [-].
@@ -62,7 +59,7 @@ class ProtocolTest(PackingTest):
             "volume_fraction": lattice.particles.volume.sum() / lattice.particles.envelope.volume,
             "length": faces.paper_length, "radius": faces.paper_radius,
         }  # fmt: skip
-        printed = Response(lattice, PRINTED)
+        printed = bd.Response(lattice, PRINTED)
         for measure in MEASURES:
             E, nu = moduli(printed, measure)
             ratio, E_mu = own_bonds(lattice, measure)
@@ -71,7 +68,7 @@ class ProtocolTest(PackingTest):
         return plain(found | _tested(lattice, found["r_mu_ratio_paper"], found["E_mu_paper"], self.steps))
 
 
-def moduli(found: Response, measure: str) -> tuple[float, float]:
+def moduli(found: bd.Response, measure: str) -> tuple[float, float]:
     """E [Pa] and ν by one of the two measures."""
     tension = found.tension
     assert tension is not None
@@ -79,17 +76,17 @@ def moduli(found: Response, measure: str) -> tuple[float, float]:
     return (tension.E_paper, tension.nu_paper) if measure == "paper" else (tension.E, tension.nu)
 
 
-def own_bonds(lattice: Lattice, measure: str) -> tuple[float, float]:
+def own_bonds(lattice: bd.Lattice, measure: str) -> tuple[float, float]:
     """r̃ and E_μ [Pa] with which one packing has the E and ν of fused silica (§5.3).
 
     Raises:
         InputError: no radius ratio has that ν.
     """
-    last = Response(lattice, PRINTED)
+    last = bd.Response(lattice, PRINTED)
 
     def miss(ratio: float) -> float:
         nonlocal last
-        last = Response(lattice, replace(PRINTED, radius_ratio=ratio), guess=last)
+        last = bd.Response(lattice, replace(PRINTED, radius_ratio=ratio), guess=last)
         return moduli(last, measure)[1] - fused_silica.nu
 
     solved = root_scalar(miss, x0=_RATIOS[0], x1=_RATIOS[1], method="secant", xtol=1e-5)
@@ -99,11 +96,11 @@ def own_bonds(lattice: Lattice, measure: str) -> tuple[float, float]:
     return float(solved.root), PRINTED.E * fused_silica.E / moduli(last, measure)[0]
 
 
-def _tested(lattice: Lattice, ratio: float, E_mu: float, steps: int) -> dict[str, Any]:
+def _tested(lattice: bd.Lattice, ratio: float, E_mu: float, steps: int) -> dict[str, Any]:
     """Errors [-] against strength of materials of a cylinder with the dimensions of eqs (12), (13)."""
     law = replace(PRINTED, E=E_mu, radius_ratio=ratio)
     faces = specimen_faces(lattice, _DEPTH)
-    shape = Cylinder(radius=faces.paper_radius, length=faces.paper_length)
+    shape = bd.Cylinder(radius=faces.paper_radius, length=faces.paper_length)
     bar = Bar(shape.length, CrossSection.of(shape), fused_silica.E, fused_silica.nu, fused_silica.rho)
     density = fused_silica.rho * shape.volume / lattice.particles.volume[lattice.connected].sum()
     errors: dict[str, float] = {}

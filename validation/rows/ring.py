@@ -8,15 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from bondem.damage.criteria.rankine import Rankine
-from bondem.fracture.fragments import fragments
-from bondem.geometry.elementary_shapes import Cylinder
-from bondem.interactions.cells.cell_bond import CellBond
-from bondem.model.model import Model
-from bondem.packing import EVEN, pack
-from bondem.run import solve_explicit
-from bondem.specimen.bonding import connect
-from bondem.specimen.lattice import Lattice
+import bondem as bd
 from validation.frame.files import plain
 from validation.frame.request import Request
 
@@ -77,13 +69,13 @@ class Ring:
         sine = min(omega * self.tension / self.E / rate, 1.0)
         return asin(sine) / omega, rate * sqrt(1.0 - sine**2)
 
-    def body(self, size: float, seed: int) -> Lattice:
+    def body(self, size: float, seed: int) -> bd.Lattice:
         """Its cells, of a size [m]."""
         radius, side = self.circumference / (2.0 * pi), self.side
-        bore = Cylinder(radius=radius - 0.5 * side, length=3.0 * side).moved((-side, 0.0, 0.0))
-        shape = Cylinder(radius=radius + 0.5 * side, length=side).cut(bore, name="bore")
+        bore = bd.Cylinder(radius=radius - 0.5 * side, length=3.0 * side).moved((-side, 0.0, 0.0))
+        shape = bd.Cylinder(radius=radius + 0.5 * side, length=side).cut(bore, name="bore")
         count = round(self.circumference * side**2 / size**3)
-        return connect(pack(shape, count=count, method=EVEN, seed=seed), method="laguerre")
+        return bd.connect(bd.pack(shape, count=count, method="even", seed=seed), method="laguerre")
 
 
 @dataclass(frozen=True)
@@ -108,15 +100,15 @@ class RingRun(Request):
 
     def measured(self, folder: Path) -> dict[str, Any]:
         ring, body = self.ring, self.ring.body(self.size, self.seed)
-        failure = Rankine(tension=ring.tension, fracture_energy=ring.fracture_energy)
-        model = Model(body, CellBond(E=ring.E, nu=ring.nu), ring.rho, failure=failure)
+        failure = bd.Rankine(tension=ring.tension, fracture_energy=ring.fracture_energy)
+        model = bd.Model(body, bd.CellBond(E=ring.E, nu=ring.nu), ring.rho, failure=failure)
         state = model.state()
         velocity = self.rate * body.centre
         velocity[:, 0] = 0.0
         state.set_motion(velocity=velocity)
         duration = _UNTIL * ring.tension / ring.E / self.rate + _PASSAGES * ring.side / ring.celerity
-        run = solve_explicit(model, duration=duration, every=5, state=state)
-        pieces = fragments(body, run.state)
+        run = bd.solve_explicit(model, duration=duration, every=5, state=state)
+        pieces = bd.fragments(body, run.state)
         cells = np.bincount(pieces.label)
         whole = cells >= _CHIP
         mass = np.sort(pieces.mass[whole])[::-1]

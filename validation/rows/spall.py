@@ -6,13 +6,7 @@ from pathlib import Path
 from time import perf_counter
 from typing import Any
 
-from bondem.damage.criteria.rankine import Rankine
-from bondem.geometry.elementary_shapes import Cylinder
-from bondem.interactions.cells.cell_bond import CellBond
-from bondem.labtests.failure.spall import SpallTest, ThinBar, spall
-from bondem.packing import EVEN, pack
-from bondem.specimen.bonding import connect
-from bondem.specimen.lattice import Lattice
+import bondem as bd
 from validation.frame.files import plain, thinned
 from validation.frame.request import Request
 
@@ -50,21 +44,21 @@ class Bar:
         return 0.25 * pi * self.diameter**2
 
     @property
-    def thin(self) -> ThinBar:
+    def thin(self) -> bd.labtests.ThinBar:
         """What a thin elastic bar does under the same pulse."""
-        return ThinBar(self.E, self.rho, self.pressure, self.crest, self.end - self.crest)
+        return bd.labtests.ThinBar(self.E, self.rho, self.pressure, self.crest, self.end - self.crest)
 
-    def body(self, size: float, seed: int) -> Lattice:
+    def body(self, size: float, seed: int) -> bd.Lattice:
         """Its cells, of a size [m]."""
-        shape = Cylinder(radius=0.5 * self.diameter, length=self.length)
+        shape = bd.Cylinder(radius=0.5 * self.diameter, length=self.length)
         count = round(self.section * self.length / size**3)
-        return connect(pack(shape, count=count, method=EVEN, seed=seed), method="laguerre")
+        return bd.connect(bd.pack(shape, count=count, method="even", seed=seed), method="laguerre")
 
-    def struck(self, body: Lattice, failure: Rankine | None) -> SpallTest:
+    def struck(self, body: bd.Lattice, failure: bd.Rankine | None) -> bd.labtests.SpallTest:
         """The test on a body."""
-        return spall(
-            body, CellBond(E=self.E, nu=self.nu), failure, density=self.rho, pressure=self.pressure, rise=self.crest,
-            fall=self.end - self.crest, duration=_DURATION, rebound=_REBOUND, bins=_BINS,
+        return bd.labtests.spall(
+            body, bd.CellBond(E=self.E, nu=self.nu), failure, density=self.rho, pressure=self.pressure,
+            rise=self.crest, fall=self.end - self.crest, duration=_DURATION, rebound=_REBOUND, bins=_BINS,
         )  # fmt: skip
 
 
@@ -93,7 +87,7 @@ class SpallRun(Request):
     def measured(self, folder: Path) -> dict[str, Any]:
         """See `Request`: SI units, places from the free end."""
         body, begun = self.bar.body(self.size, self.seed), perf_counter()
-        test = self.bar.struck(body, Rankine(tension=self.tension, fracture_energy=self.fracture_energy))
+        test = self.bar.struck(body, bd.Rankine(tension=self.tension, fracture_energy=self.fracture_energy))
         return plain({
             "count": len(body.particles), "steps": test.state.step, "run_seconds": round(perf_counter() - begun, 1),
             "residual": test.residual, "highest": test.highest, "pull_back": test.pull_back, "first": test.first,

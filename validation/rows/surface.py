@@ -8,25 +8,12 @@ from typing import Any
 
 import numpy as np
 
-from bondem.boundary.conditions import Drive, Fix
+import bondem as bd
 from bondem.calibration.affine import affine_estimate, is_bar
-from bondem.geometry.elementary_shapes import Ball, Box, Cell, Cylinder, Shape
-from bondem.geometry.surface import Surface
-from bondem.interactions.beams.bond_law import BondLaw
 from bondem.interactions.law_catalogue import PARAMETERS
-from bondem.io.particles_file import load_bonded, save_particles
-from bondem.labtests.bulk import bulk_moduli
+from bondem.io.particles_file import load_bonded
 from bondem.labtests.gauge_length import AffineField, middle_half
-from bondem.labtests.tension import static_tension
-from bondem.labtests.uniform_traction import uniform_stress
-from bondem.model.model import Model
-from bondem.packing import pack
 from bondem.packing.sizes import SPREAD
-from bondem.specimen.bonding import connect
-from bondem.specimen.lattice import Lattice, carve
-from bondem.specimen.particles import Particles
-from bondem.specimen.regions import Face
-from bondem.statics.static import solve_static
 from validation.frame.request import Request
 
 #: Where a packing ends: 6.2 or 7 contacts a sphere over all spheres, the onset of jamming, or cut from a periodic
@@ -37,7 +24,7 @@ TARGETS = ("contacts", "dense", "jamming", "carved")
 _MARGIN = 1.15
 
 
-def _bracket() -> Surface:
+def _bracket() -> bd.Surface:
     """An L, 24 x 24 mm with limbs 8 mm thick, 10 mm deep along y: its surface."""
     a, t, depth = 24e-3, 8e-3, 10e-3
     outline = np.array([[0, 0], [a, 0], [a, t], [t, t], [t, a], [0, a]])
@@ -48,17 +35,17 @@ def _bracket() -> Surface:
     cap = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5]])
     walls = np.concatenate([np.stack([k, 6 + after, after], axis=1), np.stack([k, 6 + k, 6 + after], axis=1)])
     triangles = np.concatenate([cap, cap[:, ::-1] + 6, walls])
-    return Surface(vertices=np.concatenate([front, front + np.array([0.0, depth, 0.0])]), triangles=triangles)
+    return bd.Surface(vertices=np.concatenate([front, front + np.array([0.0, depth, 0.0])]), triangles=triangles)
 
 
 #: What is packed: lengths only count against the radii [m].
-FORMS: dict[str, Shape] = {
-    "cell": Cell((10e-3, 10e-3, 10e-3)),
-    "cube": Box((10e-3, 10e-3, 10e-3)),
-    "beam": Box((40e-3, 5e-3, 5e-3)),
-    "plate": Box((40e-3, 20e-3, 3e-3)),
-    "cylinder": Cylinder(radius=5e-3, length=40e-3),
-    "ball": Ball(radius=5e-3),
+FORMS: dict[str, bd.Shape] = {
+    "cell": bd.Cell((10e-3, 10e-3, 10e-3)),
+    "cube": bd.Box((10e-3, 10e-3, 10e-3)),
+    "beam": bd.Box((40e-3, 5e-3, 5e-3)),
+    "plate": bd.Box((40e-3, 20e-3, 3e-3)),
+    "cylinder": bd.Cylinder(radius=5e-3, length=40e-3),
+    "ball": bd.Ball(radius=5e-3),
     "bracket": _bracket(),
 }
 
@@ -94,25 +81,25 @@ class SpecimenRequest(Request):
 
     def measured(self, folder: Path) -> dict[str, Any]:
         """Pack, bond, cut out where asked, and keep."""
-        lattice = self._cut() if self.target == "carved" else connect(self._packed(FORMS[self.form], self.count))
-        save_particles(self.file(folder), lattice, provenance=asdict(self))
+        lattice = self._cut() if self.target == "carved" else bd.connect(self._packed(FORMS[self.form], self.count))
+        bd.save_particles(self.file(folder), lattice, provenance=asdict(self))
         return {"elements": len(lattice.particles), "bonds": len(lattice.pairs), "rattlers": lattice.rattlers}
 
-    def _packed(self, shape: Shape, count: int) -> Particles:
-        return pack(
+    def _packed(self, shape: bd.Shape, count: int) -> bd.Particles:
+        return bd.pack(
             shape, count=count, spread=self.spread, seed=self.seed, jamming=self.target == "jamming",
             coordination_number=7.0 if self.target == "dense" else None,
         )  # fmt: skip
 
-    def _cut(self) -> Lattice:
+    def _cut(self) -> bd.Lattice:
         shape = FORMS[self.form]
         lower, upper = shape.bounds
         a, b, c = map(float, _MARGIN * (upper - lower))
-        around = Cell((a, b, c))
+        around = bd.Cell((a, b, c))
         whole = self._packed(around, math.ceil(self.count * around.volume / shape.volume))
         # into the middle of the packing
         shift = 0.5 * (np.array([a, b, c]) - lower - upper)
-        return carve(connect(whole), shape.moved(shift.tolist()))
+        return bd.carve(bd.connect(whole), shape.moved(shift.tolist()))
 
 
 @dataclass(frozen=True)
@@ -127,7 +114,7 @@ class ModuliRequest(Request):
     """
 
     specimen: SpecimenRequest
-    law: BondLaw
+    law: bd.BondLaw
     test: str = "tension"
 
     @property
@@ -177,24 +164,26 @@ class ModuliRequest(Request):
         return {name: value if isinstance(value, int) else float(value) for name, value in found.items()}
 
 
-def _moduli(lattice: Lattice, law: BondLaw, test: str) -> tuple[float, float]:
+def _moduli(lattice: bd.Lattice, law: bd.BondLaw, test: str) -> tuple[float, float]:
     if lattice.particles.period is not None:
-        found = bulk_moduli(lattice, law)
+        found = bd.bulk_moduli(lattice, law)
         return found.E, found.nu
     if test == "stress":
-        whole = uniform_stress(lattice, law)
+        whole = bd.labtests.uniform_stress(lattice, law)
         return whole.E, whole.nu
     if test == "plates":
         return _between_plates(lattice, law)
-    pulled = static_tension(lattice, law)
+    pulled = bd.labtests.static_tension(lattice, law)
     return pulled.E, pulled.nu
 
 
-def _between_plates(lattice: Lattice, law: BondLaw) -> tuple[float, float]:
+def _between_plates(lattice: bd.Lattice, law: bd.BondLaw) -> tuple[float, float]:
     """E and ν in the gauge of `static_tension`, the ends moved apart by smooth rigid plates instead of loaded."""
     shape = lattice.particles.envelope
-    held = Fix(Face("x_min"), translation="x", rotation="")
-    pulled = solve_static(Model(lattice, law, 1.0, boundary=[Drive(Face("x_max"), x=1e-3 * shape.extent), held]))
+    held = bd.Fix(bd.Face("x_min"), translation="x", rotation="")
+    pulled = bd.solve_static(
+        bd.Model(lattice, law, 1.0, boundary=[bd.Drive(bd.Face("x_max"), x=1e-3 * shape.extent), held])
+    )
     force = -float(pulled.reaction[held.region.select(lattice), 0].sum())
     chosen = middle_half(lattice)
     strain = np.diag(AffineField.fit(lattice.particles.position[chosen], pulled.displacement[chosen]).strain)
@@ -202,8 +191,8 @@ def _between_plates(lattice: Lattice, law: BondLaw) -> tuple[float, float]:
 
 
 @lru_cache(maxsize=2)
-def _lattice(specimen: SpecimenRequest, folder: Path) -> Lattice:
+def _lattice(specimen: SpecimenRequest, folder: Path) -> bd.Lattice:
     """The specimen of a row; several laws in turn ask for the same."""
     particles, pairs = load_bonded(specimen.file(folder))
     assert pairs is not None
-    return Lattice(particles, pairs)
+    return bd.Lattice(particles, pairs)

@@ -7,26 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from bondem.boundary.conditions import Drive, Fix
-from bondem.boundary.gauges import Gauge
-from bondem.boundary.schedules import Ramp
-from bondem.damage.criteria.peripheral_stress import PeripheralStress
-from bondem.damage.criteria.rankine import Rankine
-from bondem.damage.scatter import Weibull
-from bondem.dynamics.damping import MassDamping
-from bondem.dynamics.history import History
+import bondem as bd
 from bondem.errors import UnstableRunError
-from bondem.geometry.elementary_shapes import Box
-from bondem.interactions.beams.euler_bernoulli import EulerBernoulli
-from bondem.interactions.cells.cell_bond import CellBond
-from bondem.model.model import Model
-from bondem.model.state import State
-from bondem.packing import EVEN, pack
-from bondem.run import solve_explicit
-from bondem.specimen.bonding import connect
-from bondem.specimen.lattice import Lattice
-from bondem.specimen.regions import Face
-from bondem.statics.quasistatic.quasistatic_run import solve_quasistatic
 from validation.frame.files import plain
 from validation.frame.request import Request
 
@@ -65,9 +47,9 @@ class Ceramic:
         """Mean strength of a weakest link of some volume [m³] over s₀ [-]."""
         return math.gamma(1.0 + 1.0 / self.modulus) * (self.volume / volume) ** (1.0 / self.modulus)
 
-    def scatter(self, seed: int, reach: float) -> Weibull:
+    def scatter(self, seed: int, reach: float) -> bd.Weibull:
         """Strengths of a seed, with flaws that reach so far [m]; 0 for independent ones."""
-        return Weibull(modulus=self.modulus, volume=self.volume, seed=seed, correlation=reach or None)
+        return bd.Weibull(modulus=self.modulus, volume=self.volume, seed=seed, correlation=reach or None)
 
 
 @dataclass(frozen=True)
@@ -104,22 +86,22 @@ class WeibullRun(Request):
         """Edge of its section [m]."""
         return float((0.5 * self.bar) ** (1.0 / 3.0))
 
-    def body(self) -> Lattice:
+    def body(self) -> bd.Lattice:
         """Its cells."""
-        shape = Box((2.0 * self.width, self.width, self.width))
-        packed = pack(shape, count=self.asked["count"], method=EVEN, seed=1 + self.seed % _PACKINGS)
-        return connect(packed, method="laguerre")
+        shape = bd.Box((2.0 * self.width, self.width, self.width))
+        packed = bd.pack(shape, count=self.asked["count"], method="even", seed=1 + self.seed % _PACKINGS)
+        return bd.connect(packed, method="laguerre")
 
     def measured(self, folder: Path) -> dict[str, Any]:
         """See `Request`: strength over s₀, the stress of the first failure and the weakest facet over s₀."""
         ceramic, body = self.ceramic, self.body()
-        ends = [Fix(Face("x_min"), translation="x", rotation=""), Drive(Face("x_max"), x=_WAY)]
-        failure = Rankine(
+        ends = [bd.Fix(bd.Face("x_min"), translation="x", rotation=""), bd.Drive(bd.Face("x_max"), x=_WAY)]
+        failure = bd.Rankine(
             tension=ceramic.tension, fracture_energy=ceramic.energy or None,
             scatter=ceramic.scatter(self.seed, self.reach),
         )  # fmt: skip
-        model = Model(body, CellBond(E=ceramic.E, nu=ceramic.nu), ceramic.rho, failure=failure, boundary=ends)
-        path = solve_quasistatic(model, Face("x_max"), together=_TOGETHER, until=_UNTIL)
+        model = bd.Model(body, bd.CellBond(E=ceramic.E, nu=ceramic.nu), ceramic.rho, failure=failure, boundary=ends)
+        path = bd.solve_quasistatic(model, bd.Face("x_max"), together=_TOGETHER, until=_UNTIL)
         unit = self.width**2 * ceramic.tension
         assert model.softening is not None
         return plain({
@@ -165,33 +147,33 @@ class WeibullSpheres(Request):
 
     def measured(self, folder: Path) -> dict[str, Any]:
         """See `Request`: strength over that of the same packing with equal bonds."""
-        shape = Box((3.0 * self.width, self.width, self.width))
-        body = connect(pack(shape, count=self.count, seed=1 + self.seed % _PACKINGS))
+        shape = bd.Box((3.0 * self.width, self.width, self.width))
+        body = bd.connect(bd.pack(shape, count=self.count, seed=1 + self.seed % _PACKINGS))
         scatter = self.ceramic.scatter(self.seed, self.reach * float(body.length.mean()))
         equal, found = (self._pulled(body, one) for one in (None, scatter))
         return plain({"strength": found / equal, "equal": equal})
 
-    def _pulled(self, body: Lattice, scatter: Weibull | None) -> float:
+    def _pulled(self, body: bd.Lattice, scatter: bd.Weibull | None) -> float:
         length, density = 3.0 * self.width, 2500.0
         sound = math.sqrt(_MACRO / (0.63 * density))
         rise = _TRAVERSES * length / sound
         speed = _EXPECTED / _MACRO * length / rise
-        failure = PeripheralStress(tension=50e6, shear=100e6, scatter=scatter)
-        law = EulerBernoulli(E=60e9, nu=0.3, radius_ratio=0.5)
-        model = Model(body, law, density, failure=failure, boundary=[
-            Fix(Face("x_min"), translation="x", rotation=""),
-            Drive(Face("x_max"), vx=Ramp(0.0, speed, _BEGIN * rise)),
+        failure = bd.PeripheralStress(tension=50e6, shear=100e6, scatter=scatter)
+        law = bd.EulerBernoulli(E=60e9, nu=0.3, radius_ratio=0.5)
+        model = bd.Model(body, law, density, failure=failure, boundary=[
+            bd.Fix(bd.Face("x_min"), translation="x", rotation=""),
+            bd.Drive(bd.Face("x_max"), vx=bd.Ramp(0.0, speed, _BEGIN * rise)),
         ])  # fmt: skip
         peak = [0.0]
 
-        def ended(state: State, record: History) -> bool:
+        def ended(state: bd.State, record: bd.History) -> bool:
             now = float(record["end"][-1, 0])
             peak[0] = max(peak[0], now)
             return state.time > 0.5 * rise and now < _ENDING * peak[0]
 
-        run = solve_explicit(
-            model, duration=6.0 * rise, every=20, gauges={"end": Gauge(Face("x_max"), "force")}, callback=ended,
-            damping=MassDamping(alpha=2.0 * _DAMPING * math.pi * sound / length),
+        run = bd.solve_explicit(
+            model, duration=6.0 * rise, every=20, gauges={"end": bd.Gauge(bd.Face("x_max"), "force")}, callback=ended,
+            damping=bd.MassDamping(alpha=2.0 * _DAMPING * math.pi * sound / length),
         )  # fmt: skip
         if run.status.failed:
             raise UnstableRunError(run.message)

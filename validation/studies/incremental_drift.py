@@ -12,9 +12,6 @@ from scipy.spatial.transform import Rotation
 import bondem as bd
 from bondem._threads import threads
 from bondem.dynamics.explicit import integrate
-from bondem.dynamics.plan import Plan
-from bondem.interactions.beams.bond_law import BondLaw
-from bondem.model.state import State
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, sheet
 from validation.frame.record import Record
 from validation.measures.printed_rates import Printed
@@ -57,10 +54,10 @@ def loaded(lattice: bd.Lattice, radius: float, strain: float) -> tuple[np.ndarra
 class Puppet:
     """A body all elements of which are driven, so that its forces depend on the path alone, not on inertia."""
 
-    def __init__(self, lattice: bd.Lattice, bond: BondLaw) -> None:
+    def __init__(self, lattice: bd.Lattice, bond: bd.BondLaw) -> None:
         self.lattice, self.bond = lattice, bond
         self.place = lattice.particles.position.copy()
-        self.state: State | None = None
+        self.state: bd.State | None = None
         self.gauges = {"end": bd.Gauge(bd.Index(far_end(lattice)), "force", "sum")}
 
     def go(self, path: np.ndarray, rate: np.ndarray, dt: float) -> tuple[float, np.ndarray]:
@@ -75,7 +72,7 @@ class Puppet:
         if self.state is not None:
             self.state.begin(model)
             self.state.time = 0.0
-        plan = Plan(duration=steps * dt, dt=dt, every=steps, gauges=self.gauges)
+        plan = bd.Plan(duration=steps * dt, dt=dt, every=steps, gauges=self.gauges)
         run = integrate(model, plan, state=self.state)
         self.state, self.place = run.state, path[-1]
         energy = run.history.energy
@@ -130,7 +127,7 @@ def turning(steps_a_turn: tuple[int, ...]) -> list[dict]:
     return rows
 
 
-def momentum(model: bd.Model, state: State) -> np.ndarray:
+def momentum(model: bd.Model, state: bd.State) -> np.ndarray:
     """Angular momentum about the origin [kg·m²/s]."""
     own = model.inertia[:, None] * state.angular_velocity
     return (np.cross(state.position, model.mass[:, None] * state.velocity) + own).sum(axis=0)
@@ -152,7 +149,7 @@ def spinning(shares: tuple[float, ...]) -> list[dict]:
         for form in FORMS:
             model = bd.Model(lattice, law(form, radius), STEEL.rho)
             for share in shares:
-                state = State(model)
+                state = bd.State(model)
                 state.set_motion(
                     velocity=np.cross(about, lattice.particles.position - centre) + shake * (u - u.mean(axis=0)),
                     angular_velocity=about + shake * (turned - turned.mean(axis=0)),

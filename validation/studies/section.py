@@ -7,12 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from bondem.geometry.elementary_shapes import Cylinder
-from bondem.interactions.beams.bond_law import BondLaw
+import bondem as bd
 from bondem.labtests.beam_tests import Bar, CrossSection
-from bondem.labtests.cantilever import Cantilever, mass_gyration, static_bending, static_torsion
-from bondem.labtests.modal import natural_frequencies
-from bondem.model.model import Model
+from bondem.labtests.cantilever import Cantilever, mass_gyration
 from validation.figures.section import draw_section, draw_section_errors
 from validation.frame.files import mean_and_scatter, plain
 from validation.frame.study import Row
@@ -50,7 +47,7 @@ class SectionTest(BarTest):
 
     def tested(self, bar: CalibratedBar, folder: Path) -> dict[str, Any]:
         """Radii and errors; the profile of the axial stress is kept."""
-        self.keep(folder, section_profile(Model(bar.lattice, bar.law, 1.0), bar.tension.solution, annuli=_ANNULI))
+        self.keep(folder, section_profile(bd.Model(bar.lattice, bar.law, 1.0), bar.tension.solution, annuli=_ANNULI))
         return _measured(bar)
 
 
@@ -66,7 +63,7 @@ class SectionStudy(BarStudy):
 
     packings: int = 8
 
-    def tests(self, packings: Sequence[PackingRequest], law: BondLaw, density: float) -> Sequence[SectionTest]:
+    def tests(self, packings: Sequence[PackingRequest], law: bd.BondLaw, density: float) -> Sequence[SectionTest]:
         return [SectionTest(one, law, density) for one in packings]
 
     def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:
@@ -91,7 +88,7 @@ def theories(bar: CalibratedBar) -> dict[str, tuple[Bar, Bar, float]]:
     paper, mass = beam.paper, mass_gyration(bar.lattice)
     radii = SectionRadii.of(bar.lattice, force=bar.tension.gyration, mass=mass)
     hull = np.full(2, 0.25 * radii.centres**2)
-    effective = replace(paper, section=CrossSection.of(Cylinder(radii.centres, paper.length)))
+    effective = replace(paper, section=CrossSection.of(bd.Cylinder(radii.centres, paper.length)))
     force = replace(paper, section=paper.section.filled(bar.tension.gyration, mass))
     centres = replace(paper, section=paper.section.filled(hull, mass))
     return {
@@ -105,9 +102,9 @@ def theories(bar: CalibratedBar) -> dict[str, tuple[Bar, Bar, float]]:
 
 def _measured(bar: CalibratedBar) -> dict[str, Any]:
     E, nu = bar.tension.E, bar.tension.nu
-    bent = static_bending(bar.lattice, bar.law, E=E, nu=nu)
-    twisted = static_torsion(bar.lattice, bar.law, E=E, nu=nu)
-    modes = natural_frequencies(bar.lattice, bar.law, density=bar.density)
+    bent = bd.labtests.static_bending(bar.lattice, bar.law, E=E, nu=nu)
+    twisted = bd.labtests.static_torsion(bar.lattice, bar.law, E=E, nu=nu)
+    modes = bd.labtests.natural_frequencies(bar.lattice, bar.law, density=bar.density)
     plain_bar = Cantilever.of(bar.lattice, **bar.own).paper
     # the loads behind the deflection and the twist, which the tests chose
     force, moment = bent.theory / plain_bar.deflection(1.0), twisted.theory / plain_bar.twist(1.0)

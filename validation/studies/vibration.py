@@ -7,11 +7,8 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from bondem.interactions.beams.bond_law import BondLaw
+import bondem as bd
 from bondem.labtests.cantilever import Cantilever
-from bondem.labtests.modal import NaturalFrequencies, natural_frequencies
-from bondem.labtests.vibration import FreeVibration
-from bondem.model.model import Model
 from bondem.specimen.materials import fused_silica
 from validation.figures.energy import draw_breakdown, draw_inertia, draw_vibration_energy
 from validation.frame.files import mean_and_scatter
@@ -47,7 +44,7 @@ class VibrationTest(BarTest):
 
     def tested(self, bar: CalibratedBar, folder: Path) -> dict[str, Any]:
         """Moments of inertia and first frequencies; the course of the vibration is kept."""
-        modes = natural_frequencies(bar.lattice, bar.law, density=bar.density)
+        modes = bd.labtests.natural_frequencies(bar.lattice, bar.law, density=bar.density)
         row = _weighed(bar, modes)
         if not self.steps:
             return row
@@ -74,7 +71,7 @@ class Vibration(BarStudy):
     steps: int = 50_000
     ramp: float = 0.4
 
-    def tests(self, packings: Sequence[PackingRequest], law: BondLaw, density: float) -> Sequence[VibrationTest]:
+    def tests(self, packings: Sequence[PackingRequest], law: bd.BondLaw, density: float) -> Sequence[VibrationTest]:
         return [
             VibrationTest(one, law, density, self.steps if k == 0 else 0, self.ramp) for k, one in enumerate(packings)
         ]
@@ -95,7 +92,7 @@ class Vibration(BarStudy):
         draw_inertia(figures / "vibration_inertia.png", results["summary"])
 
 
-def _numbers(run: FreeVibration, modes: NaturalFrequencies) -> dict[str, Any]:
+def _numbers(run: bd.labtests.FreeVibration, modes: bd.labtests.NaturalFrequencies) -> dict[str, Any]:
     free, energy = run.free, run.energy
     kinetic = energy["translation"] + energy["rotation"]
     moving = kinetic[free] > 0.05 * kinetic[free].max()
@@ -116,7 +113,7 @@ def _numbers(run: FreeVibration, modes: NaturalFrequencies) -> dict[str, Any]:
     }
 
 
-def _weighed(bar: CalibratedBar, found: NaturalFrequencies) -> dict[str, Any]:
+def _weighed(bar: CalibratedBar, found: bd.labtests.NaturalFrequencies) -> dict[str, Any]:
     weighed = inertia_excess(bar.lattice, density=bar.density, rho=bar.rho)
     beam = Cantilever.of(bar.lattice, **bar.own, gyration=bar.tension.gyration)
     force = stiffness_effect(beam.paper, beam.moving)
@@ -142,9 +139,9 @@ def _weighed(bar: CalibratedBar, found: NaturalFrequencies) -> dict[str, Any]:
     }
 
 
-def rotational_share(bar: CalibratedBar, found: NaturalFrequencies, kind: str) -> float:
+def rotational_share(bar: CalibratedBar, found: bd.labtests.NaturalFrequencies, kind: str) -> float:
     """Share of the kinetic energy of a first mode that is in the rotation of the elements [-]."""
-    model = Model(bar.lattice, bar.law, density=bar.density)
+    model = bd.Model(bar.lattice, bar.law, density=bar.density)
     mass = found.mass_share
     column = mass[:, 1] + mass[:, 2] if kind == "bending" else mass[:, _COLUMN[kind]]
     shape = found.modes.shape[int(np.argmax(column))]
