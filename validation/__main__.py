@@ -4,6 +4,7 @@ import importlib
 import inspect
 import sys
 import warnings
+from pathlib import Path
 from types import ModuleType
 
 import click
@@ -13,23 +14,8 @@ from bondem.cli import leave_with
 from validation.frame.command import command_of, recording
 from validation.frame.study import Study
 
-#: Studies whose rows are made over several processes, into a folder.
-STUDIES = (
-    "abacus", "assembly", "beam_bonds", "branching", "celigueta", "coverage", "crack_paths", "dispersion", "fracture",
-    "granite", "influence", "kalthoff", "protocol", "quasistatic", "refinement", "ring", "section", "size_effect",
-    "spall", "surface", "toughness", "vibration", "wave", "weibull",
-)  # fmt: skip
-#: Those that write one record.
-RECORDS = (
-    "any_specimen", "beam_bodies", "bending_energy", "bonded_granite", "brazilian", "cell_bodies", "cell_figures",
-    "cell_hole", "cell_inertia", "cell_moduli", "cell_rayleigh", "cell_reflection", "cell_waves", "chen",
-    "chen_damping", "chen_tables", "chen_unbonded", "cmod", "concrete", "concrete_beams", "disc_finite_elements",
-    "energy_drift", "every_facet", "fem_clamped", "glass", "incremental_drift", "joint_slip", "kinds_of_loss",
-    "laws_side_by_side", "load_factors", "loading_paths", "mass_moments", "mesoscale", "mka3d", "non_local",
-    "non_local_noise", "non_local_reach", "notched_bars", "opening_energy", "paper_parameters", "plate_forces",
-    "second_order", "shattering", "shear_bands", "strength", "strength_calibration", "stress_waves",
-    "time_to_accuracy", "turning_energy", "uniform_stress", "yield_surfaces",
-)  # fmt: skip
+#: All studies, by their modules.
+NAMES = sorted(path.stem for path in (Path(__file__).parent / "studies").glob("[!_]*.py"))
 
 
 def module_of(name: str) -> ModuleType:
@@ -39,31 +25,27 @@ def module_of(name: str) -> ModuleType:
         return importlib.import_module(f"validation.studies.{name}")
 
 
-def study_of(name: str) -> type[Study]:
-    """The study of a name that makes rows over several processes."""
+def study_of(name: str) -> type[Study] | None:
+    """The study of a name if it makes rows over several processes, None if it writes one record."""
     module = module_of(name)
-    (found,) = (
-        kind for kind in vars(module).values()
-        if inspect.isclass(kind) and issubclass(kind, Study) and kind.__module__ == module.__name__
-    )  # fmt: skip
-    return found
+    own = (kind for kind in vars(module).values() if inspect.isclass(kind) and kind.__module__ == module.__name__)
+    return next((kind for kind in own if issubclass(kind, Study)), None)
 
 
 def command(name: str) -> click.Command:
     """The command of any study."""
-    if name in STUDIES:
-        return command_of(study_of(name))
-    return recording("validation", name, module_of(name))
+    found = study_of(name)
+    return command_of(found) if found else recording("validation", name, module_of(name))
 
 
 class _Studies(click.Group):
     """The studies, each loaded when it is called."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
-        return sorted((*STUDIES, *RECORDS))
+        return NAMES
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        return command(cmd_name) if cmd_name in (*STUDIES, *RECORDS) else None
+        return command(cmd_name) if cmd_name in NAMES else None
 
 
 @click.group("python -m validation", cls=_Studies, no_args_is_help=False, invoke_without_command=True,

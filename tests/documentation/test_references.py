@@ -12,7 +12,7 @@ import pytest
 
 from book.measurements import MEASUREMENTS
 from book.results import RESULTS
-from validation.__main__ import RECORDS, STUDIES, validation
+from validation.__main__ import NAMES, validation
 
 ROOT = Path(__file__).parents[2]
 ENDINGS = "py|md|json|toml|hpp|cpp|html|png|svg|stl"
@@ -57,7 +57,7 @@ def missing(place: str, text: str) -> Iterator[str]:
         if not STANDS_FOR.search(named) and not {named, beside, *(start + named for start in FROM)} & files():
             yield named
     yield from (one for one in SOURCE.findall(text) if one not in names)
-    known = {*STUDIES, *RECORDS, "NAME", "STUDY"}
+    known = {*NAMES, "NAME", "STUDY"}
     yield from (f"python -m validation {one}" for one in STUDY.findall(text) if one not in known)
 
 
@@ -112,5 +112,5 @@ def test_studies_accept_the_options_of_recorded_commands(command: str) -> None:
 
 def test_the_table_of_studies_has_each_of_them_and_who_shows_it() -> None:
     listed = re.findall(r"^\| `(\w+)` \| .* \| (.+) \|$", (ROOT / "validation/README.md").read_text(), re.MULTILINE)
-    assert {*STUDIES, *RECORDS} <= {name for name, _ in listed}
+    assert set(NAMES) <= {name for name, _ in listed}
     assert not [name for name, shown in listed if "](../" not in shown]

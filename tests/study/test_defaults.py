@@ -14,8 +14,7 @@ from bondem.study.bond_plan import BondPlan
 from bondem.study.calibration_step import CalibrationPlan
 from bondem.study.specimen_step import SpecimenPlan
 from bondem.study.study_file import Study, parse_study
-from validation.__main__ import STUDIES as NAMES
-from validation.__main__ import study_of
+from validation.__main__ import NAMES, study_of
 from validation.frame.command import command_of
 from validation.studies.abacus import Abacus
 from validation.studies.assembly import Assembly
@@ -24,7 +23,7 @@ from validation.studies.refinement import Refinement
 from validation.studies.wave import WaveStudy
 
 NO_DEFAULT = {"out", "processes", "threads", "help", "material", "E", "nu", "rho"}
-STUDIES = {name: study_of(name) for name in NAMES}
+STUDIES = {name: study for name in NAMES if (study := study_of(name)) is not None}
 
 
 def test_the_command_and_its_plan_have_the_same_defaults():

@@ -15,9 +15,9 @@ from bondem.io.atomic import write_text
 from validation.figures.surface import draw_surface
 from validation.frame.limits import numbers
 from validation.frame.study import Row, Stages, Study
+from validation.measures.surface_fit import CurveFit, Fit, bulk_means, column, fitted_range, law_name
+from validation.measures.surface_tables import accuracy, bodies, ends, predicted
 from validation.rows.surface import ModuliRequest, SpecimenRequest
-from validation.studies.surface_fit import CurveFit, Fit, bulk_means, column, fitted_range, law_name
-from validation.studies.surface_tables import accuracy, bodies, ends, predicted
 
 _COMMON: dict[str, Any] = {"E": 1e9, "nu": 0.3}
 

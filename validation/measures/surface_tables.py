@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from validation.frame.study import Row
-from validation.studies.surface_fit import STUBBY, CurveFit, Fit, bulk_means, column, law_name, relative_miss
+from validation.measures.surface_fit import STUBBY, CurveFit, Fit, bulk_means, column, law_name, relative_miss
 
 # Targets whose bodies are compared with the periodic cells of another.
 _BULK_OF = {"carved": "contacts"}
