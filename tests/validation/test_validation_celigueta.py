@@ -1,7 +1,6 @@
 """The tests of Celigueta et al.: sizes, plates, criteria and strengths are those of the paper."""
 
 import math
-from types import SimpleNamespace
 from typing import cast
 
 import numpy as np
@@ -9,7 +8,7 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
-from validation.rows.celigueta import FALLEN, CeliguetaRun, Fallen, criterion
+from validation.rows.celigueta import FALLEN, CeliguetaRun, criterion
 from validation.studies.celigueta import Celigueta
 
 
@@ -46,7 +45,7 @@ def test_plates_stand_at_the_specimen_and_move_at_the_speed_of_the_paper(test, a
         assert still.motion is None
         assert abs(moving.point[axis] - still.point[axis]) == pytest.approx(length)
         assert moving.normal[axis] == -1.0
-        (number, schedule, by_speed), = moving.motion.motion
+        ((number, schedule, by_speed),) = moving.motion.motion
         assert (number, by_speed) == (axis, True)
         assert schedule.at(1.0) == pytest.approx(-speed / slower)
         # spheres are as heavy as the concrete that they stand for
@@ -61,7 +60,10 @@ def test_stresses_are_over_the_section_and_by_equation_7():
 
 
 def test_a_run_ends_when_the_force_has_fallen_to_a_share_of_its_peak():
-    event = Fallen(2, 100.0)
-    for force, over in ((50.0, False), (10.0, False), (1000.0, False), (FALLEN * 1001.0, False), (499.0, True)):
-        state = SimpleNamespace(wall_force=np.array([[0.0, 0.0, 9e9], [0.0, 0.0, -force]]))
-        assert event.happened(cast(bd.State, state), bd.History.empty(())) is over
+    run = CeliguetaRun("splitting", "Rankine", "facet", 200, 1)
+    assert run.fallen == bd.LoadDrop({"moving": (0.0, 0.0, 1.0)}, FALLEN, 0.3e6 * run.section)
+    pressed = np.array([[9e9, 0.0, force] for force in (0.0, 1e3, 1e4, FALLEN * 1e4 + 1.0, FALLEN * 1e4 - 1.0)])
+    event = bd.LoadDrop(run.fallen.load, FALLEN, least=1e3)
+    assert [event.happened(cast(bd.State, None), {"moving": pressed[: k + 1]}) for k in range(5)] == [False] * 4 + [
+        True
+    ]

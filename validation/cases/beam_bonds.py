@@ -75,15 +75,9 @@ def _pulled(
         bd.Fix(bd.Face("x_min"), translation="x", rotation=""),
         bd.Drive(bd.Face("x_max"), vx=bd.Ramp(0.0, speed, 0.2 * rise)),
     ])  # fmt: skip
-    peak = [0.0]
-
-    def ended(state: bd.State, record: bd.History) -> bool:
-        now = float(record["end"][-1, 0])
-        peak[0] = max(peak[0], now)
-        return peak[0] > 0.2 * tension * section and now < 0.3 * peak[0]
-
     run = bd.solve_explicit(
-        model, duration=_REACH * rise, every=20, gauges={"end": bd.Gauge(bd.Face("x_max"), "force")}, callback=ended,
+        model, duration=_REACH * rise, every=20, gauges={"end": bd.Gauge(bd.Face("x_max"), "force")},
+        until=bd.LoadDrop({"end": (1.0, 0.0, 0.0)}, 0.3, 0.2 * tension * section),
         damping=bd.MassDamping(alpha=2.0 * _DAMPING * math.pi * sound / length),
     )  # fmt: skip
     if run.status.failed:

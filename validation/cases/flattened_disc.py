@@ -76,8 +76,8 @@ class FlattenedDisc:
         return bd.connect(bd.pack(shape, count=count, method="even", seed=seed), method="laguerre")
 
     def loaded(
-        self, body: bd.Lattice, law: bd.CellBond, failure: bd.Criterion | None, expected: float, ended: Ended, *,
-        density: float,
+        self, body: bd.Lattice, law: bd.CellBond, failure: bd.Criterion | None, expected: float, *, density: float,
+        ended: Ended | None = None, until: tuple[bd.Event, ...] = (),
     ) -> bd.ExplicitResult:  # fmt: skip
         """Flats that come together by some 8 σ / E of the height until the expected stress σ, with forces of both.
 
@@ -85,8 +85,9 @@ class FlattenedDisc:
             body: of this disc.
             law, failure: its material.
             expected: stress at the centre at the peak [Pa], which gives the speed.
-            ended: whether to stop, asked at each record.
             density: [kg/m³].
+            ended: whether to stop, asked at each record.
+            until: events that end it.
         """
         sound = math.sqrt(law.E / density)
         rise, speed = self._pace(law, expected, density)
@@ -96,7 +97,7 @@ class FlattenedDisc:
         ]
         model = bd.Model(body, law, density, failure=failure, boundary=boundary)
         return bd.solve_explicit(
-            model, duration=_LONGEST * rise, every=40, callback=ended,
+            model, duration=_LONGEST * rise, every=40, callback=ended, until=until,
             damping=bd.MassDamping(alpha=0.1 * math.pi * sound / self.diameter),
             gauges={name: bd.Gauge(bd.Face(name), "force") for name in ("top", "bottom")},
         )  # fmt: skip
@@ -118,14 +119,8 @@ class FlattenedDisc:
             UnstableRunError: the run became unstable.
         """
         rise, speed = self._pace(law, expected, _DENSITY)
-        top = [0.0]
-
-        def ended(_: bd.State, record: bd.History) -> bool:
-            now = float(self.stress(np.abs(record["top"][-1, 1])))
-            top[0] = max(top[0], now)
-            return top[0] > 0.3 * expected and now < _ENDING * top[0]
-
-        run = self.loaded(body, law, failure, expected, ended, density=_DENSITY)
+        falls = bd.LoadDrop({"top": (0.0, -1.0, 0.0)}, _ENDING, 0.3 * expected / float(self.stress(np.float64(1.0))))
+        run = self.loaded(body, law, failure, expected, density=_DENSITY, until=(falls,))
         if run.status.failed:
             raise UnstableRunError(run.message)
         begin = _BEGIN * rise

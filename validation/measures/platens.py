@@ -120,19 +120,15 @@ def _loaded(
     rise = TRAVERSES * size / SOUND
     speed, begin = sign * way / rise, 0.2 * rise
     model, gauges = model_of(kind, lattice, law, failure, friction, speed, begin)
-    top = [0.0]
 
     def stress(history: bd.History) -> np.ndarray:
         return sign * 0.5 * (history["far"][:, axis] - history["near"][:, axis]) / section
 
-    def ended(_: bd.State, record: bd.History) -> bool:
-        now = float(stress(record)[-1])
-        top[0] = max(top[0], now)
-        return top[0] > 0.02 * expected and now < FALLEN[kind] * top[0]
-
+    along = 0.5 * sign * np.eye(3)[axis]
+    falls = bd.LoadDrop({"far": tuple(along), "near": tuple(-along)}, FALLEN[kind], 0.02 * expected * section)
     clock = time.perf_counter()
     run = bd.solve_explicit(
-        model, duration=REACH * rise + 0.5 * begin, every=40, gauges=gauges, callback=ended,
+        model, duration=REACH * rise + 0.5 * begin, every=40, gauges=gauges, until=falls,
         damping=bd.LocalDamping(DAMPING),
     )  # fmt: skip
     seconds = time.perf_counter() - clock

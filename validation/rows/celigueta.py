@@ -8,7 +8,7 @@ has fallen to `FALLEN` of its peak.
 
 import functools
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from time import perf_counter
 from typing import Any
@@ -49,26 +49,6 @@ def criterion(name: str) -> bd.Criterion:
         return bd.Rankine(tension=6e6)
     angle = math.radians(60.0)
     return bd.MohrCoulomb(tension=14.5e6 / math.tan(angle), cohesion=14.5e6, friction_angle=angle)
-
-
-@dataclass(frozen=True)
-class Fallen(bd.Event):
-    """The force on the second plate has fallen to a share of its peak.
-
-    Attributes:
-        axis: along which it presses.
-        least: forces below which nothing is a peak [N].
-        peak: largest so far [N].
-    """
-
-    axis: int
-    least: float
-    peak: list[float] = field(default_factory=lambda: [0.0])
-
-    def happened(self, state: bd.State, history: bd.History) -> bool:
-        force = abs(float(state.wall_force[1, self.axis]))
-        self.peak[0] = max(self.peak[0], force)
-        return self.peak[0] > self.least and force < FALLEN * self.peak[0]
 
 
 @dataclass(frozen=True)
@@ -144,6 +124,11 @@ class CeliguetaRun(Request):
         return math.pi * RADIUS * (RADIUS if self.test == "compression" else LENGTH)
 
     @property
+    def fallen(self) -> bd.LoadDrop:
+        """End of a run whose gauge "moving" is the force on the moving plate."""
+        return bd.LoadDrop({"moving": tuple(np.eye(3)[self.axis])}, FALLEN, 0.3e6 * self.section)
+
+    @property
     def length(self) -> float:
         """Between the plates [m]."""
         lower, upper = self.shape.bounds
@@ -161,7 +146,7 @@ class CeliguetaRun(Request):
         begun = perf_counter()
         run = bd.solve_explicit(
             self.model(body), duration=_FARTHEST[self.test] / speed, damping=bd.LocalDamping(DAMPING), every=200,
-            gauges=gauges, until=Fallen(self.axis, 0.3e6 * self.section),
+            gauges=gauges, until=self.fallen,
         )  # fmt: skip
         seconds = perf_counter() - begun
         self.keep(folder, {"position": body.centre, "displacement": run.state.displacement,

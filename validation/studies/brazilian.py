@@ -43,7 +43,7 @@ def pressed(body: bd.Lattice, failure: bd.Criterion | None) -> bd.ExplicitResult
             return top[0] > 0.3 * EXPECTED
         return top[0] > 0.5 * EXPECTED and force < 0.9 * top[0]
 
-    return DISC.loaded(body, LAW, failure, TENSION, ended, density=DENSITY)
+    return DISC.loaded(body, LAW, failure, TENSION, density=DENSITY, ended=ended)
 
 
 def elastic(body: bd.Lattice) -> dict[str, float]:

@@ -53,7 +53,6 @@ def pulled(test: str, count: int, seed: int, slower: float, nu: float) -> dict[s
     model = bd.Model(body, bd.CellBond(E=E, nu=nu), density=RHO, failure=GLASS, boundary=boundary)
     state = model.state()
     state.set_motion(velocity=body.centre * rate)
-    top = [0.0]
 
     def mean(history: bd.History) -> np.ndarray:
         each = [
@@ -62,13 +61,11 @@ def pulled(test: str, count: int, seed: int, slower: float, nu: float) -> dict[s
         ]
         return np.mean(each, axis=0) / SIDE**2
 
-    def ended(_: bd.State, history: bd.History) -> bool:
-        now = float(mean(history)[-1])
-        top[0] = max(top[0], now)
-        return top[0] > 0.3 * expected and now < FALLEN * top[0]
-
+    share = {f"{axis}_{end}": 0.5 * sign / len(axes) * np.eye(3)["xyz".index(axis)]
+             for axis in axes for end, sign in (("max", 1.0), ("min", -1.0))}  # fmt: skip
+    falls = bd.LoadDrop({name: tuple(one) for name, one in share.items()}, FALLEN, 0.3 * expected * SIDE**2)
     begun = time.perf_counter()
-    run = bd.solve_explicit(model, duration=3.0 * rise, every=5, state=state, gauges=gauges, callback=ended)
+    run = bd.solve_explicit(model, duration=3.0 * rise, every=5, state=state, gauges=gauges, until=falls)
     found, t = mean(run.history), run.history.time
     peak = int(np.argmax(found))
     straight = (found > 0.1 * found[peak]) & (found < 0.5 * found[peak]) & (np.arange(len(t)) < peak)

@@ -14,7 +14,7 @@ import numpy as np
 
 import bondem as bd
 from validation.frame.record import Record
-from validation.rows.celigueta import DAMPING, LENGTH, RADIUS, CeliguetaRun, Fallen
+from validation.rows.celigueta import DAMPING, LENGTH, RADIUS, CeliguetaRun
 
 #: How far the plates come together at the most [m], and their speed [m/s].
 WAY, SPEED = 0.8e-3, 0.05
@@ -32,7 +32,7 @@ def pressed(count: int, reach: float, seed: int, failure: str) -> dict[str, Any]
     begun = time.perf_counter()
     run = bd.solve_explicit(
         test.model(body), duration=WAY / SPEED, damping=bd.LocalDamping(DAMPING), every=200, gauges=gauges,
-        until=Fallen(test.axis, 0.3e6 * test.section),
+        until=test.fallen,
     )  # fmt: skip
     stress, other = (np.abs(run.history[name][:, 0]) / test.section for name in ("moving", "still"))
     strain = np.abs(run.history["way"][:, 0]) / LENGTH

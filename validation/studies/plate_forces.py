@@ -15,7 +15,7 @@ import numpy as np
 
 import bondem as bd
 from validation.frame.record import Record
-from validation.rows.celigueta import COUNT, SPEED, CeliguetaRun, Fallen
+from validation.rows.celigueta import COUNT, SPEED, CeliguetaRun
 
 #: Local damping, and whether both plates move.
 CASES = ((0.3, False), (0.1, False), (0.03, False), (0.3, True), (0.03, True))
@@ -52,7 +52,7 @@ def measured(test: str, count: int, seed: int, damping: float, both: bool) -> di
     run = bd.solve_explicit(
         model, duration=FARTHEST[test] / speed, damping=bd.LocalDamping(damping), every=200, callback=tell,
         gauges={"still": bd.WallGauge(0, "force"), "moving": bd.WallGauge(1, "force")},
-        until=Fallen(axis, 0.3e6 * asked.section),
+        until=asked.fallen,
     )  # fmt: skip
     moving, still = (np.abs(run.history[one][:, axis]) for one in ("moving", "still"))
     time, peak = run.history.time, int(np.argmax(moving))

@@ -29,7 +29,7 @@ import bondem as bd
 from bondem.errors import UnstableRunError
 from validation.frame.record import Record
 from validation.measures.platens import NU, RHO, E, broken_by, cells, spheres
-from validation.rows.celigueta import COUNT, DAMPING, DASHPOT, CeliguetaRun, Fallen
+from validation.rows.celigueta import COUNT, DAMPING, DASHPOT, CeliguetaRun
 
 TARGETS = {"ucs": (55e6, 2e6), "brazilian": (4e6, 0.3e6)}
 LAW, ENERGY = bd.CellBond(E=E, nu=NU), 100.0
@@ -82,7 +82,7 @@ def of_non_local(test: str, count: int, seed: int, failure: bd.Criterion, fricti
     )  # fmt: skip
     run = bd.solve_explicit(
         model, duration=way / speed, damping=bd.LocalDamping(DAMPING), every=200,
-        gauges={"moving": bd.WallGauge(1, "force")}, until=Fallen(asked.axis, 0.3e6 * asked.section),
+        gauges={"moving": bd.WallGauge(1, "force")}, until=asked.fallen,
     )  # fmt: skip
     if run.status.failed:
         raise UnstableRunError(run.message)

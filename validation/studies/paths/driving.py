@@ -186,17 +186,13 @@ def course(
     def stress_of(history: bd.History, axis: str, d: int) -> Floats:
         return 0.5 * (history[f"{axis} far"][:, d] - history[f"{axis} near"][:, d]) / section[axis]
 
-    top = [0.0]
-
-    def ended(_state: bd.State, record: bd.History) -> bool:
-        now = float(stress_of(record, watch, AXES.index(watch))[-1])
-        top[0] = max(top[0], now)
-        return ending is not None and top[0] > 0.5 * strength and now < ending * top[0]
-
+    along = 0.5 * np.eye(3)[AXES.index(watch)]
+    ends = {f"{watch} far": tuple(along), f"{watch} near": tuple(-along)}
+    falls = () if ending is None else bd.LoadDrop(ends, ending, 0.5 * strength * section[watch])
     run = bd.solve_explicit(
         bd.Model(body, law, RHO, failure=failure, boundary=boundary), duration=float(times[-1] - begin), state=state,
         damping=bd.MassDamping(alpha=2.0 * _DAMPING * math.pi * sound / long), gauges=gauges, every=_EVERY,
-        callback=ended,
+        until=falls,
     )  # fmt: skip
     history = run.history
     moved = {axis: np.interp(history.time, times, values[:, k]) for k, axis in enumerate(knots)}
