@@ -36,8 +36,8 @@ def test_strength_is_the_mean_of_both_flats_at_the_peak(monkeypatch) -> None:
 def test_a_run_ends_behind_the_first_maximum_that_the_load_leaves_by_a_tenth(monkeypatch) -> None:
     """A load that recovers from a fall by less is no maximum; one far below the expected load neither."""
     given: dict[str, Any] = {}
-    monkeypatch.setattr(flattened_disc, "Model", lambda *args, **more: None)
-    monkeypatch.setattr(flattened_disc, "solve_explicit", lambda model, **more: given.update(more))
+    monkeypatch.setattr(bd, "Model", lambda *args, **more: None)
+    monkeypatch.setattr(bd, "solve_explicit", lambda model, **more: given.update(more))
     brazilian.pressed(cast(bd.Lattice, None), bd.Rankine(tension=4e6))
     steps = np.array([0.4, 0.3, 1.0, 0.91, 1.1, 0.98, 1.3])
     ended = [

@@ -3,8 +3,6 @@
 Triquadratic hexahedra on a tensor mesh, refined towards held faces and re-entrant edges, where the stress is
 singular. With E, ν, ρ given, a `Continuum` tells its free or clamped natural frequencies and what a force and a
 moment on a face do to that face, to 0.2 % or better (halve `cell` and compare).
-
-    python validation/measures/continuum.py          convergence of the three shapes of any_specimen.py (a minute)
 """
 
 from collections.abc import Callable, Sequence
@@ -63,16 +61,20 @@ class Continuum:
     basis: Basis
 
     @classmethod
-    def of(cls, boxes: Sequence[Corners], *, cell: float, refined: Sequence[Sequence[float]] = ((), (), ())):
+    def of(
+        cls, boxes: Sequence[Corners], *, cell: float | Sequence[float],
+        refined: Sequence[Sequence[float]] = ((), (), ()),
+    ) -> "Continuum":  # fmt: skip
         """Mesh a union of boxes.
 
         Args:
             boxes: lower and upper corner of each [m].
-            cell: edge of the cells [m].
+            cell: edge of the cells [m], or edges along x, y and z.
             refined: places along x, y and z at which the two cells next to each are halved, and halved again [m].
         """
         corners = np.array(boxes, dtype=float)
-        lines = [_lines(np.unique(corners[:, :, d]), cell, refined[d]) for d in range(3)]
+        edges = np.broadcast_to(cell, 3).tolist()
+        lines = [_lines(np.unique(corners[:, :, d]), edges[d], refined[d]) for d in range(3)]
         mesh = MeshHex.init_tensor(*lines)
         middle = mesh.p[:, mesh.t].mean(axis=1).T[:, None]
         inside = ((middle > corners[:, 0]) & (middle < corners[:, 1])).all(axis=2).any(axis=1)
@@ -216,26 +218,3 @@ def _lines(breaks: np.ndarray, cell: float, refined: Sequence[float]) -> np.ndar
             added = [0.5 * (lines[k] + lines[m]) for m in (k - 1, k + 1) if 0 <= m < len(lines)]
             lines = np.sort(np.append(lines, added))
     return lines
-
-
-def main() -> None:
-    E, nu, rho = 72.5e9, 0.17, 2201.0
-    makers = {
-        "cube": (lambda cell: Continuum.box((10e-3, 10e-3, 10e-3), cell=cell), (2.5e-3, 1.67e-3, 1.25e-3)),
-        "beam": (lambda cell: Continuum.box((40e-3, 5e-3, 5e-3), cell=cell), (2.5e-3, 1.67e-3, 1.25e-3)),
-        "bracket": (lambda cell: Continuum.bracket(cell=cell), (4e-3, 2.67e-3, 2e-3)),
-    }
-    for name, (make, cells) in makers.items():
-        print(f"{name}: free frequencies [Hz]; displacement under 1 N along x, y, z, rotation about x under 1 N·m")
-        for cell in cells:
-            body = make(cell)
-            frequency = body.vibration(E, nu, rho, count=6).frequency
-            units = [((a, b, c), (d, 0, 0)) for a, b, c, d in np.eye(4)]
-            loaded = "z_max" if name == "bracket" else "x_max"
-            moved = body.response(E, nu, held="x_min", loaded=loaded, loads=units)
-            numbers = [f"{f:9.1f}" for f in frequency] + [f"{u:.4e}" for u in np.diag(moved[:, :4])]
-            print(f"  cell {1e3 * cell:.2f} mm, {body.basis.N:6d} unknowns:", *numbers)
-
-
-if __name__ == "__main__":
-    main()

@@ -16,6 +16,7 @@ from validation.frame.limits import numbers, words
 from validation.frame.study import Row, Stages, Study
 from validation.rows.beam_bonds import SlowBeamsRun, StruckBeamsRun
 from validation.rows.kalthoff import Plate
+from validation.studies.kalthoff import draw_cracks
 
 #: Slow cases: the way of the driven line at the expected peak, and at the latest end of the run [m].
 SLOW = {"l_panel": (L_PANEL, 0.2e-3, 1e-3), "gregoire": (GREGOIRE, 0.03e-3, 0.15e-3)}
@@ -94,7 +95,8 @@ class BeamBondsStudy(Study):
                     _draw_broken(right, some[0], SLOW[name][0].shape.bounds, "broken bonds, seed 1")
                 else:
                     for ax, strength in zip((left, right), STRENGTHS, strict=True):
-                        _draw_plate(ax, [row for row in some if row["strength"] == strength], strength)
+                        struck = [row for row in some if row["strength"] == strength]
+                        draw_cracks(ax, struck, ANGLE, f"f_t = {1e-6 * strength:g} MPa, broken bonds after 90 µs")
 
 
 def _of(rows: Sequence[Row], name: str) -> list[Row]:
@@ -167,20 +169,3 @@ def _draw_broken(ax: Any, row: Row, bounds: Any, title: str) -> None:
     ax.plot(1e3 * np.array(row["x"]), 1e3 * np.array(row["y"]), ".", color=BLUE, markersize=4.0)
     ax.set(xlim=(lower[0], upper[0]), ylim=(lower[1], upper[1]), aspect="equal", xlabel="x [mm]", ylabel="y [mm]",
            title=title)  # fmt: skip
-
-
-def _draw_plate(ax: Any, rows: Sequence[Row], strength: float) -> None:
-    plate, way = Plate(), 50e-3
-    for row, colour in zip(rows, _COLOURS, strict=False):
-        said = "no crack" if row["angle"] is None else f"{row['angle']:.0f}°"
-        ax.plot(1e3 * np.array(row["x"]), 1e3 * np.array(row["y"]), ".", color=colour, markersize=2.0, alpha=0.6,
-                label=f"seed {row['seed']}: {said}")  # fmt: skip
-    x, y = plate.tip
-    ax.plot([0.0, 1e3 * x], [1e3 * y] * 2, color=INK, linewidth=2.5)
-    end = np.radians(ANGLE)
-    ax.plot(1e3 * np.array([x, x + way * np.cos(end)]), 1e3 * np.array([y, y + way * np.sin(end)]), "--", color=INK,
-            label=f"{ANGLE:g}°")  # fmt: skip
-    ax.set(xlim=(0.0, 1e3 * plate.length), ylim=(0.0, 1e3 * plate.width), aspect="equal", xlabel="x [mm]",
-           ylabel="y from the plane of symmetry [mm]",
-           title=f"f_t = {1e-6 * strength:g} MPa, broken bonds after 90 µs")  # fmt: skip
-    ax.legend(loc="upper left", fontsize=7.5, markerscale=4.0)

@@ -6,8 +6,9 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 import numpy as np
+from matplotlib.axes import Axes
 
-from bondem.report.style import BLUE, GREEN, INK, ORANGE, sheet
+from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, sheet
 from validation.frame.files import mean_and_scatter
 from validation.frame.limits import numbers
 from validation.frame.study import Row, Stages, Study
@@ -15,7 +16,7 @@ from validation.rows.kalthoff import KalthoffRun, Plate
 
 #: The angle against the notch [degrees], and how far the mean of the packings may be off.
 ANGLE, LIMIT = 70.0, 5.0
-_COLOURS = (BLUE, ORANGE, GREEN)
+_COLOURS = (BLUE, ORANGE, GREEN, GREY)
 # Length of the line that is drawn at the published angle [m].
 _LINE = 50e-3
 
@@ -63,21 +64,26 @@ class Kalthoff(Study):
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """See `Study`: cracks of all packings beside the published angle."""
-        plate, count = Plate(), max(len(self.strengths), 1)
+        count = max(len(self.strengths), 1)
         with sheet(out / "figures" / "kalthoff.png", 4.6 * count, 4.8, 1, count, squeeze=False) as (_, boxes):
             for ax, strength in zip(np.ravel(boxes), self.strengths, strict=True):
-                for row, colour in zip(rows_of(rows, strength), _COLOURS * len(rows), strict=False):
-                    ax.plot(1e3 * np.array(row["x"]), 1e3 * np.array(row["y"]), ".", color=colour, markersize=2.0,
-                            alpha=0.6, label=f"seed {row['seed']}: {row['angle']:.1f}°")  # fmt: skip
-                x, y = plate.tip
-                ax.plot([0.0, 1e3 * x], [1e3 * y, 1e3 * y], color=INK, linewidth=2.5)
-                way = _LINE * np.array([np.cos(np.radians(ANGLE)), np.sin(np.radians(ANGLE))])
-                ax.plot(1e3 * np.array([x, x + way[0]]), 1e3 * np.array([y, y + way[1]]), "--", color=INK,
-                        label=f"{ANGLE:g}°")  # fmt: skip
-                ax.set(xlim=(0.0, 1e3 * plate.length), ylim=(0.0, 1e3 * plate.width), aspect="equal",
-                       xlabel="x [mm]", ylabel="y from the plane of symmetry [mm]",
-                       title=f"f_t = {strength:g} MPa, after 90 µs")  # fmt: skip
-                ax.legend(loc="upper left", fontsize=8.0, markerscale=4.0)
+                draw_cracks(ax, rows_of(rows, strength), ANGLE, f"f_t = {strength:g} MPa, after 90 µs")
+
+
+def draw_cracks(ax: Axes, rows: Sequence[Mapping[str, Any]], angle: float, title: str) -> None:
+    """What has broken in each packing, the notch, and a line at an angle [degrees]."""
+    plate = Plate()
+    for row, colour in zip(rows, _COLOURS * len(rows), strict=False):
+        said = "no crack" if row["angle"] is None else f"{row['angle']:.1f}°"
+        ax.plot(1e3 * np.array(row["x"]), 1e3 * np.array(row["y"]), ".", color=colour, markersize=2.0, alpha=0.6,
+                label=f"seed {row['seed']}: {said}")  # fmt: skip
+    x, y = plate.tip
+    ax.plot([0.0, 1e3 * x], [1e3 * y] * 2, color=INK, linewidth=2.5)
+    way = _LINE * np.array([np.cos(np.radians(angle)), np.sin(np.radians(angle))])
+    ax.plot(1e3 * np.array([x, x + way[0]]), 1e3 * np.array([y, y + way[1]]), "--", color=INK, label=f"{angle:g}°")
+    ax.set(xlim=(0.0, 1e3 * plate.length), ylim=(0.0, 1e3 * plate.width), aspect="equal", xlabel="x [mm]",
+           ylabel="y from the plane of symmetry [mm]", title=title)  # fmt: skip
+    ax.legend(loc="upper left", fontsize=7.5, markerscale=4.0)
 
 
 def rows_of(rows: Sequence[Row], strength: float) -> list[Row]:

@@ -23,7 +23,6 @@ from itertools import product
 from typing import Any
 
 import numpy as np
-from skfem import Basis, ElementHex2, ElementVector, MeshHex
 
 import bondem as bd
 from bondem.errors import AuxeticWarning, BondemError, FillingWarning, ThinBodyWarning, UnitWarning
@@ -32,7 +31,7 @@ from bondem.interactions.cells.dilatation_gradients import GradientConstants
 from bondem.interactions.cells.free_walls import FreeWalls
 from bondem.io.older_bodies import with_corrected_normals
 from validation.frame.record import Record
-from validation.measures.continuum import Continuum, Corners, Vibration, _lines
+from validation.measures.continuum import Continuum, Corners, Vibration
 from validation.measures.matching import groups
 
 PARTS = ("modes", "lame", "meshes")
@@ -98,14 +97,7 @@ class Body:
 
     def solid(self, fine: float = 1.0) -> Continuum:
         """Mesh the body; `fine` divides the steps."""
-        corners = np.array(self.boxes, dtype=float)
-        lines = [_lines(np.unique(corners[:, :, d]), self.steps[d] / fine, self.refined[d]) for d in range(3)]
-        mesh = MeshHex.init_tensor(*lines)
-        middle = mesh.p[:, mesh.t].mean(axis=1).T[:, None]
-        inside = ((middle > corners[:, 0]) & (middle < corners[:, 1])).all(axis=2).any(axis=1)
-        if not inside.all():
-            mesh = mesh.restrict(np.flatnonzero(inside))
-        return Continuum(Basis(mesh, ElementVector(ElementHex2()), intorder=4))
+        return Continuum.of(self.boxes, cell=np.divide(self.steps, fine).tolist(), refined=self.refined)
 
 
 def box(x: float, y: float, z: float) -> tuple[Corners, ...]:
