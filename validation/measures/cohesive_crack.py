@@ -62,7 +62,8 @@ def cohesive_crack(case: Case, beam: BentBeam, curve: Bilinear | None, across: i
     last = 2.0 if curve is None else curve.last
     opening = case.fracture_energy / case.tension * np.array([0.0, kink[0], last])
     tips = range(1, len(ligament) - 1)
-    load, way = crack_path(K, area, opening, case.tension * np.array([1.0, kink[1], 0.0]), tips)
+    path = crack_path(K, area, opening, case.tension * np.array([1.0, kink[1], 0.0]), tips)
+    load, way = np.array(list(path)).T
     return CohesiveCrack(step * np.array(tips), -2.0 * load, -way)
 
 

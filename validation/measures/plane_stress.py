@@ -5,7 +5,7 @@ on the nodes of the crack and the load. The tip of the crack is set, node after 
 goes with it follows, and snap-back does no harm (Petersson 1981).
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import numpy as np
@@ -60,8 +60,8 @@ def condensed(matrix: Any, held: Ints, kept: Ints) -> Floats:
 
 def crack_path(
     body: Floats, area: Floats, opening: Floats, stress: Floats, tips: Iterable[int]
-) -> tuple[Floats, Floats]:
-    """Force of the load on the body, and its displacement, as the tip goes from node to node, (k,) each.
+) -> Iterator[tuple[float, float]]:
+    """Force of the load on the body, and its displacement, as the tip goes from node to node.
 
     Args:
         body: stiffness of half openings, from where the crack begins, and of the displacement of the load, the last.
@@ -74,22 +74,17 @@ def crack_path(
     """
     slope = np.append(np.diff(stress) / np.diff(opening), 0.0)
     at_zero = stress - slope * opening
-    line = np.zeros(len(area), dtype=int)
-    rows = []
     for tip in tips:
         # unknown: half openings of what is open, and the displacement; the tip is closed at the strength
-        moved, open_ = np.append(np.arange(tip), len(area)), np.arange(tip)
+        moved, open_, line = np.append(np.arange(tip), len(area)), np.arange(tip), np.zeros(tip, dtype=int)
         for _ in range(_ROUNDS):
             system = body[np.ix_(np.arange(tip + 1), moved)]
-            system[open_, open_] += 2.0 * slope[line[:tip]] * area[:tip]
-            found = np.linalg.solve(system, -np.append(at_zero[line[:tip]], stress[0]) * area[: tip + 1])
-            before = line[:tip].copy()
+            system[open_, open_] += 2.0 * slope[line] * area[:tip]
+            found = np.linalg.solve(system, -np.append(at_zero[line], stress[0]) * area[: tip + 1])
             now = np.searchsorted(opening, 2.0 * found[:tip] + _SMALL * opening[-1], side="right") - 1
-            line[:tip] = np.clip(now, 0, len(opening) - 1)
-            if (line[:tip] == before).all():
+            before, line = line, np.clip(now, 0, len(opening) - 1)
+            if (line == before).all():
                 break
         else:
             raise ConvergenceError(f"a cohesive crack finds no openings with its tip at node {tip}")
-        rows.append((body[-1, moved] @ found, found[-1]))
-    load, way = np.array(rows).T
-    return load, way
+        yield float(body[-1, moved] @ found), float(found[-1])

@@ -40,7 +40,8 @@ def disc(share: float, along: int, around: int) -> dict[str, Any]:
     pieces = np.diff(nodes[crack, 1])
     width = 0.5 * (np.r_[pieces, 0.0] + np.r_[0.0, pieces])
     opening, falls = np.array([0.0, 2.0 * share * TENSION / LAW.E]), np.array([TENSION, 0.0])
-    loads = np.abs(crack_path(body, width, opening, falls, range(1, round(DEEPEST * len(width))))[0])
+    path = crack_path(body, width, opening, falls, range(1, round(DEEPEST * len(width))))
+    loads = np.array([abs(load) for load, _ in path])
     stress = DISC.factor * 2.0 * 2.0 * loads / math.pi / TENSION
     top = next((k for k in range(1, len(stress) - 1) if stress[k - 1] <= stress[k] > stress[k + 1]), None)
     return {
