@@ -74,9 +74,10 @@ def crack_path(
     """
     slope = np.append(np.diff(stress) / np.diff(opening), 0.0)
     at_zero = stress - slope * opening
+    lines = np.zeros(len(area), dtype=int)  # those of the last tip are the first guess
     for tip in tips:
         # unknown: half openings of what is open, and the displacement; the tip is closed at the strength
-        moved, open_, line = np.append(np.arange(tip), len(area)), np.arange(tip), np.zeros(tip, dtype=int)
+        moved, open_, line = np.append(np.arange(tip), len(area)), np.arange(tip), lines[:tip]
         for _ in range(_ROUNDS):
             system = body[np.ix_(np.arange(tip + 1), moved)]
             system[open_, open_] += 2.0 * slope[line] * area[:tip]
@@ -87,4 +88,5 @@ def crack_path(
                 break
         else:
             raise ConvergenceError(f"a cohesive crack finds no openings with its tip at node {tip}")
+        lines[:tip] = line
         yield float(body[-1, moved] @ found), float(found[-1])
