@@ -31,8 +31,7 @@ from bondem.calibration.density import element_density
 from bondem.statics.static import Statics
 from validation.figures.any_specimen import draw as draw_all
 from validation.frame.record import Record
-from validation.frame.sources import REPOSITORY
-from validation.measures.continuum import BRACKET, Continuum, Corners, Vibration
+from validation.measures.bodies import MODES, bodies, free_modes, mesh
 from validation.measures.layers import calibrate_layers
 from validation.measures.matching import matched
 
@@ -47,61 +46,8 @@ WAYS = ("raw", "scaled", "layered")
 #: Which spheres are at a face: those closer than this to it, in mean radii. Against a triangulated wall some of the
 #: first layer stop up to a tenth of R̄ short of it; the second layer is more than a whole R̄ away.
 DEPTH = 0.25
-#: Modes of the continuum looked at.
-MODES = 9
 #: Allowed error [-] for a thinnest part of at least so many R̄.
 LIMITS = ((25.0, 0.03), (12.0, 0.06))
-FORCE_X, FORCE_Y, FORCE_Z = ((tuple(axis), (0.0, 0.0, 0.0)) for axis in np.eye(3).tolist())
-MOMENT_X = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0))
-
-
-@dataclass(frozen=True)
-class Body:
-    """A shape and how it is tested.
-
-    Attributes:
-        shape: what is packed.
-        boxes: the same for the continuum.
-        thickness: of its thinnest part [m].
-        cell: of the mesh [m]; frequencies are then within 0.15 % of those of a fine mesh.
-        loaded: face that is loaded; x_min is held.
-        loads: (force, moment) on it, by name.
-    """
-
-    shape: bd.Box | bd.Surface
-    boxes: tuple[Corners, ...]
-    thickness: float
-    cell: float
-    loaded: str
-    loads: dict[str, tuple]
-
-    def continuum(self, inside: float = 0.0) -> Continuum:
-        """The mesh, of what lies between planes `inside` [m] of the held and the loaded face."""
-        boxes = [(list(lower), list(upper)) for lower, upper in self.boxes]
-        boxes[0][0][0] += inside
-        boxes[-1][1]["xyz".index(self.loaded[0])] -= inside
-        length = max(upper[0] for _, upper in boxes)
-        if len(boxes) == 1:
-            return Continuum.of(boxes, cell=self.cell, refined=((inside, length), (), ()))
-        (_, (_, _, height)), ((inner, _, _), _) = boxes
-        return Continuum.of(boxes, cell=self.cell, refined=((inside, inner), (), (height,)))
-
-
-def _box(size: tuple[float, float, float], cell: float) -> Body:
-    loads = {"tension": FORCE_X, "bending": FORCE_Y, "torsion": MOMENT_X}
-    return Body(bd.Box(size), (((0, 0, 0), size),), min(size), cell, "x_max", loads)
-
-
-@cache
-def bodies() -> dict[str, Body]:
-    """The three shapes. On the bracket's arm, forces along x, z and y stretch, bend and twist its foot."""
-    loads = {"tension": FORCE_X, "bending": FORCE_Z, "torsion": FORCE_Y}
-    surface = bd.Surface(REPOSITORY / "examples" / "bracket.stl", unit="mm")
-    return {
-        "cube": _box((10e-3, 10e-3, 10e-3), 1.67e-3),
-        "beam": _box((40e-3, 5e-3, 5e-3), 1.25e-3),
-        "bracket": Body(surface, BRACKET, 8e-3, 2.67e-3, "z_max", loads),
-    }
 
 
 def limit(thickness: float) -> float | None:
@@ -113,29 +59,10 @@ def limit(thickness: float) -> float | None:
 
 
 @cache
-def mesh(name: str) -> Continuum:
-    return bodies()[name].continuum()
-
-
-@cache
-def free_modes(name: str, nu: float) -> Vibration:
-    """Of the body for E = ρ = 1; frequencies go with √(E/ρ)."""
-    return mesh(name).vibration(1.0, nu, 1.0, count=MODES)
-
-
-@cache
 def clamped(name: str, nu: float, inside: float) -> dict[str, float]:
     """What each unit load does where it acts, for E = 1, between planes `inside` [m] of the faces."""
     body = bodies()[name]
-    lever = inside * np.eye(3)["xyz".index(body.loaded[0])]
-    part = body.continuum(inside) if inside else mesh(name)
-    motion = part.response(
-        1.0, nu, held="x_min", loaded=body.loaded, loads=list(body.loads.values()), lever=lever.tolist()
-    )
-    return {
-        load: float(np.dot(np.concatenate(values), moved))
-        for (load, values), moved in zip(body.loads.items(), motion, strict=True)
-    }
+    return body.moved(body.continuum(inside) if inside else mesh(name), nu, inside)
 
 
 # --- specimens ---------------------------------------------------------------------------------------------------

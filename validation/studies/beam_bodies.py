@@ -16,9 +16,9 @@ import numpy as np
 
 import bondem as bd
 from validation.frame.record import Record
+from validation.measures.bodies import MODES, bodies, free_modes, mesh
 from validation.measures.matching import matched
-from validation.studies.any_specimen import DEPTH, MATERIALS, MODES, SPREAD, cells, deflections
-from validation.studies.cell_bodies import bodies, free_modes, mesh
+from validation.studies.any_specimen import DEPTH, MATERIALS, SPREAD, cells, deflections
 
 #: Spheres of each calibrating cell, and how many cells.
 CELL, CELLS = 10_000, 2
@@ -39,13 +39,7 @@ def body(name: str, count: int, seed: int) -> bd.Lattice:
 @cache
 def clamped(name: str, nu: float, inside: float) -> dict[str, float]:
     """What each unit load does where it acts, for E = 1, between planes `inside` [m] of the faces."""
-    one = bodies()[name]
-    lever = inside * np.eye(3)["xyz".index(one.loaded[0])]
-    motion = _between(name, inside).response(
-        1.0, nu, held="x_min", loaded=one.loaded, loads=list(one.loads.values()), lever=lever.tolist()
-    )
-    pairs = zip(one.loads.items(), motion, strict=True)
-    return {load: float(np.concatenate(values) @ moved) for (load, values), moved in pairs}
+    return bodies()[name].moved(_between(name, inside), nu, inside)
 
 
 @cache

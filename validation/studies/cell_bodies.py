@@ -8,143 +8,31 @@ bodies are held and loaded on their faces, as the continuum is; what a load does
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from functools import cache, lru_cache, partial
+from functools import lru_cache, partial
 from itertools import product
 from typing import Any
 
 import numpy as np
-from skfem import Basis, ElementHex2, ElementVector
 
 import bondem as bd
 from bondem.observables.surface_displacement import surface_displacement
 from bondem.statics.static import Statics
 from validation.frame.record import Record
-from validation.frame.sources import REPOSITORY
-from validation.measures.continuum import Continuum, Vibration, _lines
-from validation.measures.fem_cylinder import disc, extruded
+from validation.measures.bodies import MODES, bodies, free_modes, mesh
+from validation.measures.continuum import Vibration
 from validation.measures.matching import matched
-from validation.studies.any_specimen import FORCE_X, FORCE_Y, FORCE_Z, MODES, MOMENT_X
 from validation.studies.any_specimen import MATERIALS as NAMES
 
 #: Poisson's ratios of five materials.
 MATERIALS = {one: bd.materials.get(one).nu for one in NAMES}
 #: Allowed error [-] where the thinnest part is at least so many elements thick, by number of elements.
 LIMITS = {10_000: ((8.0, 0.01), (4.0, 0.02)), 40_000: ((0.0, 0.005),)}
-BAR = {"tension": FORCE_X, "bending": FORCE_Y, "torsion": MOMENT_X}
-FOOT = {"tension": FORCE_X, "bending": FORCE_Z, "torsion": FORCE_Y}
-
-
-@dataclass(frozen=True)
-class Body:
-    """A shape, its mesh and how it is tested.
-
-    Attributes:
-        shape: what is cut into cells.
-        mesh: makes the continuum.
-        thickness: of its thinnest part [m].
-        loaded: face that is loaded; x_min is held.
-        loads: (force, moment) on it, by name.
-        bar: whether E and ν are those of a bar pulled along x.
-    """
-
-    shape: bd.Shape
-    mesh: Callable[[], Continuum]
-    thickness: float
-    loaded: str = "x_max"
-    loads: Any = None
-    bar: bool = True
-
-
-def _box(size: tuple[float, float, float], cell: float) -> Body:
-    return Body(bd.Box(size), lambda: Continuum.box(size, cell=cell), min(size), loads=BAR)
-
-
-def _prism(points: np.ndarray, quads: np.ndarray, x: np.ndarray) -> Continuum:
-    mesh = extruded(points, quads, x)
-    return Continuum(Basis(mesh, ElementVector(ElementHex2()), intorder=4))
-
-
-def _cylinder() -> Continuum:
-    points, quads = disc(8)
-    one, other = np.moveaxis(points[quads][:, 2:] - points[quads][:, :2], 1, 0)
-    area = 0.5 * abs(float((one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0]).sum()))
-    points = points * np.sqrt(np.pi * 25e-6 / area)  # straight sides, the area of the disc
-    return _prism(points, quads, _lines(np.array([0.0, 40e-3]), 1.6e-3, (0.0, 40e-3)))
-
-
-def _holed() -> Continuum:
-    """A plate 40 × 20 × 4 mm with a hole of radius 4 mm: an O-grid about the hole, and two rectangles."""
-    side, rings, layers = 6, 4, 3
-    t = np.linspace(-1.0, 1.0, side + 1)[:-1]
-    one = np.ones(side)
-    square = np.concatenate([np.stack(p, 1) for p in ((t, -one), (one, t), (-t, one), (-one, -t))])
-    angle = np.arctan2(square[:, 1], square[:, 0])
-    fine = 4e-3 * np.sqrt(2.0 * np.pi / len(angle) / np.sin(2.0 * np.pi / len(angle)))  # the area of the hole
-    rim = fine * np.stack([np.cos(angle), np.sin(angle)], axis=1)
-    share = (np.arange(rings + 1) / rings)[:, None, None] ** 1.4
-    ring = (rim + share * (10e-3 * square - rim)).reshape(-1, 2)
-    n = len(angle)
-    k, m = np.meshgrid(np.arange(rings), np.arange(n), indexing="ij")
-    number = k * n + m
-    after = k * n + (m + 1) % n
-    parts, points = [np.stack([number, number + n, after + n, after], -1).reshape(-1, 4)], [ring]
-    for first in (-20e-3, 10e-3):
-        along, across = np.linspace(first, first + 10e-3, layers + 1), np.linspace(-10e-3, 10e-3, side + 1)
-        a, b = np.meshgrid(along, across, indexing="ij")
-        at = sum(map(len, points)) + np.arange(a.size).reshape(a.shape)
-        parts.append(np.stack([at[:-1, :-1], at[1:, :-1], at[1:, 1:], at[:-1, 1:]], -1).reshape(-1, 4))
-        points.append(np.stack([a.ravel(), b.ravel()], axis=1))
-    whole, merged = np.unique(np.round(np.concatenate(points), 9), axis=0, return_inverse=True)
-    mesh = _prism(whole, merged.ravel()[np.concatenate(parts)], np.linspace(0.0, 4e-3, layers + 1))
-    p = mesh.basis.mesh.p  # extruded along x: turn to plate axes x, y in plane and z across
-    turned = type(mesh.basis.mesh)(np.stack([p[1] + 20e-3, p[2] + 10e-3, p[0]]), mesh.basis.mesh.t)
-    return Continuum(Basis(turned, ElementVector(ElementHex2()), intorder=4))
-
-
-@cache
-def bodies() -> dict[str, Body]:
-    """The seven shapes."""
-    flange, web = (40e-3, 10e-3, 3e-3), (40e-3, 3e-3, 10e-3)
-    angle = (((0, 0, 0), flange), ((0, 0, 3e-3), web))
-    hole = bd.Cylinder(4e-3, 10e-3).rotated("y", np.pi / 2).moved((20e-3, 10e-3, 8e-3))
-    refined = ((0.0, 40e-3), (3e-3,), (3e-3,))  # the ends, and the re-entrant edge
-    return {
-        "cube": _box((10e-3, 10e-3, 10e-3), 1.67e-3),
-        "beam": _box((40e-3, 5e-3, 5e-3), 1.25e-3),
-        "plate": _box((24e-3, 16e-3, 2.5e-3), 1.6e-3),
-        "cylinder": Body(bd.Cylinder(5e-3, 40e-3), _cylinder, 10e-3, loads=BAR),
-        "l_beam": Body(
-            bd.Box(flange) | bd.Box(web),
-            lambda: Continuum.of(angle, cell=1.6e-3, refined=refined), 3e-3, loads=BAR,
-        ),
-        "bracket": Body(
-            bd.Surface(REPOSITORY / "examples" / "bracket.stl", unit="mm"),
-            lambda: Continuum.bracket(cell=2.67e-3), 8e-3, "z_max", FOOT, bar=False,
-        ),
-        "holed_plate": Body(bd.Box((40e-3, 20e-3, 4e-3)) - hole, _holed, 4e-3, loads=BAR, bar=False),
-    }  # fmt: skip
-
-
-@lru_cache(maxsize=2)
-def mesh(name: str) -> Continuum:
-    return bodies()[name].mesh()
-
-
-@lru_cache(maxsize=6)
-def free_modes(name: str, nu: float) -> Vibration:
-    """For E = ρ = 1."""
-    return mesh(name).vibration(1.0, nu, 1.0, count=MODES)
 
 
 @lru_cache(maxsize=6)
 def reference(name: str, nu: float) -> tuple[Vibration, dict[str, float]]:
     """Free modes for E = ρ = 1, and what each unit load does where it acts on the clamped body."""
-    body = bodies()[name]
-    motion = mesh(name).response(1.0, nu, held="x_min", loaded=body.loaded, loads=list(body.loads.values()))
-    pairs = zip(body.loads.items(), motion, strict=True)
-    moved = {load: float(np.concatenate(one) @ way) for (load, one), way in pairs}
-    return free_modes(name, nu), moved
+    return free_modes(name, nu), bodies()[name].moved(mesh(name), nu)
 
 
 @lru_cache(maxsize=1)

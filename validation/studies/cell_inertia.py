@@ -16,9 +16,9 @@ from scipy.sparse import bsr_array
 import bondem as bd
 from bondem.statics.linear import System, rigid_motions, solver
 from validation.frame.record import Record
+from validation.measures.bodies import MODES, mesh
 from validation.measures.matching import groups
-from validation.studies.any_specimen import MODES
-from validation.studies.cell_bodies import cut, mesh
+from validation.studies.cell_bodies import cut
 
 SHAPE = "beam"
 #: Modes in the subspace.

@@ -24,9 +24,10 @@ from bondem.errors import FillingWarning, ThinBodyWarning, UnitWarning
 from bondem.interactions.cells import cell_constants
 from validation.figures.mka3d import draw_variants
 from validation.frame.record import Record
+from validation.measures.bodies import free_modes, mesh
 from validation.measures.continuum import Continuum, Vibration
 from validation.measures.matching import matched
-from validation.studies.cell_bodies import cut, free_modes, mesh
+from validation.studies.cell_bodies import cut
 from validation.studies.cell_moduli import bar_test
 from validation.studies.cell_waves import LENGTH, celerity
 
