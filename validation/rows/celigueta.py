@@ -8,6 +8,7 @@ has fallen to `FALLEN` of its peak.
 
 import functools
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from time import perf_counter
@@ -36,6 +37,10 @@ _FARTHEST = {"compression": 0.8e-3, "splitting": 0.25e-3, "shear": 0.8e-3}
 FRICTION = 0.1
 #: What the paper leaves open: damping of elements, dashpots of contacts, reach of the authors' bonds.
 DAMPING, DASHPOT, REACH = 0.3, 0.1, 1.3
+#: What runs record of both plates.
+PLATES: dict[str, bd.AnyGauge] = {
+    "still": bd.WallGauge(0, "force"), "moving": bd.WallGauge(1, "force"), "way": bd.WallGauge(1, "displacement"),
+}  # fmt: skip
 # The plates get going in this time [s].
 _START = 2e-4
 # Stresses, over the peak, between which E is read.
@@ -86,6 +91,17 @@ class CeliguetaRun(Request):
             bd.connect(particles, method="laguerre") if self.areas == "facet" else bd.connect(particles, reach=REACH)
         )
 
+    def run(
+        self, model: bd.Model, *, damping: float = DAMPING, gauges: Mapping[str, bd.AnyGauge] | None = None,
+        callback: bd.Callback | None = None,
+    ) -> bd.ExplicitResult:  # fmt: skip
+        """Press until the force on the moving plate has fallen, with forces of both plates and its way."""
+        return bd.solve_explicit(
+            model, duration=_FARTHEST[self.test] / (SPEED[self.test] / self.slower), every=200,
+            damping=bd.LocalDamping(damping), gauges=PLATES | dict(gauges or {}), callback=callback,
+            until=bd.LoadDrop({"moving": tuple(np.eye(3)[self.axis])}, FALLEN, 0.3e6 * self.section),
+        )  # fmt: skip
+
     def model(self, body: bd.Lattice) -> bd.Model:
         """Between its plates; spheres are as heavy as the concrete that they stand for."""
         speed, axis = SPEED[self.test] / self.slower, self.axis
@@ -124,11 +140,6 @@ class CeliguetaRun(Request):
         return math.pi * RADIUS * (RADIUS if self.test == "compression" else LENGTH)
 
     @property
-    def fallen(self) -> bd.LoadDrop:
-        """End of a run whose gauge "moving" is the force on the moving plate."""
-        return bd.LoadDrop({"moving": tuple(np.eye(3)[self.axis])}, FALLEN, 0.3e6 * self.section)
-
-    @property
     def length(self) -> float:
         """Between the plates [m]."""
         lower, upper = self.shape.bounds
@@ -138,16 +149,11 @@ class CeliguetaRun(Request):
         body = self.body()
         x, thick = body.centre[:, 0], body.particles.mean_radius
         length = float((self.shape.bounds[1] - self.shape.bounds[0])[0])
-        gauges: dict[str, Any] = {"still": bd.WallGauge(0, "force"), "moving": bd.WallGauge(1, "force"),
-                                  "way": bd.WallGauge(1, "displacement")}  # fmt: skip
+        gauges = {}
         for name, at in (("near", 0.25 * length), ("far", 0.75 * length)):
             gauges[name] = bd.Gauge(bd.Index(np.flatnonzero(np.abs(x - at) < thick)), "displacement")
-        speed = SPEED[self.test] / self.slower
         begun = perf_counter()
-        run = bd.solve_explicit(
-            self.model(body), duration=_FARTHEST[self.test] / speed, damping=bd.LocalDamping(DAMPING), every=200,
-            gauges=gauges, until=self.fallen,
-        )  # fmt: skip
+        run = self.run(self.model(body), gauges=gauges)
         seconds = perf_counter() - begun
         self.keep(folder, {"position": body.centre, "displacement": run.state.displacement,
                            "broken": run.events.position, "radius": body.particles.radius})  # fmt: skip

@@ -14,10 +14,8 @@ import numpy as np
 
 import bondem as bd
 from validation.frame.record import Record
-from validation.rows.celigueta import DAMPING, LENGTH, RADIUS, CeliguetaRun
+from validation.rows.celigueta import LENGTH, RADIUS, CeliguetaRun
 
-#: How far the plates come together at the most [m], and their speed [m/s].
-WAY, SPEED = 0.8e-3, 0.05
 # Stresses, over the peak, between which E is read.
 _ELASTIC = (0.2, 0.5)
 
@@ -27,13 +25,8 @@ def pressed(count: int, reach: float, seed: int, failure: str) -> dict[str, Any]
     test = CeliguetaRun("compression", failure, "weighted", count, seed)
     particles = bd.pack(bd.Cylinder(radius=RADIUS, length=LENGTH), count=count, spread=0.25, seed=seed)
     body = bd.connect(particles, reach=reach)
-    gauges = {"still": bd.WallGauge(0, "force"), "moving": bd.WallGauge(1, "force"),
-              "way": bd.WallGauge(1, "displacement")}  # fmt: skip
     begun = time.perf_counter()
-    run = bd.solve_explicit(
-        test.model(body), duration=WAY / SPEED, damping=bd.LocalDamping(DAMPING), every=200, gauges=gauges,
-        until=test.fallen,
-    )  # fmt: skip
+    run = test.run(test.model(body))
     stress, other = (np.abs(run.history[name][:, 0]) / test.section for name in ("moving", "still"))
     strain = np.abs(run.history["way"][:, 0]) / LENGTH
     peak = int(np.argmax(stress))

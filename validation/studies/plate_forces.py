@@ -19,7 +19,6 @@ from validation.rows.celigueta import COUNT, SPEED, CeliguetaRun
 
 #: Local damping, and whether both plates move.
 CASES = ((0.3, False), (0.1, False), (0.03, False), (0.3, True), (0.03, True))
-FARTHEST = {"compression": 0.8e-3, "splitting": 0.25e-3}
 _START = 2e-4
 
 
@@ -49,11 +48,7 @@ def measured(test: str, count: int, seed: int, damping: float, both: bool) -> di
         momentum.append(float(model.mass @ state.velocity[:, axis]))
         return False
 
-    run = bd.solve_explicit(
-        model, duration=FARTHEST[test] / speed, damping=bd.LocalDamping(damping), every=200, callback=tell,
-        gauges={"still": bd.WallGauge(0, "force"), "moving": bd.WallGauge(1, "force")},
-        until=asked.fallen,
-    )  # fmt: skip
+    run = asked.run(model, damping=damping, callback=tell)
     moving, still = (np.abs(run.history[one][:, axis]) for one in ("moving", "still"))
     time, peak = run.history.time, int(np.argmax(moving))
     first = int(np.flatnonzero(moving[: peak + 1] > 0.2 * moving[peak])[0])
