@@ -67,21 +67,9 @@ def measure(record: Record, *, count: int = 2000, seeds: tuple[int, ...] = (1, 2
         )
         for nu in NU:
             record.add(partial(moduli, torus, bar, nu), "rows", seed=seed, nu=nu)
-    record.keep(worst=worst(record.rows("rows")))
 
 
 def moduli(torus: bd.Lattice, bar: bd.Lattice, nu: float) -> dict[str, Any]:
     """Moduli of the periodic cell, and what a pulled bar has."""
     bulk = bd.bulk_moduli(torus, bd.CellBond(E=1.0, nu=nu))
     return {"bulk": {"E": bulk.E, "nu": bulk.nu}, "bar": bar_test(bar, nu)}
-
-
-def worst(rows: list[dict[str, Any]]) -> dict[str, dict[str, float]]:
-    """Largest error of E [-] and of ν over all rows."""
-    return {
-        kind: {
-            "E": max(abs(row[kind]["E"] - 1.0) for row in rows),
-            "nu": max(abs(row[kind]["nu"] - row["nu"]) for row in rows),
-        }
-        for kind in ("bulk", "bar")
-    }

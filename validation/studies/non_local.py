@@ -8,16 +8,12 @@ import numpy as np
 import bondem as bd
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.plan import Plan
-from bondem.interactions.lagged_interaction import LaggedInteraction
 from bondem.model.highest_frequency import highest_frequency
 from bondem.model.state import State
-from bondem.statics.lagged_statics import LaggedStatics
-from bondem.statics.linear import System
 from validation.frame.record import Record
 
 E = 40e9
 RATIOS = (0.0, 0.2, 0.4, 0.45, 0.49)
-REACHES = (1.1, 1.2, 1.3, 1.4)
 REACH = 1.3
 DAMPING = {
     "none": None, "local 0.3": bd.LocalDamping(0.3), "local 0.7": bd.LocalDamping(0.7),
@@ -50,39 +46,6 @@ def elastic(body: bd.Lattice, seed: int) -> list[dict]:
     return rows
 
 
-def by_reach(particles: bd.Particles, seed: int) -> list[dict]:
-    """Moduli of weighted areas at ν = 0.2, by reach."""
-    rows = []
-    for reach in REACHES:
-        lattice = bd.connect(particles, reach=reach)
-        row = {"seed": seed, "reach": reach, "z": lattice.coordination_number}
-        rows.append(row | moduli(lattice, bd.NonLocal(E=E, nu=0.2, areas="weighted")))
-        print(rows[-1], flush=True)
-    return rows
-
-
-def by_steps(body: bd.Lattice) -> list[dict]:
-    """Mean stress σ_xx over ε_xx of a uniaxial strain, by the number of steps of its path [GPa]."""
-    rows = []
-    slip = np.zeros_like(body.branch)
-    slip[:, 0] = body.branch[:, 0]
-    assert body.particles.period is not None
-    volume = float(body.particles.period.prod())
-    for name, lattice, law in (
-        ("facets", body, bd.NonLocal(E=E, nu=0.2)),
-        ("line of centres, unlimited", body, bd.NonLocal(E=E, nu=0.2, lever="contact", limited=False)),
-    ):
-        model = bd.Model(lattice, law, 1.0)
-        assert isinstance(model.interaction, LaggedInteraction)
-        statics = LaggedStatics(model.interaction, System.of(model))
-        for steps in (1, 10, 40):
-            found = statics.settle(np.zeros((len(lattice.particles), 6)), slip=slip, steps=steps)
-            stress = float(np.vdot(slip, found.strain.force)) / volume / 1e9
-            rows.append({"law": name, "steps": steps, "rounds": found.rounds, "C11": stress})
-            print(rows[-1], flush=True)
-    return rows
-
-
 def explicit(body: bd.Lattice, steps: int = 2000) -> list[dict]:
     """Kinetic energy left of random velocities after so many steps, by damping, ν and share of the springs' step."""
     rows = []
@@ -111,13 +74,10 @@ def explicit(body: bd.Lattice, steps: int = 2000) -> list[dict]:
 def measure(record: Record, *, count: int = 2000, packings: int = 2) -> None:
     """Measure moduli, and runs whose lag diverges."""
     warnings.simplefilter("ignore")
-    record.keep(count=count, E=E / 1e9, reach=REACH, elastic=[], reaches=[])
+    record.keep(count=count, E=E / 1e9, reach=REACH, elastic=[])
     for seed in range(1, packings + 1):
         particles = bd.pack(bd.Cell((1.0, 1.0, 1.0)), count=count, spread=0.25, seed=seed)
         body = bd.connect(particles, method="laguerre")
-        if seed == 1:
-            record.keep(steps=by_steps(body))
-        record.keep(reaches=record.rows("reaches") + by_reach(particles, seed))
         record.keep(elastic=record.rows("elastic") + elastic(body, seed))
     small = bd.pack(bd.Cell((1.0, 1.0, 1.0)), count=200, spread=0.25, seed=1)
     record.keep(explicit=explicit(bd.connect(small, method="laguerre")))

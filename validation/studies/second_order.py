@@ -205,29 +205,25 @@ def modes(name: str, kind: str, count: int, seed: int | None, nu: float, law: st
     moved = found.shape[:, :, None, :3] + np.cross(found.shape[:, :, None, 3:], around)
     seen = replace(found, shape=moved.reshape(len(moved), -1, 3))
     expected = mesh(name).sampler(middle + 0.999 * (place - middle))(theory.shape)
-    errors, likeness = _errors(seen, np.repeat(volume, len(around)), theory, expected)
     return {
         "cells": len(volume), "thick": round(float(BODIES[name].thickness / volume.mean() ** (1.0 / 3.0)), 2),
-        "errors": errors,
+        "errors": _errors(seen, np.repeat(volume, len(around)), theory, expected),
         "torsion": [bool(one > TORSION) for one in _about_x(expected, place - middle)[:FIRST]],
-        "likeness": likeness,
     }  # fmt: skip
 
 
-def _errors(found: Any, volume: np.ndarray, theory: Vibration, expected: np.ndarray) -> tuple[list[float], float]:
-    """Return the first six errors and the least likeness, as `matched`, whose larger gap pools modes of strips."""
+def _errors(found: Any, volume: np.ndarray, theory: Vibration, expected: np.ndarray) -> list[float]:
+    """Return the first six errors, as `matched`, whose larger gap pools modes of strips."""
     root = np.sqrt(volume)[:, None]
     seen, wanted = ((root * shape[:, :, :3]).reshape(len(shape), -1) for shape in (found.shape, expected))
     likeness = (seen @ wanted.T) ** 2 / np.outer((seen**2).sum(axis=1), (wanted**2).sum(axis=1))
-    errors, least = [], 1.0
+    errors: list[float] = []
     for group in groups(theory.frequency, GAP):
         alike = likeness[:, group].sum(axis=1)
         best = np.argsort(-alike)[: len(group)]
         one, other = (float(np.sqrt((f**2).mean())) for f in (found.frequency[best], theory.frequency[group]))
         errors += [round(one / other - 1.0, 6) for _ in group]
-        if group[0] < FIRST:
-            least = min(least, float(alike[best].min()))
-    return errors[:FIRST], round(least, 3)
+    return errors[:FIRST]
 
 
 def _about_x(shape: np.ndarray, place: np.ndarray) -> np.ndarray:
