@@ -25,6 +25,11 @@ def plain(value: Any) -> Any:
     return value
 
 
+def rounded(values: Any, digits: int) -> list[float]:
+    """Numbers to so many digits."""
+    return [float(f"{value:.{digits}g}") for value in np.asarray(values).tolist()]
+
+
 def thinned(curve: np.ndarray) -> np.ndarray:
     """Every k-th sample of a long curve along its first axis, at most `POINTS`."""
     return curve[:: max(math.ceil(len(curve) / POINTS), 1)]

@@ -13,7 +13,7 @@ from bondem._types import Floats
 from bondem.errors import InputError, UnstableRunError
 from validation.cases.beam_bonds import BeamBonds, beam_bonds
 from validation.cases.case import Case, Line
-from validation.frame.files import plain, thinned
+from validation.frame.files import plain, rounded, thinned
 from validation.frame.request import Request
 from validation.rows.kalthoff import DURATION, Plate
 
@@ -22,7 +22,6 @@ from validation.rows.kalthoff import DURATION, Plate
 _DAMPING, _BEGIN, _ENDING, _STRONG = 0.05, 0.2, 0.2, 1e3
 # A line bears a row of spheres: within these shares of the mean diameter along x and y.
 _ACROSS, _ABOVE = 0.6, 0.9
-_DIGITS = 4
 
 
 def _implied(model: bd.Model) -> dict[str, float]:
@@ -107,7 +106,7 @@ class SlowBeamsRun(Request):
             "broken": len(run.events), "given_energy": case.fracture_energy, "E": case.E,
             **_calibrated(bonds), **_implied(bd.Model(body, bonds.law, bonds.density, failure=bonds.failure)),
             "curve": {"displacement": thinned(way), "load": thinned(load)},
-            **{axis: [float(f"{one:.{_DIGITS}g}") for one in place[:, k].tolist()] for k, axis in enumerate("xy")},
+            "x": rounded(place[:, 0], 4), "y": rounded(place[:, 1], 4),
         })  # fmt: skip
 
     def _failure(self, body: bd.Lattice, bonds: BeamBonds) -> dict[Any, bd.PeripheralStress]:
@@ -178,5 +177,5 @@ class StruckBeamsRun(Request):
             "bonds": len(body.pairs), "steps": run.steps, "run_seconds": round(perf_counter() - begun, 1),
             "residual": run.residual, "angle": angle, "broken": len(place),
             "given_energy": plate.fracture_energy, "E": plate.E, **_calibrated(bonds), **_implied(model),
-            **{axis: [float(f"{one:.{_DIGITS}g}") for one in place[:, k].tolist()] for k, axis in enumerate("xy")},
+            "x": rounded(place[:, 0], 4), "y": rounded(place[:, 1], 4),
         })  # fmt: skip

@@ -12,7 +12,7 @@ import numpy as np
 import bondem as bd
 from bondem._types import Floats
 from bondem.errors import InputError, UnstableRunError
-from validation.frame.files import plain, thinned
+from validation.frame.files import plain, rounded, thinned
 from validation.frame.request import Request
 
 #: The fastest advance of a crack is its mean over so long a time [s].
@@ -22,8 +22,6 @@ WINDOW = 10e-6
 _BROKEN, _STRIP, _APART, _RUN = 0.1, 2e-3, 3.0, 3
 # Pieces of fewer cells are crumbs.
 _CRUMB = 10
-# Digits that are kept of places.
-_DIGITS = 4
 
 
 @dataclass(frozen=True)
@@ -127,7 +125,7 @@ class BranchingRun(Request):
             "pieces": int((bd.fragments(body, run.state).size >= _CRUMB).sum()),
             "onset_x": None, "onset_y": None, "speed": None, "low": None, "high": None,
             "fastest": None, "branched": branching(place[:, 0], place[:, 1], size), "branched_at": None,
-            **{axis: [float(f"{one:.{_DIGITS}g}") for one in place[:, k].tolist()] for k, axis in enumerate("xy")},
+            "x": rounded(place[:, 0], 4), "y": rounded(place[:, 1], 4),
         }  # fmt: skip
         if len(events):
             first = int(np.argmin(events.time))

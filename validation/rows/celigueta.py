@@ -18,7 +18,7 @@ import numpy as np
 
 import bondem as bd
 from bondem._types import Floats
-from validation.frame.files import plain
+from validation.frame.files import plain, rounded
 from validation.frame.request import Request
 
 #: The specimen [m] and the concrete [Pa, -, kg/m³]; the paper gives no density.
@@ -45,7 +45,6 @@ PLATES: dict[str, bd.AnyGauge] = {
 _START = 2e-4
 # Stresses, over the peak, between which E is read.
 _ELASTIC = (0.2, 0.5)
-_DIGITS = 5
 
 
 def criterion(name: str) -> bd.Criterion:
@@ -179,8 +178,9 @@ class CeliguetaRun(Request):
             "peak_time": history.time[peak], "broken_at_peak": int((run.events.time <= history.time[peak]).sum()),
             "ledger": float(np.abs(energy["balance"]).max() / np.abs(energy["work"]).max()),
             "non_local_work": float(energy["non-local work"][peak] / energy["work"][peak]),
-            "curve": {"strain": _rounded(strain), "stress": _rounded(stress), "still": _rounded(still),
-                      "inside": _rounded(inside), "time": _rounded(history.time)},
+            "curve": {name: rounded(values, 5) for name, values in (
+                ("strain", strain), ("stress", stress), ("still", still), ("inside", inside), ("time", history.time),
+            )},
         }  # fmt: skip
         if self.test == "compression":
             found |= {"E_plates": _slope(strain, stress, peak), "E_inside": _slope(inside, stress, peak)}
@@ -199,7 +199,3 @@ def _slope(strain: Floats, stress: Floats, peak: int) -> float | None:
     if last - first < 3:
         return None
     return float(np.polyfit(strain[first : last + 1], stress[first : last + 1], 1)[0])
-
-
-def _rounded(values: Floats) -> list[float]:
-    return [float(f"{value:.{_DIGITS}g}") for value in values.tolist()]

@@ -14,9 +14,9 @@ from validation.cases.interface_crack import INTERFACES
 from validation.cases.nooru_mohamed import NOORU_MOHAMED
 from validation.cases.path_case import PathCase
 from validation.cases.split_cube import SPLIT_CUBE
-from validation.frame.files import plain, thinned
+from validation.frame.files import plain, rounded, thinned
 from validation.frame.request import Request
-from validation.rows.fracture import crack_of, rounded
+from validation.rows.fracture import DIGITS, crack_of
 
 #: The cases, which stand here so that a row is stale where one of them has changed.
 CASES: Mapping[str, PathCase] = {
@@ -52,6 +52,6 @@ class PathRun(Request):
         return plain({
             "count": len(found.body.particles), "facets": len(found.body.pairs), "values": dict(found.values),
             "run_seconds": round(perf_counter() - begun, 1),
-            "curve": {"displacement": rounded(curve[:, 0]), "load": rounded(curve[:, 1])},
+            "curve": {"displacement": rounded(curve[:, 0], DIGITS), "load": rounded(curve[:, 1], DIGITS)},
             "crack": crack_of(found.body, found.integrity),
         })  # fmt: skip

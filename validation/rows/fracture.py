@@ -21,13 +21,13 @@ from bondem.specimen.lattice import Lattice
 from bondem.statics.quasistatic.quasistatic_run import QuasistaticResult, solve_quasistatic
 from validation.cases.case import Case
 from validation.cases.path_case import LOST
-from validation.frame.files import plain
+from validation.frame.files import plain, rounded
 from validation.frame.request import Request
 
 #: Largest way of the pushed line of events that count, over the largest height of the body [-].
 FOLDED = 0.05
-# Digits that are kept of curves and cracks.
-_DIGITS = 6
+#: Digits that are kept of curves and cracks.
+DIGITS = 6
 
 
 @dataclass(frozen=True)
@@ -87,17 +87,12 @@ def counted(load: Floats, way: Floats, until: float, farthest: float) -> tuple[i
     return peak, int(np.flatnonzero(load >= until * load[peak])[-1])
 
 
-def rounded(values: Floats) -> list[float]:
-    """Values as files keep them."""
-    return [float(f"{value:.{_DIGITS}g}") for value in values.tolist()]
-
-
 def _curve(case: Case, path: QuasistaticResult) -> dict[str, list[float]]:
     """Of each event: how far the pushed line has gone [m], load [N], and how far the crack's mouth is open [m]."""
     curve = {"displacement": case.way(path), "load": path.load}
     if case.mouth is not None:
         curve["CMOD"] = path.gauge["CMOD"][:, 0]
-    return {name: rounded(values) for name, values in curve.items()}
+    return {name: rounded(values, DIGITS) for name, values in curve.items()}
 
 
 def _cracked(integrity: PerBond) -> np.ndarray:
@@ -117,4 +112,4 @@ def crack_of(body: Lattice, integrity: PerBond) -> dict[str, list[float]]:
     found = {axis: facets.centroid[torn, k] for k, axis in enumerate("xyz")}
     found |= {f"normal_{axis}": facets.normal[torn, k] for k, axis in enumerate("xyz")}
     found |= {"area": facets.area[torn], "integrity": integrity[torn]}
-    return {name: rounded(values) for name, values in found.items()}
+    return {name: rounded(values, DIGITS) for name, values in found.items()}

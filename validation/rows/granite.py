@@ -6,17 +6,11 @@ from pathlib import Path
 from time import perf_counter
 from typing import Any
 
-import numpy as np
-
 import bondem as bd
-from bondem._types import Floats
 from validation.cases.flattened_disc import BrazilianTest
 from validation.cases.lac_du_bonnet import CORE, DISC, Granite
-from validation.frame.files import plain, thinned
+from validation.frame.files import plain, rounded, thinned
 from validation.frame.request import Request
-
-# Digits that are kept of curves.
-_DIGITS = 5
 
 
 @dataclass(frozen=True)
@@ -42,10 +36,11 @@ class GraniteRun(Request):
     def measured(self, folder: Path) -> dict[str, Any]:
         begun = perf_counter()
         test = _TESTS[self.test](self.granite, self.count, self.seed)
+        curve = thinned(test.curve)
         return plain({
             "peak": test.peak, "residual": test.residual, "asymmetry": test.asymmetry,
             "E": getattr(test, "E", None), "run_seconds": round(perf_counter() - begun, 1), **_left(test.state),
-            "curve": {"strain": _rounded(test.curve[:, 0]), "stress": _rounded(test.curve[:, 1])},
+            "curve": {"strain": rounded(curve[:, 0], 5), "stress": rounded(curve[:, 1], 5)},
         })  # fmt: skip
 
 
@@ -76,7 +71,3 @@ def _left(state: bd.State) -> dict[str, int]:
         "cracked": int((state.bond_integrity < 1.0).sum()), "broken": int((state.bond_integrity <= 0.0).sum()),
         "slipped": int((state.slipped > 0.0).sum()),
     }  # fmt: skip
-
-
-def _rounded(values: Floats) -> list[float]:
-    return [float(f"{value:.{_DIGITS}g}") for value in np.asarray(thinned(values)).tolist()]

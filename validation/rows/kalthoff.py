@@ -10,7 +10,7 @@ import numpy as np
 import bondem as bd
 from bondem._types import Floats
 from bondem.errors import InputError, UnstableRunError
-from validation.frame.files import plain
+from validation.frame.files import plain, rounded
 from validation.frame.request import Request
 
 #: Until when a run goes on [s].
@@ -19,8 +19,6 @@ DURATION = 90e-6
 _RISE = 1e-6
 # Facets with less integrity are of the crack, its angle of those from so many cells to so far from the tip [m].
 _BROKEN, _NEAREST, _FARTHEST = 0.1, 2.0, 30e-3
-# Digits that are kept of places.
-_DIGITS = 4
 
 
 @dataclass(frozen=True)
@@ -140,5 +138,5 @@ class KalthoffRun(Request):
         return plain({
             "count": len(body.particles), "steps": run.state.step, "run_seconds": round(seconds, 1),
             "residual": run.residual, "angle": plate.angle(place, area, self.size), "area": area.sum(),
-            **{axis: [float(f"{one:.{_DIGITS}g}") for one in place[:, k].tolist()] for k, axis in enumerate("xy")},
+            "x": rounded(place[:, 0], 4), "y": rounded(place[:, 1], 4),
         })  # fmt: skip

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 import bondem as bd
-from validation.frame.files import plain
+from validation.frame.files import plain, rounded
 from validation.frame.request import Request
 
 # Pieces of fewer cells are chips: no section of the ring.
@@ -122,5 +122,5 @@ class RingRun(Request):
             "over": ring.circumference / len(mass) / ring.length, "formula": ring.size(self.rate) / ring.length,
             "slowed": self.rate * sqrt(float(np.interp(until, run.history.time, moving) / moving[0])),
             "slowed_thin": slowed, "dissipated": float(run.history.released[-1]) / torn,
-            "mass": [float(f"{one:.4g}") for one in (mass / mass.mean()).tolist()],
+            "mass": rounded(mass / mass.mean(), 4),
         })  # fmt: skip

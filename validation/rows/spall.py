@@ -7,7 +7,7 @@ from time import perf_counter
 from typing import Any
 
 import bondem as bd
-from validation.frame.files import plain, thinned
+from validation.frame.files import plain, rounded, thinned
 from validation.frame.request import Request
 
 # How long a run goes on [s].
@@ -91,6 +91,6 @@ class SpallRun(Request):
         return plain({
             "count": len(body.particles), "steps": test.state.step, "run_seconds": round(perf_counter() - begun, 1),
             "residual": test.residual, "highest": test.highest, "pull_back": test.pull_back, "first": test.first,
-            "lengths": [float(f"{one:.4g}") for one in test.lengths.tolist()], "profile": test.profile,
+            "lengths": rounded(test.lengths, 4), "profile": test.profile,
             "curve": {"time": thinned(test.time), "velocity": thinned(test.velocity)},
         })  # fmt: skip

@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, sheet
+from validation.cases.case import Claim
 from validation.frame.files import mean_and_scatter
 from validation.frame.limits import numbers
 from validation.frame.study import Row, Stages, Study
@@ -94,10 +95,9 @@ def rows_of(rows: Sequence[Row], strength: float) -> list[Row]:
 def _judged(rows: Sequence[Row]) -> dict[str, Any]:
     plate, angles = Plate(), [row["angle"] for row in rows]
     mean, longest = mean_and_scatter(angles), 2.0 * plate.E * plate.fracture_energy / rows[0]["tension"] ** 2
-    assert mean["mean"] is not None
-    each, together = (all(abs(one - ANGLE) <= LIMIT for one in some) for some in (angles, [mean["mean"]]))
+    claim = Claim("angle", ANGLE - LIMIT, ANGLE + LIMIT, "")
     return {
         "tension": rows[0]["tension"], "over": rows[0]["size"] / longest, "angles": angles, "mean": mean,
-        "verdict": "met" if each else "met by the mean" if together else "missed",
+        "verdict": claim.verdict(angles),
         **{key: [row[key] for row in rows] for key in ("seed", "count", "steps", "run_seconds", "residual")},
     }  # fmt: skip

@@ -6,9 +6,9 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 import numpy as np
-from matplotlib.ticker import FixedLocator, FormatStrFormatter, NullLocator
 
 from bondem.report.style import BLUE, INK, sheet
+from validation.figures.axes import plain_ticks
 from validation.frame.files import mean_and_scatter
 from validation.frame.limits import numbers
 from validation.frame.study import Row, Stages, Study
@@ -71,9 +71,7 @@ class RingStudy(Study):
             ax.axhline(ring.side / ring.length, color=INK, linewidth=0.8, linestyle=":", label="width of the section")
             ax.set(xscale="log", yscale="log", xlabel="rate of strain over ε̇₀", ylabel="mean size of pieces over s₀")
             for axis, marks in ((ax.xaxis, (0.05, 0.1, 0.2, 0.5, 1.0)), (ax.yaxis, (1.0, 1.5, 2.0, 3.0))):
-                axis.set_major_locator(FixedLocator(marks))
-                axis.set_major_formatter(FormatStrFormatter("%g"))
-                axis.set_minor_locator(NullLocator())
+                plain_ticks(axis, marks)
             ax.legend(frameon=False)
 
 

@@ -8,6 +8,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from bondem.report.style import BLUE, GREY, INK, ORANGE, sheet
+from validation.cases.case import Claim
 from validation.cases.toughness import PLATES
 from validation.figures.axes import plain_ticks
 from validation.frame.files import mean_and_scatter
@@ -78,12 +79,10 @@ class Toughness(Study):
 
 def _judged(rows: Sequence[Row]) -> dict[str, Any]:
     values = [row["over_toughness"] for row in rows]
-    within = [abs(value - 1.0) <= LIMIT for value in values]
-    mean = mean_and_scatter(values)
-    assert mean["mean"] is not None
-    by_mean = "met by the mean" if abs(mean["mean"] - 1.0) <= LIMIT else "missed"
+    claim = Claim("toughness", 1.0 - LIMIT, 1.0 + LIMIT, "")
     return {
-        **{key: rows[0][key] for key in ("kind", "over", "size", "expected")}, "values": values, "mean": mean,
+        **{key: rows[0][key] for key in ("kind", "over", "size", "expected")},
+        "values": values, "mean": mean_and_scatter(values),
         **{key: [row[key] for row in rows] for key in ("seed", "count", "events", "run_seconds", "end")},
-        "verdict": "met" if all(within) else by_mean,
+        "verdict": claim.verdict(values),
     }  # fmt: skip
