@@ -4,15 +4,13 @@ A periodic cell gives its bulk moduli, a bar those of a tension test: the affine
 """
 
 from dataclasses import asdict, dataclass
-from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
 from bondem.calibration.response import Response
 from bondem.interactions.beams.bond_law import BondLaw
 from bondem.interactions.law_catalogue import PARAMETERS
-from bondem.specimen.lattice import Lattice
-from validation.rows.packings import PackingRequest, PackingTest, kept_lattice
+from validation.rows.packings import PackingRequest, PackingTest, shared_lattice
 
 #: What is measured; some of it in bars only, and slopes where they are asked for.
 MEASURED = ("E", "nu", "stiffness_ratio", "E_paper", "nu_paper", "axial_share", "exponent", "nu_slope", "seconds")
@@ -48,7 +46,7 @@ class ElasticRequest(PackingTest):
             E [Pa], ν and E/E_μ; of bars also eqs (14) and (15) and the share of the energy that is in the elongation
             of bonds; where slopes are asked for, d ln E / d ln r̃ and dν / dr̃, by adjoints.
         """
-        lattice = _lattice(self.packing, folder)
+        lattice = shared_lattice(self.packing, folder)
         solved = Response(lattice, self.law)
         found: dict[str, Any] = dict.fromkeys(MEASURED[:-1])
         found |= {"E": solved.E, "nu": solved.nu, "stiffness_ratio": solved.E / self.law.E}
@@ -73,9 +71,3 @@ def cells_and_bars(count: int, spread: float, *, cells: int, bars: int) -> list[
         for form, last in (("cube", cells), ("bar", bars))
         for seed in range(1, last + 1)
     ]
-
-
-@lru_cache(maxsize=2)
-def _lattice(packing: PackingRequest, folder: Path) -> Lattice:
-    """The packing of a row; several laws in turn ask for the same."""
-    return kept_lattice(packing, folder)

@@ -7,6 +7,7 @@ packing again.
 import math
 import time
 from dataclasses import asdict, dataclass
+from functools import lru_cache
 from pathlib import Path
 from typing import Any, cast
 
@@ -32,8 +33,19 @@ FORMS: dict[str, bd.Shape] = {"cube": bd.Box(_EDGES), "bar": bd.Cylinder(radius=
 _DEEP = 3.0
 
 
+class Packed(Request):
+    """A body whose spheres and bonds are kept beside the rows."""
+
+    def packing_file(self, folder: Path) -> Path:
+        """Where they are kept."""
+        return folder / "packings" / f"{self.name}.h5"
+
+    def whole(self, folder: Path) -> bool:
+        return self.packing_file(folder).is_file()
+
+
 @dataclass(frozen=True)
-class PackingRequest(Request):
+class PackingRequest(Packed):
     """One packing of a study.
 
     Attributes:
@@ -62,13 +74,6 @@ class PackingRequest(Request):
     @property
     def weight(self) -> float:
         return float(self.count)
-
-    def packing_file(self, folder: Path) -> Path:
-        """Where its spheres and bonds are kept."""
-        return folder / "packings" / f"{self.name}.h5"
-
-    def whole(self, folder: Path) -> bool:
-        return self.packing_file(folder).is_file()
 
     def measured(self, folder: Path) -> dict[str, Any]:
         """Pack, bond and measure, and keep the packing; the time is that of packing."""
@@ -107,11 +112,17 @@ class PackingTest(Request):
         return asdict(self.packing)
 
 
-def kept_lattice(request: PackingRequest, folder: Path) -> bd.Lattice:
+def kept_lattice(request: Packed, folder: Path) -> bd.Lattice:
     """The spheres and bonds behind a row."""
     particles, pairs = load_bonded(request.packing_file(folder))
     assert pairs is not None
     return bd.Lattice(particles, pairs)
+
+
+@lru_cache(maxsize=2)
+def shared_lattice(request: Packed, folder: Path) -> bd.Lattice:
+    """The same once for several laws that ask for it in turn."""
+    return kept_lattice(request, folder)
 
 
 def _measures(lattice: bd.Lattice) -> dict[str, Any]:

@@ -2,7 +2,6 @@
 
 import math
 from dataclasses import asdict, dataclass
-from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -11,10 +10,10 @@ import numpy as np
 import bondem as bd
 from bondem.calibration.affine import affine_estimate, is_bar
 from bondem.interactions.law_catalogue import PARAMETERS
-from bondem.io.particles_file import load_bonded
 from bondem.labtests.gauge_length import AffineField, middle_half
 from bondem.packing.sizes import SPREAD
 from validation.frame.request import Request
+from validation.rows.packings import Packed, shared_lattice
 
 #: Where a packing ends: 6.2 or 7 contacts a sphere over all spheres, the onset of jamming, or cut from a periodic
 #: packing with 6.2 contacts a sphere.
@@ -51,7 +50,7 @@ FORMS: dict[str, bd.Shape] = {
 
 
 @dataclass(frozen=True)
-class SpecimenRequest(Request):
+class SpecimenRequest(Packed):
     """One specimen.
 
     Attributes:
@@ -72,17 +71,10 @@ class SpecimenRequest(Request):
     def weight(self) -> float:
         return float(self.count) * (3.0 if self.target == "jamming" else 1.0)
 
-    def file(self, folder: Path) -> Path:
-        """Where its elements and bonds are kept."""
-        return folder / "packings" / f"{self.name}.h5"
-
-    def whole(self, folder: Path) -> bool:
-        return self.file(folder).is_file()
-
     def measured(self, folder: Path) -> dict[str, Any]:
         """Pack, bond, cut out where asked, and keep."""
         lattice = self._cut() if self.target == "carved" else bd.connect(self._packed(FORMS[self.form], self.count))
-        bd.save_particles(self.file(folder), lattice, provenance=asdict(self))
+        bd.save_particles(self.packing_file(folder), lattice, provenance=asdict(self))
         return {"elements": len(lattice.particles), "bonds": len(lattice.pairs), "rattlers": lattice.rattlers}
 
     def _packed(self, shape: bd.Shape, count: int) -> bd.Particles:
@@ -138,7 +130,7 @@ class ModuliRequest(Request):
             E over E_μ and ν as measured and of the affine field, what else goes into the model, and of the bonds
             their mean length over R̄, its standard deviation, and their number in a volume R̄³.
         """
-        lattice = _lattice(self.specimen, folder)
+        lattice = shared_lattice(self.specimen, folder)
         bar = self.test != "stress" and is_bar(lattice)
         estimate = affine_estimate(lattice, self.law, bar=bar)
         E, nu = _moduli(lattice, self.law, self.test)
@@ -188,11 +180,3 @@ def _between_plates(lattice: bd.Lattice, law: bd.BondLaw) -> tuple[float, float]
     chosen = middle_half(lattice)
     strain = np.diag(AffineField.fit(lattice.particles.position[chosen], pulled.displacement[chosen]).strain)
     return force / shape.section() / float(strain[0]), -0.5 * float(strain[1] + strain[2]) / float(strain[0])
-
-
-@lru_cache(maxsize=2)
-def _lattice(specimen: SpecimenRequest, folder: Path) -> bd.Lattice:
-    """The specimen of a row; several laws in turn ask for the same."""
-    particles, pairs = load_bonded(specimen.file(folder))
-    assert pairs is not None
-    return bd.Lattice(particles, pairs)
