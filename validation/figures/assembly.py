@@ -9,10 +9,10 @@ import numpy as np
 from matplotlib import colormaps
 from matplotlib.colors import Normalize
 
-from bondem._types import Floats
 from bondem.report.spheres import View, render
 from bondem.report.style import BLUE, GREEN, GREY, ORANGE, SEQUENTIAL, sheet
 from bondem.specimen.lattice import Lattice
+from validation.figures.axes import column, draw_means
 from validation.figures.packing_curves import NAMES
 from validation.measures.limit import Limit
 
@@ -39,21 +39,16 @@ def draw_assembly(path: Path, rows: Sequence[Row], limits: Mapping[str, Mapping[
                 cells = [row for row in rows if row["target"] == target and row["periodic"]]
                 if not bars:
                     continue
-                count, value = _of(bars, "count"), factor * _of(bars, name)
-                size = np.unique(count)
-                mean = np.array([value[count == one].mean() for one in size])
-                sd = np.array([value[count == one].std(ddof=1) if (count == one).sum() > 1 else 0.0 for one in size])
-                ax.plot(count, value, ".", color=colour, markersize=3.5, alpha=0.5)
+                count, value = column(bars, "count"), factor * column(bars, name)
                 fit = limits[target][name]
                 ending = "" if fit is None else f"; N → ∞: {factor * fit.value:.{digits}f}"
                 ending += "" if fit is None else f" ± {factor * fit.error:.{digits}f}"
-                ax.errorbar(size, mean, yerr=sd, color=colour, marker=marker, markersize=4.5, capsize=2.5,
-                            elinewidth=1.0, linestyle="none", label=NAMES[target] + ending)  # fmt: skip
+                draw_means(ax, count, value, colour, marker, NAMES[target] + ending, joined=False)
                 if fit is not None:
                     over = np.geomspace(fit.fewest, count.max(), 100)
                     ax.plot(over, factor * fit.at(over), color=colour, linewidth=1.2)
                 if cells:
-                    free = factor * _of(cells, name).mean()
+                    free = factor * column(cells, name).mean()
                     ax.axhline(free, color=colour, linestyle=_DOTTED, linewidth=1.5,
                                label=f"periodic cell: {free:.{digits}f}")  # fmt: skip
             ax.set(xscale="log", xlabel="number of elements N")
@@ -79,11 +74,11 @@ def draw_scatter(
     """
     first = next(iter(scatter))
     with sheet(path, 9.2, 3.0 + 0.9 * len(scatter), 1, 2) as (_, (left, right)):
-        count = _of(rows, "count")
+        count = column(rows, "count")
         size = np.unique(count)
         over = np.geomspace(size.min(), size.max(), 50)
         for name, label, colour, marker in (("E", "E", BLUE, "o"), ("nu", "ν", GREEN, "s")):
-            value = _of(rows, name)
+            value = column(rows, name)
             groups = [value[count == one] for one in size]
             sd = [100.0 * group.std(ddof=1) / abs(group.mean()) if len(group) > 1 else math.nan for group in groups]
             left.plot(size, sd, marker, color=colour, markersize=4.5, label=f"{label}, packings of one size")
@@ -136,7 +131,3 @@ def draw_fineness(path: Path, lattices: Sequence[Lattice]) -> None:
             ax.imshow(render(particles.position, particles.radius, colour, view=_VIEW, width=2 * _PIXELS),
                       interpolation="lanczos")  # fmt: skip
             ax.set_title(f"{len(particles)} elements")
-
-
-def _of(rows: Sequence[Row], name: str) -> Floats:
-    return np.array([row[name] for row in rows], dtype=float)

@@ -10,6 +10,7 @@ from scipy.ndimage import maximum_filter1d
 from bondem._types import Floats
 from bondem.labtests.vibration import FreeVibration
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, sheet
+from validation.figures.axes import draw_bars
 from validation.measures.explicit_tension import ExplicitTension
 
 _KINDS = {"normal": BLUE, "shear": ORANGE, "bending": GREEN, "twisting": PURPLE}
@@ -159,7 +160,7 @@ def draw_inertia(path: Path, summary: Mapping[str, Any]) -> None:
         names = {
             "mass_excess": "mass", "axial_excess": "moment about\nthe axis", "lateral_excess": "moments\nacross it",
         }  # fmt: skip
-        _bars(left, [summary[name] for name in names], 0.0, 0.55, BLUE, None)
+        draw_bars(left, np.arange(3.0), [summary[name] for name in names], 0.55, BLUE, None)
         left.set_xticks(range(len(names)), list(names.values()))
         left.set(ylabel="elements / continuum − 1 [%]", title="mass and moments")
         left.margins(y=0.1)
@@ -168,7 +169,8 @@ def draw_inertia(path: Path, summary: Mapping[str, Any]) -> None:
             "measured": ("all, as measured", GREY),
         }  # fmt: skip
         for k, (group, (label, colour)) in enumerate(groups.items()):
-            _bars(right, [summary["frequency"][kind][group] for kind in kinds], (k - 1) * 0.27, 0.25, colour, label)
+            shifts = [summary["frequency"][kind][group] for kind in kinds]
+            draw_bars(right, np.arange(3.0) + (k - 1) * 0.27, shifts, 0.25, colour, label)
         right.set_xticks(range(len(kinds)), [f"first frequency,\n{kind}" for kind in kinds])
         right.set(ylabel="shift of the frequency [%]", title="what frequencies owe to it")
         right.margins(y=0.18)
@@ -176,14 +178,6 @@ def draw_inertia(path: Path, summary: Mapping[str, Any]) -> None:
         for ax in (left, right):
             ax.axhline(0.0, color=INK, linewidth=0.8)
             ax.grid(axis="x", visible=False)
-
-
-def _bars(ax: Any, values: Sequence[Mapping[str, float | None]], shift: float, width: float, colour: str,
-          label: str | None) -> None:  # fmt: skip
-    height = [100.0 * (one["mean"] or 0.0) for one in values]
-    scatter = [100.0 * (one["std"] or 0.0) for one in values]
-    ax.bar(np.arange(len(values)) + shift, height, width, color=colour, label=label)
-    ax.errorbar(np.arange(len(values)) + shift, height, scatter, fmt="none", ecolor=INK, elinewidth=1.0, capsize=2.5)
 
 
 def _unit(largest: float) -> tuple[float, str]:

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
-from bondem._types import Floats
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, sheet
+from validation.figures.axes import column, draw_means, mean_by
 from validation.measures.limit import Limit
 
 Row = Mapping[str, Any]
@@ -37,8 +37,8 @@ def draw_dispersion(path: Path, rows: Sequence[Row], *, verdict: float) -> None:
     """
     kappa = np.array([100.0 * row["spread"] for row in rows])
     with sheet(path, 8.2, 4.0, 1, 2) as (_, (left, right)):
-        _means(left, kappa, _of(rows, "isotropy_error"), BLUE, "o", "packings")
-        level, chance = _mean_by(kappa, _of(rows, "isotropy_error_random"))
+        draw_means(left, kappa, column(rows, "isotropy_error"), BLUE, "o", "packings")
+        level, chance = mean_by(kappa, column(rows, "isotropy_error_random"))
         left.plot(level, chance, color=GREEN, linestyle=_DASHED, label="random fabric of as many bonds")
         left.axhline(LARGEST_POSSIBLE, color=INK, linewidth=1.2, label="largest possible, 319/320² = 0.003115")
         left.axhline(PRINTED_THRESHOLD, color=ORANGE, linewidth=2.0, linestyle=(0, (2, 2)),
@@ -46,11 +46,11 @@ def draw_dispersion(path: Path, rows: Sequence[Row], *, verdict: float) -> None:
         left.set(xlabel="dispersion κ [%]", ylabel="e, eq (11) [-]", yscale="log", title="e as the paper has it")
         left.set_ylim(top=0.01)
         left.legend(loc="center right", bbox_to_anchor=(1.0, 0.6), fontsize=8.0)
-        _means(right, kappa, _of(rows, "rms_excess"), GREY, "s", "all bonds")
-        _means(right, kappa, _of(rows, "core_rms_excess"), BLUE, "o", "away from the walls")
+        draw_means(right, kappa, column(rows, "rms_excess"), GREY, "s", "all bonds")
+        draw_means(right, kappa, column(rows, "core_rms_excess"), BLUE, "o", "away from the walls")
         refused = np.array([not row["passed"] for row in rows])
         if refused.any():
-            right.plot(kappa[refused], _of(rows, "core_rms_excess")[refused], "x", color=ORANGE, markersize=10,
+            right.plot(kappa[refused], column(rows, "core_rms_excess")[refused], "x", color=ORANGE, markersize=10,
                        markeredgewidth=2.0, zorder=5, label="refused")  # fmt: skip
         right.axhline(verdict, color=ORANGE, linewidth=1.2, label="limit of the verdict")
         right.set(xlabel="dispersion κ [%]", ylabel="rms deviation beyond chance [-]", title="rms excess")
@@ -73,22 +73,22 @@ def draw_refinement(path: Path, rows: Sequence[Row], limits: Mapping[str, Mappin
             free = [row for row in rows if row["target"] == target and row["periodic"]]
             if not own:
                 continue
-            name, count = NAMES[target], _of(own, "count")
+            name, count = NAMES[target], column(own, "count")
             for ax, key in ((density, "volume_fraction"), (contacts, "coordination_number")):
                 fit = limits.get(target, {}).get(key)
                 digits = 4 if ax is density else 3
                 ending = "" if fit is None else f"; N → ∞: {fit.value:.{digits}f} ± {fit.error:.{digits}f}"
-                _means(ax, count, _of(own, key), colour, marker, name + ending, joined=False)
+                draw_means(ax, count, column(own, key), colour, marker, name + ending, joined=False)
                 if fit is not None:
                     over = np.geomspace(fit.fewest, count.max(), 100)
                     ax.plot(over, fit.at(over), color=colour, linewidth=1.2)
                 if free:
-                    ax.axhline(_of(free, key).mean(), color=colour, linestyle=_DOTTED, linewidth=1.5)
-                ax.plot(*_mean_by(count, _of(own, f"core_{key}")), color=colour, linestyle=_DASHED, linewidth=1.0)
-            _means(error, count, _of(own, "isotropy_error"), colour, marker, name)
-            _means(excess, count, _of(own, "rms_excess"), colour, marker, name)
+                    ax.axhline(column(free, key).mean(), color=colour, linestyle=_DOTTED, linewidth=1.5)
+                ax.plot(*mean_by(count, column(own, f"core_{key}")), color=colour, linestyle=_DASHED, linewidth=1.0)
+            draw_means(error, count, column(own, "isotropy_error"), colour, marker, name)
+            draw_means(excess, count, column(own, "rms_excess"), colour, marker, name)
             for ax, key in ((error, "isotropy_error_random"), (excess, "core_rms_excess")):
-                ax.plot(*_mean_by(count, _of(own, key)), color=colour, linestyle=_DASHED, linewidth=1.0)
+                ax.plot(*mean_by(count, column(own, key)), color=colour, linestyle=_DASHED, linewidth=1.0)
         for ax in (density, contacts):
             ax.plot([], [], color=INK, linestyle=_DOTTED, linewidth=1.5, label="without walls, periodic cell")
             lower, upper = ax.get_ylim()
@@ -107,23 +107,3 @@ def _named(ax: Axes, title: str, label: str, dashed: str) -> None:
     ax.plot([], [], color=INK, linestyle=_DASHED, linewidth=1.0, label=dashed)
     ax.set(xscale="log", xlabel="number of spheres N", ylabel=label, title=title)
     ax.legend(loc="upper right", fontsize=7.5)
-
-
-def _means(ax: Axes, x: Floats, y: Floats, colour: str, marker: str, label: str, *, joined: bool = True) -> None:
-    """Every packing, small, and their mean with its scatter."""
-    level, mean = _mean_by(x, y)
-    ax.plot(x, y, ".", color=colour, markersize=3.5, alpha=0.5)
-    groups = [y[(x == one) & np.isfinite(y)] for one in level]
-    spread = np.array([group.std(ddof=1) if len(group) > 1 else 0.0 for group in groups])
-    ax.errorbar(level, mean, yerr=spread, color=colour, marker=marker, markersize=4.5, capsize=2.5, elinewidth=1.0,
-                linestyle="-" if joined else "none", linewidth=1.3, label=label)  # fmt: skip
-
-
-def _mean_by(x: Floats, y: Floats) -> tuple[Floats, Floats]:
-    level = np.unique(x)
-    known = [y[(x == one) & np.isfinite(y)] for one in level]
-    return level, np.array([group.mean() if len(group) else np.nan for group in known])
-
-
-def _of(rows: Sequence[Row], name: str) -> Floats:
-    return np.array([row[name] for row in rows], dtype=float)

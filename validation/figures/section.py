@@ -1,19 +1,18 @@
 """The face of a specimen with its sections, the profile of stress over the radius, and bending with each section."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
 from matplotlib.colors import to_rgb
 from matplotlib.patches import Circle
 
-from bondem._types import Floats
 from bondem.report.spheres import View, render
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, sheet
 from bondem.specimen.lattice import Lattice
+from validation.figures.axes import draw_bars
 
 _DASHED = (0, (4, 3))
 _ALONG_X = View(azimuth=0.5 * math.pi, elevation=0.0)
@@ -102,10 +101,10 @@ def draw_section_errors(
     others = {test: name for test, name in tests.items() if test != _JUDGED}
     with sheet(path, 9.6, 4.4, 1, 2, width_ratios=(1, 2.6)) as (figure, (left, right)):
         for k, (section, label) in enumerate(sections.items()):
-            _bars(left, np.array([float(k)]), 0.8, error[section], [_JUDGED], k, None)
+            draw_bars(left, np.array([float(k)]), [error[section][_JUDGED]], 0.8, _COLOURS[k], None)
             width = 0.84 / len(sections)
             place = np.arange(float(len(others))) + (k - 0.5 * (len(sections) - 1)) * width
-            _bars(right, place, 0.92 * width, error[section], list(others), k, label)
+            draw_bars(right, place, [error[section][test] for test in others], 0.92 * width, _COLOURS[k], label)
         for k, section in enumerate(sections):
             for sign in (-1.0, 1.0) if section in printed else ():
                 left.plot([k - 0.46, k + 0.46], [sign * 100.0 * printed[section]] * 2, color=ORANGE, linewidth=2.2)
@@ -121,13 +120,3 @@ def draw_section_errors(
             ax.grid(axis="x", visible=False)
             ax.margins(y=0.08)
         figure.legend(*right.get_legend_handles_labels(), loc="outside upper left", ncols=2, fontsize=8.5)
-
-
-def _bars(
-    ax: Axes, place: Floats, width: float, error: Mapping[str, Mapping[str, float | None]], tests: Sequence[str],
-    which: int, label: str | None,
-) -> None:  # fmt: skip
-    """Mean and scatter of some tests with one section."""
-    mean, scatter = ([100.0 * (error[test][part] or 0.0) for test in tests] for part in ("mean", "std"))
-    ax.bar(place, mean, width, color=_COLOURS[which], label=label)
-    ax.errorbar(place, mean, scatter, fmt="none", ecolor=INK, elinewidth=1.0, capsize=2.0)
