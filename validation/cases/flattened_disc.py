@@ -119,7 +119,7 @@ class FlattenedDisc:
             UnstableRunError: the run became unstable.
         """
         rise, speed = self._pace(law, expected, _DENSITY)
-        falls = bd.LoadDrop({"top": (0.0, -1.0, 0.0)}, _ENDING, 0.3 * expected / float(self.stress(np.float64(1.0))))
+        falls = bd.LoadDrop({"top": (0.0, -1.0, 0.0)}, _ENDING, 0.3 * expected / self.stress(np.ones(1)).item())
         run = self.loaded(body, law, failure, expected, density=_DENSITY, until=(falls,))
         if run.status.failed:
             raise UnstableRunError(run.message)

@@ -79,7 +79,7 @@ def _condensed(case: Case, beam: BentBeam, across: int) -> tuple[Floats, Ints]:
     x = np.append(x, half + over / 4 * np.arange(1, 5))
     y = np.linspace(0.0, beam.depth, across + 1)
     number = np.arange(len(x) * len(y)).reshape(len(x), len(y))
-    nodes = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1).reshape(-1, 2)
+    nodes: Floats = np.column_stack([np.repeat(x, len(y)), np.tile(y, len(x))]).astype(np.float64)
     ligament = number[0, y >= beam.notch[1] - 1e-9]
     kept = np.append(2 * ligament, 2 * number[0, -1] + 1)
     support = 2 * number[np.argmin(np.abs(x - half)), :1] + 1
