@@ -13,6 +13,7 @@ import multiprocessing
 import time
 from collections.abc import Sequence
 from contextlib import nullcontext
+from dataclasses import replace
 from itertools import product
 from pathlib import Path
 from typing import Annotated, Any
@@ -97,7 +98,7 @@ def done(task: tuple[str, int, int]) -> dict[str, Any]:
         rows = CASES[name][0](seed, count)
     return {
         "task": name, "seed": seed, "count": count, "seconds": time.perf_counter() - begun, "commit": commit(),
-        "rows": [row.as_json() for row in rows],
+        "rows": [replace(row, seed=seed, count=count).as_json() for row in rows],
     }  # fmt: skip
 
 

@@ -36,14 +36,14 @@ WIDE, OPENED = (-10.0, -3.0, 0.9), 5.0
 _STRETCH = TENSION / E * SIDE
 
 
-def _rows(told: str, found: Course, seed: int, count: int) -> list[Row]:
+def _rows(told: str, found: Course) -> list[Row]:
     along = found.stress["x"] / TENSION
     least = float(along[int(np.argmax(along)) :].min())
     note = f"{found.note}, least after the peak {least:.3f} f_t"
     return [
-        Row("states", f"{told}: peak", found.peak() / TENSION, 1.0, PEAK, seed, count, note=note),
-        Row("states", f"{told}: G_f", found.dissipated() / ENERGY, 1.0, WORK, seed, count, note=note),
-        Row("states", f"{told}: left over f_t", found.left() / TENSION, 0.0, LEFT, seed, count, note=note),
+        Row("states", f"{told}: peak", found.peak() / TENSION, 1.0, PEAK, note=note),
+        Row("states", f"{told}: G_f", found.dissipated() / ENERGY, 1.0, WORK, note=note),
+        Row("states", f"{told}: left over f_t", found.left() / TENSION, 0.0, LEFT, note=note),
     ]
 
 
@@ -58,19 +58,17 @@ def beside(seed: int, count: int) -> list[Row]:
         # the sides come in as slowly as the tension grows afterwards, whatever the pressure
         found = course(cube(seed, count), RANKINE, knots, traverses=TRAVERSES / quick, hurry=1.0 / quick)
         told = f"pressure {share:g} f_t held by platens"
-        rows += _rows(told, found, seed, count)
+        rows += _rows(told, found)
         if share:
             left = -found.left("y") / TENSION
-            rows.append(Row("states", f"{told}: pressure at the end over f_t", left, share, None, seed, count))
+            rows.append(Row("states", f"{told}: pressure at the end over f_t", left, share, None))
     return rows
 
 
 def dead(seed: int, count: int) -> list[Row]:
     """Tension along x under a constant stress along y, which is there first."""
     return [
-        row
-        for share in DEAD
-        for row in _rows(f"dead stress {share:g} f_t across", _torn(seed, count, share, torn()), seed, count)
+        row for share in DEAD for row in _rows(f"dead stress {share:g} f_t across", _torn(seed, count, share, torn()))
     ]
 
 
@@ -79,7 +77,7 @@ def wide(seed: int, count: int) -> list[Row]:
     rows = []
     for share in WIDE:
         found = _torn(seed, count, share, OPENED * 2.0 * ENERGY / TENSION)
-        rows += _rows(f"dead stress {share:g} f_t across, opened by {OPENED:g}", found, seed, count)[1:]
+        rows += _rows(f"dead stress {share:g} f_t across, opened by {OPENED:g}", found)[1:]
     return rows
 
 
@@ -105,6 +103,6 @@ def pressed(seed: int, count: int) -> list[Row]:
     told = f"pressure alone to {PRESSED:g} f_t, nu = {SQUEEZED:g}"
     stress = found.left() / TENSION
     return [
-        Row("states", f"{told}: stress over f_t", -stress, PRESSED, STIFFNESS, seed, count, note=found.note),
-        Row("states", f"{told}: dissipated over G_f", found.dissipated() / ENERGY, 0.0, NOTHING, seed, count),
+        Row("states", f"{told}: stress over f_t", -stress, PRESSED, STIFFNESS, note=found.note),
+        Row("states", f"{told}: dissipated over G_f", found.dissipated() / ENERGY, 0.0, NOTHING),
     ]

@@ -30,4 +30,4 @@ def bimetal(seed: int, count: int) -> list[Row]:
     # parts that are even along x: the bend, and what expands across
     terms = np.column_stack([x**2, x, np.ones(len(x)), y, y**2, np.maximum(y - 0.5 * SIZE[1], 0.0)])[chosen]
     bend = 2.0 * np.linalg.lstsq(terms, moved[chosen, 1], rcond=None)[0][0]
-    return [Row("bimetal", "curvature", abs(bend), curvature(), LIMIT, seed, count)]
+    return [Row("bimetal", "curvature", abs(bend), curvature(), LIMIT)]

@@ -29,7 +29,7 @@ def turned_axes(seed: int, count: int) -> list[Row]:
     found = sheared(cube(seed, count), replace(RANKINE, fracture_energy=BRITTLE), points, ending=None)
     run, told = found.run, "axes that turn after the peak"
     note = f"{run.status.value}, imbalance {run.history.imbalance:.1e}"
-    return [Row("curved", f"{told}: largest σ1", found.peak / TENSION, 1.0, PEAK, seed, count, note=note)]
+    return [Row("curved", f"{told}: largest σ1", found.peak / TENSION, 1.0, PEAK, note=note)]
 
 
 @cache
@@ -54,8 +54,7 @@ def offset(seed: int, count: int) -> list[Row]:
     told = "notches on both sides, apart along the bar"
     left, peak = found.left() / net / TENSION, found.peak() / net / TENSION
     return [
-        Row("curved", f"{told}: left over f_t", left, 0.0, TORN, seed, count, note=found.note),
-        Row("curved", f"{told}: peak over f_t", peak, 1.0, None, seed, count),
-        Row("curved", f"{told}: G_f over the line between them", found.dissipated() / ENERGY / line, 1.0, None, seed,
-            count),
+        Row("curved", f"{told}: left over f_t", left, 0.0, TORN, note=found.note),
+        Row("curved", f"{told}: peak over f_t", peak, 1.0, None),
+        Row("curved", f"{told}: G_f over the line between them", found.dissipated() / ENERGY / line, 1.0, None),
     ]  # fmt: skip

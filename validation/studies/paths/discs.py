@@ -46,8 +46,8 @@ def discs(seed: int, count: int) -> list[Row]:
         (smooth, note), (rough, also) = (_split(body, share, friction) for friction in (0.0, FRICTION))
         told, limit = f"E G_f / f_t² = {share:g} D", LIMIT if theory else None
         rows += [
-            Row("discs", f"{told}: strength over f_t", smooth, theory or 1.0, limit, seed, count, note=note),
+            Row("discs", f"{told}: strength over f_t", smooth, theory or 1.0, limit, note=note),
             Row("discs", f"{told}: strength with friction {FRICTION:g} over that without", rough / smooth, 1.0,
-                CHANGE if theory else None, seed, count, note=also),
+                CHANGE if theory else None, note=also),
         ]  # fmt: skip
     return rows

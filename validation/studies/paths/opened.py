@@ -32,16 +32,16 @@ def _opening(share: float, length: float = SIDE) -> float:
 
 def slide(seed: int, count: int) -> list[Row]:
     """A crack across x is opened, held open, and slid along y: shear along it and stress across it."""
-    return _slide(cube(seed, count), SIDE, "", seed, count)
+    return _slide(cube(seed, count), SIDE, "")
 
 
 def flat(seed: int, count: int) -> list[Row]:
     """The same in a block that is too flat for its halves to turn, as those of a cube do by cracks near its faces."""
     block = bd.pack(bd.Box((FLAT, SIDE, SIDE)), count=2 * count, method="even", seed=seed)
-    return _slide(bd.connect(block, method="laguerre"), FLAT, "flat, ", seed, count)
+    return _slide(bd.connect(block, method="laguerre"), FLAT, "flat, ")
 
 
-def _slide(body: bd.Lattice, length: float, told_before: str, seed: int, count: int) -> list[Row]:
+def _slide(body: bd.Lattice, length: float, told_before: str) -> list[Row]:
     rows: list[Row] = []
     for opening, slides in SLIDES.items():
         reach = _opening(opening, length)
@@ -55,7 +55,7 @@ def _slide(body: bd.Lattice, length: float, told_before: str, seed: int, count: 
         note = f"{found.note}, largest shear {np.abs(shear).max():.3f} f_t, dissipated {spent[sliding]:.3f} before"
 
         def row(name: str, value: float, limit: float | None, note: str = note, told: str = told) -> Row:
-            return Row("open", f"{told}{name}", value, 0.0, limit, seed, count, note=note)
+            return Row("open", f"{told}{name}", value, 0.0, limit, note=note)
 
         bears_nothing = opening >= 1.0
         for one, k in at.items():
@@ -80,10 +80,10 @@ def crossing(seed: int, count: int) -> list[Row]:
     told, note = "a crack across x, then one across y", f"{found.note}, G_f of the first {spent[begin]:.3f}"
     work = float(spent[-1] - spent[begin])
     return [
-        Row("open", f"{told}: peak along y", found.peak("y") / TENSION, 1.0, PEAK, seed, count, note=note),
-        Row("open", f"{told}: G_f of the second", work, 1.0, WORK, seed, count, note=note),
-        Row("open", f"{told}: left along y over f_t", found.left("y") / TENSION, 0.0, SHEAR, seed, count, note=note),
-        Row("open", f"{told}: left along x over f_t", found.left("x") / TENSION, 0.0, SHEAR, seed, count, note=note),
+        Row("open", f"{told}: peak along y", found.peak("y") / TENSION, 1.0, PEAK, note=note),
+        Row("open", f"{told}: G_f of the second", work, 1.0, WORK, note=note),
+        Row("open", f"{told}: left along y over f_t", found.left("y") / TENSION, 0.0, SHEAR, note=note),
+        Row("open", f"{told}: left along x over f_t", found.left("x") / TENSION, 0.0, SHEAR, note=note),
     ]
 
 
@@ -97,15 +97,13 @@ def closing(seed: int, count: int) -> list[Row]:
     strain, stress = found.moved["x"] / SIDE, found.stress["x"]
     end = int(np.flatnonzero(strain <= 0.999 * half / SIDE)[-1])
     begin = int(np.flatnonzero(strain[:end] > 0.25 * half / SIDE)[-1]) + 1
-    modulus = float(np.polyfit(strain[begin:end], stress[begin:end], 1)[0])
+    stiff = float(np.polyfit(strain[begin:end], stress[begin:end], 1)[0]) / whole.modulus("x", 0.5, 0.95)
     spent = found.run.history.released / found.section["x"] / ENERGY
     told = f"{TIMES} times opened by {OPENED:g} and pressed"
     return [
-        Row("open", f"{told}: modulus in compression", modulus / whole.modulus("x", 0.5, 0.95), 1.0, STIFFNESS, seed,
-            count, note=found.note),
-        Row("open", f"{told}: G_f when torn", float(spent[-1]), 1.0, WORK, seed, count, note=found.note),
-        Row("open", f"{told}: dissipation taken back over G_f", float(-np.diff(spent).min(initial=0.0)), 0.0, TAKEN,
-            seed, count),
+        Row("open", f"{told}: modulus in compression", stiff, 1.0, STIFFNESS, note=found.note),
+        Row("open", f"{told}: G_f when torn", float(spent[-1]), 1.0, WORK, note=found.note),
+        Row("open", f"{told}: dissipation taken back over G_f", float(-np.diff(spent).min(initial=0.0)), 0.0, TAKEN),
     ]  # fmt: skip
 
 
@@ -123,7 +121,7 @@ def rubbing(seed: int, count: int) -> list[Row]:
     told = f"torn, pressed by f_t and slid by {SLID[1]:g}"
     return [
         Row("open", f"{told}: shear over friction times pressure", float(shear.mean() / (FRICTION * pressure.mean())),
-            1.0, RUBS, seed, count, note=found.note),
-        Row("open", f"{told}: friction over the work of the slide", rubbed / work, 1.0, RUBS, seed, count,
+            1.0, RUBS, note=found.note),
+        Row("open", f"{told}: friction over the work of the slide", rubbed / work, 1.0, RUBS,
             note=found.note),
     ]  # fmt: skip

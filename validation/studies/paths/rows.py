@@ -18,7 +18,7 @@ class Row:
         measured, expected: in the same unit.
         tolerance: largest distance from what is expected, as a share of it, or in its unit where nothing is expected;
             None where the number is stated, and not judged.
-        seed, count: of the packing.
+        seed, count: of the packing, set by the battery.
         mean: whether the mean of all rows of the name is judged, and not each of them.
         note: what else is to be known of the run.
     """
@@ -28,8 +28,8 @@ class Row:
     measured: float
     expected: float
     tolerance: float | None
-    seed: int
-    count: int
+    seed: int = 0
+    count: int = 0
     mean: bool = False
     note: str = ""
 
@@ -133,9 +133,11 @@ def table(found: Sequence[Verdict], rows: Sequence[Row], before: Sequence[Verdic
     judged = [one for one in found if one.verdict != STATED]
     met = sum(one.verdict == MET for one in judged)
     lines += [
-        "", f"{met} of {len(judged)} quantities met. Numbers are measured over expected; where nothing is expected, "
-        "measured, with a tolerance in the same unit.", "",
-    ]  # fmt: skip
+        "",
+        f"{met} of {len(judged)} quantities met. Numbers are measured over expected; where nothing is expected, "
+        "measured, with a tolerance in the same unit.",
+        "",
+    ]
     for case in dict.fromkeys(row.case for row in rows):
         own = [row for row in rows if row.case == case]
         seeds, counts = ({getattr(row, name) for row in own} for name in ("seed", "count"))

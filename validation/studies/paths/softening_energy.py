@@ -57,8 +57,8 @@ def plain(seed: int, count: int) -> list[Row]:
         ratio = float(found.run.history.energy["work"][-1]) / (BAR[1] * BAR[2] * energy)
         note = f"G_f = {energy:g} J/m², {curve}, {found.note}"
         rows += [
-            Row("energy", "plain bar: f_t", found.peak() / TENSION, 1.0, STRENGTH_LIMIT, seed, count, note=note),
-            Row("energy", "plain bar: G_f", ratio, 1.0, ENERGY_LIMIT, seed, count, mean=True, note=note),
+            Row("energy", "plain bar: f_t", found.peak() / TENSION, 1.0, STRENGTH_LIMIT, note=note),
+            Row("energy", "plain bar: G_f", ratio, 1.0, ENERGY_LIMIT, mean=True, note=note),
         ]
     return rows
 
@@ -70,7 +70,7 @@ def notched(seed: int, count: int) -> list[Row]:
         found = _pulled("notched", energy, curve, seed, count)
         ratio = float(found.run.history.energy["work"][-1]) / ((BAR[1] - NOTCH[1]) * BAR[2] * energy)
         note = f"G_f = {energy:g} J/m², {curve}, {found.note}"
-        rows.append(Row("energy", "notched bar: G_f", ratio, 1.0, ENERGY_LIMIT, seed, count, mean=True, note=note))
+        rows.append(Row("energy", "notched bar: G_f", ratio, 1.0, ENERGY_LIMIT, mean=True, note=note))
     return rows
 
 
@@ -92,8 +92,8 @@ def solvers(seed: int, count: int) -> list[Row]:
         # direct_tension gives the stress over the section at mid-length of the shape, which notches do not narrow
         largest = float(test.run.history["far"][:, 0].max())
         rows += [
-            Row("solvers", f"{kind} bar: peak", largest / path.peak, 1.0, SOLVER_LIMIT, seed, count, note=note),
-            Row("solvers", f"{kind} bar: work", test.work / work, 1.0, SOLVER_LIMIT, seed, count, note=note),
+            Row("solvers", f"{kind} bar: peak", largest / path.peak, 1.0, SOLVER_LIMIT, note=note),
+            Row("solvers", f"{kind} bar: work", test.work / work, 1.0, SOLVER_LIMIT, note=note),
         ]
     return rows
 

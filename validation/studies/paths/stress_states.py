@@ -18,10 +18,10 @@ PAST = 1.02
 _STRETCH = TENSION / E * SIDE
 
 
-def _pair(told: str, peak: float, work: float, seed: int, count: int, note: str) -> list[Row]:
+def _pair(told: str, peak: float, work: float, note: str) -> list[Row]:
     return [
-        Row("states", f"{told}: peak", peak / TENSION, 1.0, PEAK, seed, count, note=note),
-        Row("states", f"{told}: G_f", work / ENERGY, 1.0, WORK, seed, count, note=note),
+        Row("states", f"{told}: peak", peak / TENSION, 1.0, PEAK, note=note),
+        Row("states", f"{told}: G_f", work / ENERGY, 1.0, WORK, note=note),
     ]
 
 
@@ -32,7 +32,7 @@ def proportional(seed: int, count: int) -> list[Row]:
         x, y = (1.0 - NU * ratio) * PAST * _STRETCH, (ratio - NU) * PAST * _STRETCH
         knots = {"x": (0.0, x, x + torn()), "y": (0.0, y, y)}
         found = course(cube(seed, count), RANKINE, knots, ending=0.005)
-        rows += _pair(told, found.peak("x"), found.dissipated("x"), seed, count, found.note)
+        rows += _pair(told, found.peak("x"), found.dissipated("x"), found.note)
     return rows
 
 
@@ -45,11 +45,11 @@ def equibiaxial(seed: int, count: int) -> list[Row]:
         told = f"both axes to the end, along {axis}"
         peak, left = found.peak(axis) / TENSION, found.left(axis) / TENSION
         rows += [
-            Row("states", f"{told}: peak", peak, 1.0, PEAK, seed, count, note=found.note),
-            Row("states", f"{told}: left over f_t", left, 0.0, LEFT, seed, count, note=found.note),
+            Row("states", f"{told}: peak", peak, 1.0, PEAK, note=found.note),
+            Row("states", f"{told}: left over f_t", left, 0.0, LEFT, note=found.note),
         ]
-    return [*rows, Row("states", "both axes to the end: dissipated over G_f", found.dissipated() / ENERGY, 2.0, None,
-                       seed, count, note=found.note)]  # fmt: skip
+    told, both = "both axes to the end: dissipated over G_f", found.dissipated() / ENERGY
+    return [*rows, Row("states", told, both, 2.0, None, note=found.note)]
 
 
 def held(seed: int, count: int) -> list[Row]:
@@ -60,7 +60,7 @@ def held(seed: int, count: int) -> list[Row]:
         stretch = (1.0 + nu) * (1.0 - 2.0 * nu) / (1.0 - nu) * _STRETCH
         knots = {"x": (0.0, stretch + torn()), "y": (0.0, 0.0), "z": (0.0, 0.0)}
         found = course(cube(seed, count), RANKINE, knots, law=law, ending=0.005)
-        rows += _pair(f"sides held, nu = {nu:g}", found.peak("x"), found.dissipated("x"), seed, count, found.note)
+        rows += _pair(f"sides held, nu = {nu:g}", found.peak("x"), found.dissipated("x"), found.note)
     return rows
 
 
@@ -69,9 +69,9 @@ def turning(seed: int, count: int) -> list[Row]:
     body = cube(seed, count)
     first = 0.9 * TENSION / E
     found = sheared(body, RANKINE, [(0.0, 0.0), (first, 0.0), (first, 3.0 * TENSION / E)])
-    rows = [Row("states", "tension, then shear: peak", found.peak / TENSION, 1.0, PEAK, seed, count)]
+    rows = [Row("states", "tension, then shear: peak", found.peak / TENSION, 1.0, PEAK)]
     knots = {"x": (0.0, 1.2 * _STRETCH, 1.2 * _STRETCH + torn())}
     slid = course(body, RANKINE, knots, slide=(0.0, 0.0, torn()), ending=0.005)
     told, work = "tension past the peak, then opening and sliding: G_f", slid.dissipated("x")
-    rows.append(Row("states", told, work / ENERGY, 1.0, WORK, seed, count, note=slid.note))
+    rows.append(Row("states", told, work / ENERGY, 1.0, WORK, note=slid.note))
     return rows

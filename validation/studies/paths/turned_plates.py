@@ -39,7 +39,7 @@ def turned(seed: int, count: int) -> list[Row]:
         works.append(test.work)
     mean = float(np.mean(works))
     return [
-        Row("turned", f"work at {angle:g} degrees over the mean", work / mean, 1.0, LIMIT, seed, count,
+        Row("turned", f"work at {angle:g} degrees over the mean", work / mean, 1.0, LIMIT,
             note=f"{work / ENERGY:.3f} G_f")
         for angle, work in zip(ANGLES, works, strict=True)
     ]  # fmt: skip

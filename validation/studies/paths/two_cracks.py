@@ -75,20 +75,20 @@ def strips(seed: int, count: int) -> list[Row]:
     twice = _tilt(found, cube(seed, count)) > TILTED
     spent, left = wedges(NU * BESIDE * TENSION / E * SIDE + torn()) if twice else (1.0, 0.0)
     told = f"weaker strips at opposite ends, torn {'twice: two wedges' if twice else 'once'}"
-    return _rows(told, found, spent, left, seed, count)
+    return _rows(told, found, spent, left)
 
 
 def section(seed: int, count: int) -> list[Row]:
     """The cube with one section that is weaker: it is torn there, once."""
     weak = _slab(0, 0.5 * (SIDE - WIDTH), 0.5 * (SIDE + WIDTH))
-    return _rows("one section weaker", _torn(seed, count, weak, SECTION), 1.0, 0.0, seed, count)
+    return _rows("one section weaker", _torn(seed, count, weak, SECTION), 1.0, 0.0)
 
 
-def _rows(told: str, found: Course, spent: float, left: float, seed: int, count: int) -> list[Row]:
+def _rows(told: str, found: Course, spent: float, left: float) -> list[Row]:
     rest = found.left() / TENSION - left
     return [
-        Row("states", f"{told}: G_f", found.dissipated() / ENERGY, spent, WORK, seed, count, note=found.note),
-        Row("states", f"{told}: left over f_t, less what is exact", rest, 0.0, LEFT, seed, count, note=found.note),
+        Row("states", f"{told}: G_f", found.dissipated() / ENERGY, spent, WORK, note=found.note),
+        Row("states", f"{told}: left over f_t, less what is exact", rest, 0.0, LEFT, note=found.note),
     ]
 
 

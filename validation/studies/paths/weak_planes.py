@@ -58,13 +58,13 @@ def inclined(seed: int, count: int) -> list[Row]:
         pulled = _pulled(found, WEAK, reach)
         name = f"plane at {angle:g} degrees: peak over f_w / cos²"
         rows.append(
-            Row("planes", name, pulled.peak() * c**2 / WEAK.tension, 1.0, LIMIT, seed, count, note=pulled.note)
+            Row("planes", name, pulled.peak() * c**2 / WEAK.tension, 1.0, LIMIT, note=pulled.note)
         )  # fmt: skip
     found = halves(SIZE, (0.0, 1.0, 0.0), seed, count)
     pulled = _pulled(found, WEAK, ALONG * WEAK.tension / E * SIZE[0])
     least = float(pulled.run.state.bond_integrity[found.facets].min())
     name = f"plane at 90 degrees: least integrity at {ALONG:g} f_w"
-    return [*rows, Row("planes", name, least, 1.0, 0.0, seed, count, note=pulled.note)]
+    return [*rows, Row("planes", name, least, 1.0, 0.0, note=pulled.note)]
 
 
 def lateral(seed: int, count: int) -> list[Row]:
@@ -76,8 +76,8 @@ def lateral(seed: int, count: int) -> list[Row]:
         pulled = _pulled(found, WEAK, reach, share * WEAK.tension)
         told = f"plane across, lateral tension {share:g} f_w"
         rows += [
-            Row("planes", f"{told}: peak", pulled.peak() / WEAK.tension, 1.0, LIMIT, seed, count, note=pulled.note),
-            Row("planes", f"{told}: G_w", pulled.dissipated() / G_W, 1.0, LIMIT, seed, count),
+            Row("planes", f"{told}: peak", pulled.peak() / WEAK.tension, 1.0, LIMIT, note=pulled.note),
+            Row("planes", f"{told}: G_w", pulled.dissipated() / G_W, 1.0, LIMIT),
         ]
     return rows
 
@@ -92,7 +92,7 @@ def beams(seed: int, count: int) -> list[Row]:
     for modulus, (how, released) in itertools.product(DCB_E, (("equilibria", _balanced), ("explicit", _opened))):
         energy, note = released(found, modulus)
         name = f"E = {modulus / 1e9:g} GPa, {how}: released over G_w"
-        rows.append(Row("dcb", name, energy / DCB_G, 1.0, DCB_LIMIT, seed, count, note=note))
+        rows.append(Row("dcb", name, energy / DCB_G, 1.0, DCB_LIMIT, note=note))
     return rows
 
 
