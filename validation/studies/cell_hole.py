@@ -8,7 +8,8 @@ cells that the finite elements stress most along the pull.
 """
 
 from collections.abc import Callable
-from typing import Any
+from functools import lru_cache, partial
+from itertools import product
 
 import numpy as np
 from scipy.interpolate import RegularGridInterpolator
@@ -120,8 +121,8 @@ def _interpolated(plain: MeshHex, curved: MeshHex2, u: np.ndarray, nu: float, me
     return lambda place: np.where((place[0] <= 1.0)[:, None, None], near(place.T), rest(place.T))
 
 
-def means(body: bd.Lattice, chosen: np.ndarray, fields: list[Field]) -> list[np.ndarray]:
-    """The mean of each field over chosen cells, (chosen, 3, 3): tetrahedra from centre to polygons, 4 points each."""
+def means(body: bd.Lattice, chosen: np.ndarray, field: Field) -> np.ndarray:
+    """The mean of a field over chosen cells, (chosen, 3, 3): tetrahedra from centre to polygons, 4 points each."""
     assert body.cells is not None
     outline = polyhedra(body)
     size = np.diff(outline.start)
@@ -138,15 +139,15 @@ def means(body: bd.Lattice, chosen: np.ndarray, fields: list[Field]) -> list[np.
     total = np.bincount(cell, weights=volume, minlength=len(chosen))
     assert np.allclose(total, body.cells.volume[chosen], rtol=1e-6)
     far, near = 0.5854101966249685, 0.1381966011250105
-    found = [np.zeros((len(chosen), 3, 3)) for _ in fields]
+    mean = np.zeros((len(chosen), 3, 3))
     weights = near * np.ones((4, 4)) + (far - near) * np.eye(4)
     for one in weights:
         points = one[0] * apex + np.einsum("k,kna->na", one[1:], corner)
-        for mean, field in zip(found, fields, strict=True):
-            np.add.at(mean, cell, 0.25 * volume[:, None, None] * field(points))
-    return [mean / total[:, None, None] for mean in found]
+        np.add.at(mean, cell, 0.25 * volume[:, None, None] * field(points))
+    return mean / total[:, None, None]
 
 
+@lru_cache(maxsize=1)
 def cut(count: int, seed: int) -> bd.Lattice:
     """The plate as a body."""
     hole = bd.Cylinder(RADIUS, 10e-3).rotated("y", np.pi / 2).moved((MIDDLE[0], MIDDLE[1], 8e-3))
@@ -187,20 +188,16 @@ def measure(
 ) -> None:  # fmt: skip
     """Measure all cases."""
     theory = {nu: reference(nu) for nu in nus}
-    peaks = {str(nu): found for nu, (_, found) in theory.items()}
-    print("peak at the rim:", peaks, flush=True)
-    rows: list[dict[str, Any]] = []
-    for count in counts:
-        for seed in seeds:
-            body = cut(count, seed)
-            off = np.hypot(*(body.centre - MIDDLE)[:, :2].T)
-            chosen = np.flatnonzero(off < 2.0 * RADIUS)
-            wanted = means(body, chosen, [theory[nu][0] for nu in nus])
-            size = float(body.cells.volume.mean() ** (1.0 / 3.0)) if body.cells else 0.0
-            for nu, mean in zip(nus, wanted, strict=True):
-                errors = compared(pulled(body, nu)[chosen], mean, count // 100)
-                thick = {"thickness": THICKNESS / size, "radius": RADIUS / size}
-                rows.append({"count": count, "seed": seed, "nu": nu, "cells": len(chosen)} | thick | errors)
-                words = ", ".join(f"{key} {value:.4f}" for key, value in errors.items())
-                print(f"{count}, seed {seed}, ν = {nu}: {words}", flush=True)
-            record.keep(mesh=MESH, peaks=peaks, rows=rows)
+    record.keep(mesh=MESH, peaks={str(nu): found for nu, (_, found) in theory.items()})
+    for count, seed, nu in product(counts, seeds, nus):
+        record.add(partial(measured, count, seed, nu, theory[nu][0]), "rows", count=count, seed=seed, nu=nu)
+
+
+def measured(count: int, seed: int, nu: float, field: Field) -> dict[str, float]:
+    """Errors of one plate."""
+    body = cut(count, seed)
+    assert body.cells is not None
+    chosen = np.flatnonzero(np.hypot(*(body.centre - MIDDLE)[:, :2].T) < 2.0 * RADIUS)
+    wanted, size = means(body, chosen, field), float(body.cells.volume.mean() ** (1.0 / 3.0))
+    sizes = {"cells": len(chosen), "thickness": THICKNESS / size, "radius": RADIUS / size}
+    return sizes | compared(pulled(body, nu)[chosen], wanted, count // 100)

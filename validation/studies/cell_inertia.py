@@ -7,6 +7,8 @@ elements; modes of one frequency as a group. Modes of the first mass are the sta
 others.
 """
 
+from functools import partial
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -16,7 +18,7 @@ from scipy.sparse import bsr_array
 import bondem as bd
 from bondem.statics.linear import System, rigid_motions, solver
 from validation.frame.record import Record
-from validation.measures.bodies import MODES, mesh
+from validation.measures.bodies import MODES, free_modes
 from validation.measures.matching import groups
 from validation.studies.cell_bodies import cut
 
@@ -92,15 +94,13 @@ def measure(
     nus: tuple[float, ...] = (0.2, 0.4),
 ) -> None:  # fmt: skip
     """Measure all cases."""
-    theory = {nu: mesh(SHAPE).vibration(1.0, nu, 1.0, count=MODES).frequency for nu in nus}
-    rows: list[dict[str, Any]] = []
-    for count in counts:
-        for seed in seeds:
-            for nu in nus:
-                model = bd.Model(cut(SHAPE, count, seed), bd.CellBond(E=1.0, nu=nu), 1.0)
-                for name, found in frequencies(model).items():
-                    one = errors(found, theory[nu])
-                    rows.append({"count": count, "seed": seed, "nu": nu, "inertia": name, "errors": one})
-                    words = " ".join(f"{100 * error:+.2f}" for error in one)
-                    print(f"{count}, seed {seed}, ν = {nu}, {name}: {words} %", flush=True)
-    record.keep(shape=SHAPE, rows=rows)
+    record.keep(shape=SHAPE)
+    for count, seed, nu in product(counts, seeds, nus):
+        record.add(partial(measured, count, seed, nu), "rows", count=count, seed=seed, nu=nu)
+
+
+def measured(count: int, seed: int, nu: float) -> list[dict[str, Any]]:
+    """Errors of one body under each mass."""
+    model = bd.Model(cut(SHAPE, count, seed), bd.CellBond(E=1.0, nu=nu), 1.0)
+    theory = free_modes(SHAPE, nu).frequency
+    return [{"inertia": name, "errors": errors(found, theory)} for name, found in frequencies(model).items()]

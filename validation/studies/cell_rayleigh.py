@@ -8,7 +8,9 @@ against the root of the Rayleigh function. The longest wave has twice its length
 step adds to ω, (ω dt)²/24, stands beside each ratio.
 """
 
-from typing import Any, NamedTuple
+from functools import partial
+from itertools import product
+from typing import NamedTuple
 
 import numpy as np
 from scipy.optimize import brentq
@@ -100,24 +102,18 @@ def measure(
     nus: tuple[float, ...] = (0.2, 0.4),
 ) -> None:  # fmt: skip
     """Measure all cases."""
-    rows: list[dict[str, Any]] = []
-    for count in counts:
-        for seed in seeds:
-            body, size = slab(count, seed)
-            for nu in nus:
-                wave, model = Wave.of(nu), smooth(body, nu)
-                for halves in HALVES:
-                    elements = 2.0 * LENGTH / halves / size
-                    every = max(1, int(elements / 20.0))  # at least 60 times a period, or every step
-                    found, dt = celerity(model, halves, wave, every)
-                    ratio = found / wave.celerity
-                    turn = 0.5 * dt * np.pi * halves / LENGTH * found
-                    step = float(turn / np.sin(turn) - 1.0)  # exact for central differences
-                    rows.append(
-                        {"count": count, "seed": seed, "nu": nu, "elements": elements,
-                         "depth": 0.5 * halves * DEPTH / LENGTH, "ratio": ratio, "step": step}
-                    )  # fmt: skip
-                    what = f"{count}, seed {seed}, ν = {nu}, {elements:5.1f} elements"
-                    print(f"{what}: {ratio:.5f}, step {step:.5f}", flush=True)
-    theory = {str(nu): Wave.of(nu)._asdict() for nu in nus}
-    record.keep(across=ACROSS, theory=theory, rows=rows)
+    record.keep(across=ACROSS, theory={str(nu): Wave.of(nu)._asdict() for nu in nus})
+    for count, seed in product(counts, seeds):
+        body, size = slab(count, seed)
+        for nu, halves in product(nus, HALVES):
+            case = {"count": count, "seed": seed, "nu": nu, "elements": 2.0 * LENGTH / halves / size}
+            record.add(partial(measured, body, nu, halves, case["elements"]), "rows", **case)
+
+
+def measured(body: bd.Lattice, nu: float, halves: int, elements: float) -> dict[str, float]:
+    """Celerity of one wave over theory, and what the length of the step adds to it."""
+    wave, every = Wave.of(nu), max(1, int(elements / 20.0))  # at least 60 times a period, or every step
+    found, dt = celerity(smooth(body, nu), halves, wave, every)
+    turn = 0.5 * dt * np.pi * halves / LENGTH * found
+    step = float(turn / np.sin(turn) - 1.0)  # exact for central differences
+    return {"depth": 0.5 * halves * DEPTH / LENGTH, "ratio": found / wave.celerity, "step": step}

@@ -6,8 +6,8 @@ shortest wave that elements carry is two of them long. With lumped masses, and w
 matrix at the usual time step and at half of it: a step of velocity Verlet adds (ω dt)² / 24 to ω.
 """
 
+from functools import partial
 from itertools import product
-from typing import Any
 
 import numpy as np
 
@@ -55,17 +55,16 @@ def measure(record: Record, *, count: int = 8000, seed: int = 1, nus: tuple[floa
     particles = bd.pack(bd.Cell((LENGTH, 1.0, 1.0)), count=count, spread=0.25, seed=seed)
     body = bd.connect(particles, method="laguerre")
     size = (LENGTH / count) ** (1.0 / 3.0)
-    rows: list[dict[str, Any]] = []
+    record.keep(count=count, seed=seed)
     for nu, (mass, share) in product(nus, KINDS):
         law = bd.CellBond(E=1.0, nu=nu)
         model = bd.Model(body, law, 1.0, mass_matrix=mass)
         for kind, axis, exact in (("P", 0, np.sqrt(law.lame + 2.0 * law.G)), ("S", 1, np.sqrt(law.G))):
             for number in NUMBERS if mass == "lumped" else NUMBERS[:7]:
-                found = celerity(model, number, axis, exact, share=share)
-                rows.append({
-                    "nu": nu, "mass": mass, "step": share, "wave": kind, "elements": LENGTH / number / size,
-                    "ratio": found / exact,
-                })  # fmt: skip
-                what = f"ν = {nu}, {mass}, {share:g} of the step, {kind}, {rows[-1]['elements']:5.1f} elements long"
-                print(f"{what}: {found / exact:.5f}", flush=True)
-    record.keep(count=count, seed=seed, rows=rows)
+                ratio = partial(over, model, number, axis, float(exact), share)
+                record.add(ratio, "rows", nu=nu, mass=mass, step=share, wave=kind, elements=LENGTH / number / size)
+
+
+def over(model: bd.Model, number: int, axis: int, exact: float, share: float) -> dict[str, float]:
+    """Celerity of a wave over that of the material."""
+    return {"ratio": celerity(model, number, axis, exact, share=share) / exact}

@@ -11,6 +11,7 @@ sides. The first packing is torn twice as slow, too, and with ν = 0. The densit
 
 import math
 import time
+from functools import partial
 from itertools import product
 from typing import Any
 
@@ -83,9 +84,8 @@ def pulled(test: str, count: int, seed: int, slower: float, nu: float) -> dict[s
 def measure(record: Record, *, count: int = 1000, seeds: tuple[int, ...] = (1, 2, 3)) -> None:
     """Tear cubes; the first packing twice as slow, too, and with ν = 0."""
     record.keep(E=E, nu=NU, fracture_energy=ENERGY, asked=ASKED, slope=GLASS.slope, strength=GLASS.strength,
-                cone={test: cone(len(axes)) for test, axes in AXES.items()}, cases=[])  # fmt: skip
+                cone={test: cone(len(axes)) for test, axes in AXES.items()})  # fmt: skip
     for slower, nu, some in ((1.0, NU, seeds), (2.0, NU, seeds[:1]), (1.0, 0.0, seeds[:1])):
         for test, seed in product(AXES, some):
-            record.rows().append(pulled(test, count, seed, slower, nu))
-            record.keep()
-            print(record.rows()[-1], flush=True)
+            case = {"test": test, "count": count, "seed": seed, "slower": slower, "nu": nu}
+            record.add(partial(pulled, **case), **case)
