@@ -19,9 +19,9 @@ from bondem.calibration.surface_correction import (
 from bondem.errors import InputError
 from tests.specimens import chain, grid, spheres
 from validation.frame.request import made_row
+from validation.measures.surface_fit import Fit, bulk_means, design, law_name
 from validation.rows.surface import FORMS, ModuliRequest, SpecimenRequest
 from validation.studies.surface import FITTED, HELD_OUT, SurfaceStudy
-from validation.measures.surface_fit import Fit, bulk_means, design, law_name
 
 LAW = bd.EulerBernoulli(E=50e9, nu=0.3, radius_ratio=0.7)
 SHAPE = bd.Cylinder(radius=5e-3, length=25e-3)
