@@ -101,14 +101,8 @@ def test_a_number_that_is_not_there_is_an_error(tmp_path):
     kept.write_text(json.dumps({"a": {"b": 1.5, "c": None, "d": "1.5"}, "rows": [{"n": 1, "y": 2.0}, {"n": 1}]}))
     it = Measurement("it", "bondem measure", file=kept)
     assert it.number("a", "b", factor=2.0).values == (3.0,)
-    for steps in (
-        ("a", "x"),
-        ("a", "c"),
-        ("a", "d"),
-        ("rows", 5, "y"),
-        ("rows", {"n": 1}, "y"),
-        ("rows", {"n": 2}, "y"),
-    ):
+    for steps in (("a", "x"), ("a", "c"), ("a", "d"), ("rows", 5, "y"), ("rows", {"n": 1}, "y"), ("rows", {"n": 2},
+    "y")):
         with pytest.raises(BookError, match=re.escape("it.json")):
             it.number(*steps)
     with pytest.raises(BookError, match="a number is missing"):
@@ -133,22 +127,10 @@ def test_numbers_are_printed_as_people_read_them():
 
 def test_a_table_leaves_out_what_is_empty_and_says_remarks_once():
     rows = [
-        Row(
-            case="E",
-            source="Table 1",
-            paper=1.0,
-            ours=ours(2.0),
-            tolerance=Near(relative=0.1),
-            reason="walls are soft",
-        ),
-        Row(
-            case="F",
-            source="Table 1",
-            paper=1.0,
-            ours=ours(3.0),
-            tolerance=Near(relative=0.1),
-            reason="walls are soft",
-        ),
+        Row(case="E", source="Table 1", paper=1.0, ours=ours(2.0), tolerance=Near(relative=0.1),
+            reason="walls are soft"),
+        Row(case="F", source="Table 1", paper=1.0, ours=ours(3.0), tolerance=Near(relative=0.1),
+            reason="walls are soft"),
         Row(case="G", ours=ours(0.5), tolerance=AtMost(0.1), form=PERCENT),
     ]
     lines = table(rows, [ORIGIN]).splitlines()

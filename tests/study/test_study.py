@@ -174,6 +174,7 @@ def test_known_keys_are_listed_once():
     assert len(listed) == len(set(listed))
 
 
+
 def test_calibration_needs_a_prism_and_tests_need_one_with_formulas(tmp_path):
     bar = bd.Box((4.0, 1.0, 1.0)) | bd.Box((4.0, 2.0, 0.5))
     plan = SpecimenPlan(shape=bar, count=500)

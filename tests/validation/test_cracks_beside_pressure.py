@@ -21,7 +21,9 @@ def rows_met(rows: Sequence, names: Sequence[str]) -> None:
         assert row.measured == pytest.approx(row.expected, abs=row.tolerance), row
 
 
-def test_a_dead_pressure_along_a_crack_takes_no_part_in_it(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_dead_pressure_along_a_crack_takes_no_part_in_it(
+    monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(beside, "DEAD", (-6.0,))
     rows_met(beside.dead(1, CELLS), ["peak", "G_f", "left over f_t"])
 
@@ -36,7 +38,9 @@ def test_two_opposite_wedges_take_the_work_of_a_block_between_two_beds() -> None
     rows_met(rows, ["torn twice: two wedges: G_f", "less what is exact"])
 
 
-def test_a_second_load_along_the_diagonal_has_its_strength(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_second_load_along_the_diagonal_has_its_strength(
+    monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(first_loads, "DIAGONAL", {1.02: 0.05})
     rows_met(first_loads.diagonal(1, CELLS), ["largest σ1 in shear", "shear modulus"])
 
