@@ -3,6 +3,7 @@
 import math
 from typing import cast
 
+import numpy as np
 import pytest
 
 import bondem as bd
@@ -65,3 +66,7 @@ def test_a_run_ends_when_the_force_has_fallen_to_a_share_of_its_peak(monkeypatch
     run.run(cast(bd.Model, None))
     assert given["until"] == bd.LoadDrop({"moving": (0.0, 0.0, 1.0)}, FALLEN, 0.3e6 * run.section)
     assert given["gauges"]["moving"] == bd.WallGauge(1, "force")
+    forces = np.array([0.0, 5e3, 1e4, FALLEN * 1e4 + 1.0, FALLEN * 1e4 - 1.0])
+    pressed = np.column_stack([np.full(5, 9e9), np.zeros(5), forces])
+    over = [given["until"].happened(None, {"moving": pressed[: k + 1]}) for k in range(5)]
+    assert over == [False, False, False, False, True]
