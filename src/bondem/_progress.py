@@ -120,7 +120,7 @@ def stages(*, at_once: bool = False) -> Iterator[Callable[[str, float], None]]:
 
 @contextmanager
 def reported(progress: Callable[[str, float], None] | None) -> Iterator[Callable[[str, float], None]]:
-    """Report stages to `progress`, or show them for None; yield a function of a stage and its share, 0 … 1."""
+    """Yield a function of a stage and its completed share, 0 … 1: `progress`, or for None one that shows stages."""
     if progress is None:
         with stages() as show:
             yield show

@@ -44,11 +44,11 @@ class Fix:
         translation: axes along which the centres are constrained, a subset of "xyz".
         rotation: axes about which the orientations are constrained, a subset of "xyz".
         friction: coefficient of friction μ of a platen [-], on a face of cells constrained along one axis. Facets
-            stick across this axis up to a shear force of μ times their normal force, and slide beyond. None is a
-            smooth platen, as is 0 in explicit runs. Static solutions make facets stick for any number, also for 0.
+            do not slide along the face up to a shear force of μ times their normal force. None is a smooth platen,
+            as is 0 in explicit runs. In static solutions facets do not slide for any number, also for 0.
 
     Raises:
-        InputError: No axis is named, an axis is unknown, or the friction is not that of a platen.
+        InputError: No axis is named or one is unknown; friction is negative, or not along a single axis on a face.
     """
 
     region: Region
@@ -95,7 +95,7 @@ class Drive:
         friction: coefficient of friction of a platen [-], see `Fix`.
 
     Raises:
-        InputError: A component is unknown or given twice, none is given, or the friction is not that of a platen.
+        InputError: A component is unknown or given twice, none is given, or the friction is invalid as in `Fix`.
     """
 
     region: Region

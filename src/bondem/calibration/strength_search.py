@@ -24,14 +24,14 @@ class StrengthSearch:
     """State of the calibration loop.
 
     Attributes:
-        made: source of runs.
+        made: tests that each run makes, with their stored results.
         names: names of the parameters.
         goals: target and tolerance by test [Pa].
         together: mask of the parameters that scale all strengths together, 1 or 0, (k,).
         low, high: logarithms of the bounds, (k,).
         most: largest number of runs.
         runs: finished runs, in order.
-        points: logarithms of parameters and of strengths, for each successful run.
+        points: logarithms of parameters and of mean strengths of successful runs, by index into `runs`.
         secant: linear model of the strengths, once slopes are known.
         reason: reason for the end.
     """

@@ -31,7 +31,7 @@ def in_ascii(text: str) -> str:
 
 
 def accept_all_characters() -> None:
-    """Set stdout and stderr to spell characters that their encoding lacks in ASCII, instead of raising an error."""
+    """Set stdout and stderr to write characters that their encoding lacks by `in_ascii`, without an error."""
     codecs.register_error(_ERRORS, _spelled)
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):

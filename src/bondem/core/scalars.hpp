@@ -1,4 +1,4 @@
-// Names of the numbers that all of the core uses, and the few functions of one number that it needs.
+// Number types, constants and elementary functions of the core, access to numbers shared by threads, and prefetching.
 #pragma once
 #if defined(__CUDACC_RTC__)  // a GPU: its compiler has no headers, and functions without specifier run on the device
 using int32_t = int;

@@ -44,7 +44,7 @@ def warn_of_openings(state: State, dt: float) -> None:
 
 
 def doubt_about_openings(state: State, dt: float) -> str:
-    """Return the text of the warning of `warn_of_openings`; empty if the fracture energy is known to 15 %."""
+    """Return the text of the warning of `warn_of_openings`; empty if the bound of the error is at most 15 %."""
     table = state.model.softening
     if table is None:
         return ""

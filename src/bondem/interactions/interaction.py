@@ -215,10 +215,7 @@ class Interaction(ABC):
         return Supports.none()
 
     def strained(self, strain: PerBond, base: Floats, motion: Floats, pressed: PerElement) -> Self:
-        """Return the law with stress-free strains ε* [-], (m,) or (0,), moved walls, and tractions, internal order.
-
-        `base`, `motion` and `pressed` are those of `SurfaceState`.
-        """
+        """Return the law with strains ε* [-], (m,), or (0,) for none, and a `SurfaceState`, in internal order."""
         twin = copy(self)
         twin.__dict__["table"] = self.table.stretched(strain)
         return twin
@@ -377,7 +374,10 @@ class Interaction(ABC):
         return -loads_in(sums), np.zeros((len(pose), 6))
 
     def bond_tangents(self, pose: Floats) -> Floats:
-        """Return the second derivative of each intact bond's energy by (u, θ) of its ends in a pose, (12, 12, m)."""
+        """Return the second derivative of each bond's energy, as if intact, by (u, θ) of its two elements in a pose.
+
+        Its shape is (12, 12, m) in internal order, and its units are N/m, N and N·m.
+        """
         beams = self._beams(np.zeros(0), np.ones(len(self.layout.i)))
         found = BondTangents(np.empty((12, 12, len(beams.i))))
         run_pass(calls.differentiate_beams(Poses(pose), beams, found))

@@ -40,7 +40,7 @@ def poly_data(path: Path, points: ArrayLike, chosen: str, offsets: Ints, corners
 
 
 def write_polygons(path: Path, vertex: Floats, start: Ints, fields: Mapping[str, np.ndarray]) -> None:
-    """Write polygons without common corners.
+    """Write a VTKHDF file of polygons that share no corners.
 
     Args:
         path: file to write.

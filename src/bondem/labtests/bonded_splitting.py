@@ -117,5 +117,5 @@ def _pressed_elements(
 
 
 def _strained(strains: Floats) -> Floats:
-    """Strain of the middle [-], (k,), from its normal strains, (k, 3): 2 P / (π D t) / E for zero axial stress."""
+    """Equivalent tensile strain at the centre of a disc [-], (k,), of strains (k, 3): 2 P / (π D t E) if σ_x = 0."""
     return -0.5 * (strains[:, 1] + strains[:, 2] - strains[:, 0])

@@ -128,7 +128,7 @@ def first_passage(time: Floats, signal: Floats, level: float) -> float:
     Args:
         time: sample times [s], (s,).
         signal: samples, (s,).
-        level: level above the first sample, in the unit of the signal.
+        level: value to reach, in the unit of the signal; larger than the first sample.
 
     Raises:
         InputError: the signal never reaches the level.

@@ -331,7 +331,7 @@ class Model:
         return OUTLETS.draw_model(self, path, solution=solution, reach=reach, view=view)
 
     def with_boundary(self, boundary: Sequence[BoundaryCondition]) -> "Model":
-        """Return a model with the same bonds and masses under other boundary conditions. Common data are shared."""
+        """Return a model that shares bonds and masses, under other conditions; raise InputError for invalid ones."""
         other = Model.__new__(Model)
         for item in fields(self):
             object.__setattr__(other, item.name, getattr(self, item.name))

@@ -46,12 +46,12 @@ class FractureEnergy:
 
     @property
     def ratio(self) -> float:
-        """Energy dissipated over the fracture energy of the same area [-]; NaN without either."""
+        """Energy dissipated over the fracture energy of its area [-]; NaN without breakage, or for brittle bonds."""
         return self.per_area / self.entered
 
     @property
     def fractured(self) -> float:
-        """Ratio without crushing, at most 1 [-]; NaN without an area or a fracture energy."""
+        """Energy dissipated without crushing over the fracture energy of its area, up to 1 [-]; NaN like `ratio`."""
         return self.ratio - self.crushed / (self.area * self.entered) if self.area > 0.0 else math.nan
 
 

@@ -147,7 +147,7 @@ def _shares(on_share: Callable[[float], None], first: int, second: int) -> Calla
 
 
 def _grid(shape: Box | Cylinder, radius: Floats, random: np.random.Generator) -> tuple[Floats, float]:
-    """Return centres on a rectangular grid from the wall at x_min on [m], (n, 3), and the end of the grid [m]."""
+    """Return centres on a grid with small random shifts [m], (n, 3), and its length from the wall at x = 0 on [m]."""
     n, largest = len(radius), float(radius.max())
     edge = 2.0 * largest * (1.0 + _CLEARANCE)
     lower, upper = shape.bounds

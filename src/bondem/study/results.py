@@ -22,7 +22,7 @@ _COMMON = {item.name for item in fields(BondLaw)}
 def collect(
     study: Study, bonds: Bonding | None, specimens: Sequence[Examined], timing: dict[str, float]
 ) -> dict[str, Any]:
-    """Collect the contents of `results.json` of a study: means over its packings, and each packing in "packings".
+    """Collect the contents of `results.json`: the first specimen, means of tests over all packings, and each packing.
 
     The scatter over a single packing is None, and so are "micro" and "macro" of a study without a material.
     """

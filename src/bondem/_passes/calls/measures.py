@@ -13,5 +13,5 @@ def measure_polygons(polygon_measures: PolygonMeasures) -> Call:
 
 
 def measure_solids(solids: Solids, bulk: Bulk) -> Call:
-    """Computes volumes and moments of solids, about the centre of the element."""
+    """Computes volumes, moments and extents of solids about the centre of the element."""
     return Call("measure_solids", (solids, bulk))

@@ -13,9 +13,7 @@ def list_neighbours(sphere_grid: SphereGrid, neighbour_lists: NeighbourLists) ->
 
 
 def sort_and_count_neighbours(sphere_grid: SphereGrid) -> Call:
-    """Sorts spheres into the cells of their grid, and counts the neighbours of each within a gap of `skin` in
-    `start`.
-    """
+    """Sorts spheres into the cells of their grid, and sets `start` to running sums of their numbers of neighbours."""
     return Call("sort_and_count_neighbours", (sphere_grid,))
 
 

@@ -10,7 +10,9 @@ from bondem._tables.quasistatic_tables import FacetLoading, SmallMotions, Weaken
 def load_weakened_facets(
     weakened_facets: WeakenedFacets, small_motions: SmallMotions, facet_loading: FacetLoading
 ) -> Call:
-    """Finds the loads of facets at the stresses of their cells, and adds their moments to those of the cells."""
+    """Finds the loads of facets at the stresses of their cells, and adds sym(b⊗F), F the force on a cell, to its
+    sum.
+    """
     return Call("load_weakened_facets", (weakened_facets, small_motions, facet_loading))
 
 

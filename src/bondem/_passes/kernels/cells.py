@@ -74,7 +74,7 @@ def apply_walls_of_row(moving: Moving, wall_constraints: WallConstraints, row_or
 def begin_walls_of_row(
     device_span: DeviceSpan, moving: Moving, wall_constraints: WallConstraints, row_order: RowOrder, rows: Rows
 ) -> Kernel:
-    """Computes the forces of walls on row r before the first step of a call."""
+    """Computes the forces and torques of the walls of row r before the first step of a call."""
     return Kernel("begin_walls_of_row", (device_span, moving, wall_constraints, row_order, rows))
 
 

@@ -21,8 +21,8 @@ def add_body_force(
 def add_work_of_body(
     device_span: DeviceSpan, moving: Moving, step_blocks: StepBlocks, body_forces: BodyForces
 ) -> Kernel:
-    """Adds the work of body forces over the half of the step that begins, after elements have moved or opened a
-    step.
+    """Adds the work of body forces over the half of the step that begins, after elements have opened it; none at a
+    pause.
 
     Over one index.
     """
@@ -40,7 +40,7 @@ def gather_dashpots(
 
 
 def gather_loads(step_blocks: StepBlocks, bonds_of_elements: BondsOfElements, loads_of_bonds: LoadsOfBonds) -> Kernel:
-    """Adds up the loads of bonds of an element in memory, where further loads act on elements."""
+    """Adds the loads of the bonds of an element to its sum in memory, to which other passes add further loads."""
     return Kernel("gather_loads", (step_blocks, bonds_of_elements, loads_of_bonds))
 
 

@@ -9,7 +9,7 @@ from bondem._tables.step_tables import Gauges, HistoryRows, Ledger, Moving, Rows
 
 
 def judge_all_energy(device_span: DeviceSpan, rows: Rows, ledger: Ledger) -> Kernel:
-    """Finds whether a number is not finite, or the motion has more energy than can have been supplied.
+    """Finds whether a number is not finite, or the kinetic energy is far above all energy supplied.
 
     Over one index.
     """

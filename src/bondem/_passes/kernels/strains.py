@@ -21,7 +21,8 @@ def add_work_of_cell_strains(
 
 
 def add_work_of_strains(device_span: DeviceSpan, strain: Strain, rows: Rows) -> Kernel:
-    """Launched for `follow_strains`: sets rest lengths L (1 + ε*), and adds the work of the strains.
+    """Launched for `follow_strains`: adapts strained beams to their lengths L (1 + ε*), and adds the work of the
+    strains.
 
     Over one index.
     """
@@ -60,7 +61,8 @@ def follow_cell_factors(device_span: DeviceSpan, timeline: Timeline, cell_strain
 
 
 def follow_strain_factors(device_span: DeviceSpan, timeline: Timeline, strain: Strain) -> Kernel:
-    """Launched for `follow_strains`: sets rest lengths L (1 + ε*), and adds the work of the strains.
+    """Launched for `follow_strains`: adapts strained beams to their lengths L (1 + ε*), and adds the work of the
+    strains.
 
     Over one index.
     """
@@ -77,7 +79,8 @@ def stretch_facet_of_step(cell_strains: CellStrains, elastic_facets: ElasticFace
 
 
 def stretch_strained_beam(moving: Moving, strain: Strain, beams: Beams) -> Kernel:
-    """Launched for `follow_strains`: sets rest lengths L (1 + ε*), and adds the work of the strains.
+    """Launched for `follow_strains`: adapts strained beams to their lengths L (1 + ε*), and adds the work of the
+    strains.
 
     Over one index.
     """

@@ -41,7 +41,7 @@ def link_cracks(
 
 
 def list_cracks(elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists) -> StepEntry:
-    """Renews lists of cracks that are out of date.
+    """Rebuilds the lists of cracks if they are out of date.
 
     Over cracks or their cells, of which threads may share portions.
     """

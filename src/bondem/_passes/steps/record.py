@@ -8,7 +8,7 @@ from bondem._tables.step_tables import Gauges, HistoryRows, Ledger, Moving, Rows
 
 
 def judge_energy(rows: Rows, ledger: Ledger) -> StepEntry:
-    """Finds whether a number is not finite, or the motion has more energy than can have been supplied.
+    """Finds whether a number is not finite, or the kinetic energy is far above all energy supplied.
 
     Over numbers that a body has once, such as those of a record.
     """

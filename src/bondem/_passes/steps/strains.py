@@ -8,7 +8,7 @@ from bondem._tables.step_tables import Beams, Moving, Rows, Strain, Timeline
 
 
 def follow_strains(timeline: Timeline, strain: Strain, moving: Moving, beams: Beams, rows: Rows) -> StepEntry:
-    """Sets rest lengths L (1 + ε*), and adds the work of the strains.
+    """Adapts strained beams to their lengths L (1 + ε*), and adds the work of the strains.
 
     Over rows of a table, in the order of the table.
     """

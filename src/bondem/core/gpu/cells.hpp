@@ -1,5 +1,5 @@
-// Bodies of cells on a device: a thread computes one facet, adds up one cell, or updates the walls and
-// tractions of one row of the boundary.
+// Bodies of cells on a device: a thread computes one facet, one cell, one traction, or all walls of one row
+// of the boundary.
 #pragma once
 #include "../passes/cells/accumulation.hpp"
 #include "../passes/cells/cell_report.hpp"
@@ -15,7 +15,7 @@
 
 namespace bondem {
 
-// ---- dilatation, which stands in two rows of the loads until the forces are found
+// ---- dilatation, in the first two rows of the loads of bonds, which the forces overwrite later
 
 constexpr Index of_i = 0, of_j = 1;
 
@@ -92,7 +92,7 @@ inline void place_wall(Index g, const DeviceSpan &span, const WallConstraints &w
     if (clock_of(span).first)
         for (Index axis = 0; axis < 3; axis++) walls.increment(g, axis) = 0.0;
 }
-// Sums the forces of the walls of row r.
+// Sums the forces and torques of the walls of row r.
 BONDEM_INLINE void sum_row(Index r, const WallConstraints &walls, const RowOrder &order, const Rows &rows) {
     double sum[6] = {};
     for (Index e = order.start(r); e < order.start(r + 1); e++)
@@ -104,7 +104,7 @@ BONDEM_INLINE void load_row(Index r, const Moving &all, const WallConstraints &w
     for (Index e = order.start(r); e < order.start(r + 1); e++) load_support(all.pose, all.rest, walls, order.load(e));
     sum_row(r, walls, order, rows);
 }
-// Computes the forces of walls on row r before the first step of a call.
+// Computes the forces and torques of the walls of row r before the first step of a call.
 inline void begin_walls_of_row(Index r, const DeviceSpan &span, const Moving &all, const WallConstraints &walls,
                                const RowOrder &order, const Rows &rows) {
     if (clock_of(span).first) load_row(r, all, walls, order, rows);

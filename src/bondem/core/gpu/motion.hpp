@@ -1,5 +1,5 @@
-// Motion on a device: a thread adds up the loads of one element in the order of its bonds, which is that
-// of the CPU, and moves it.
+// Motion on a device: a thread adds up the loads on one element, in the same order of bonds as the CPU,
+// and moves it.
 #pragma once
 #include "../passes/motion/body_forces.hpp"
 #include "../passes/motion/moving.hpp"
@@ -7,7 +7,7 @@
 
 namespace bondem {
 
-// A sum and the loads of the bonds of element p, added in the order of the bonds.
+// Adds the loads of the bonds of element p to a sum, in the order of the bonds, and returns it.
 BONDEM_INLINE Row<double> gathered(Row<double> sum, Index p, const BondsOfElements &bonds, const LoadsOfBonds &from) {
     const Index m = from.load.shape[1];
     const auto load = [&](Index c, Index k) { return from.load.data[c * m + k]; };
@@ -25,7 +25,7 @@ BONDEM_INLINE Row<double> gathered(Row<double> sum, Index p, const BondsOfElemen
     }
     return sum;
 }
-// Adds up the loads of bonds of an element in memory, where further loads act on elements.
+// Adds the loads of the bonds of an element to its sum in memory, to which other passes add further loads.
 inline void gather_loads(Index e, const StepBlocks &blocks, const BondsOfElements &bonds, const LoadsOfBonds &from) {
     const Short row = blocks.ready_row(e);
     scatter(blocks.sums.data, row, gathered(gather(blocks.sums.data, row), blocks.ready(e), bonds, from));
@@ -53,14 +53,14 @@ struct Summed {
     }
 };
 
-// The clock of an element, with which postponed elements do not open the next step.
+// The clock of element p; a postponed element does not open the next step.
 BONDEM_INLINE Clock clock_on(const DeviceSpan &span, Index p) {
     Clock clock = clock_of(span);
     if (span.postponed.size() > 0 && span.postponed(p) != 0) clock.goes_on = 0;
     return clock;
 }
 
-// Moves element number e of those without a row of the boundary, or number h of those with a row.
+// Moves element number e, which owns no row of the boundary, or number h of the elements that own one.
 template <class Load, class Resisted>
 BONDEM_INLINE void move_free_one(Index e, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
                                  const Load &load, const Resisted &resistance) {

@@ -12,7 +12,7 @@
 //     A = ks a² + k'      B = ks a b - k'      C = ks b² + k'
 //
 // Laws differ in four stiffnesses and the contact point (Chen et al. 2022, eqs (21) to (26), Tables 1 and 9); for a
-// circular section of radius r, with A = π r², I = π r⁴ / 4, J = 2 I and G = E / (2 (1 + ν)):
+// circular section of radius r, here with the area A = π r², I = π r⁴ / 4, J = 2 I and G = E / (2 (1 + ν)):
 //
 //                        kn        ks                     kb            kt            a
 //     Euler–Bernoulli    E A / L   12 E I / L³            E I / L       G J / L       L / 2

@@ -44,12 +44,12 @@ template <class T> BONDEM_INLINE OpeningEnergy<T> opening_energy(const BeamEnerg
 // Least ratio of λf to λ0, of beams that store the fracture energy G A or nearly as much at onset.
 constexpr double snap_of_beams = 1.05;
 
-// Opening λf at zero integrity of a beam that softens from λ0 = `first` [√J] on; `tear` is G_f A, `slide` G_II A [J].
+// Opening λf at s = 0 of a beam that softens from λ0 = `first` [√J]; `tear` is G_f A and `slide` G_II,c A [J].
 inline double last_opening(const OpeningEnergy<double> &at_first, double tear, double slide, double first) {
     const double energy = (at_first.opening + at_first.sliding) / (at_first.opening / tear + at_first.sliding / slide);
     return most(energy / first, snap_of_beams * first);
 }
-// Fracture energy G A [J]: λ0 λf, or `of_mode` for a beam that stores more at onset, whose λf is `snap_of_beams` λ0.
+// Fracture energy G A [J]: λ0 λf, or `of_mode` for a beam that stores as much or nearly as much at onset.
 inline double absorbed_energy(double first, double last, double of_mode) {
     return last > snap_of_beams * first ? first * last : of_mode;
 }
@@ -62,7 +62,7 @@ struct SofteningLine {
         if (opening <= first) return opening;
         return opening >= last ? 0.0 : first * (1.0 - opening / last) / (1.0 - first / last);
     }
-    // Energy that a beam still absorbs beyond an opening [J].
+    // Work that a beam absorbs from an opening of at least λ0 to its last one [J].
     double beyond(double opening) const { return opening >= last ? 0.0 : (last - opening) * at(opening); }
 };
 

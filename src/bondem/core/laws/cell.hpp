@@ -23,11 +23,11 @@
 // ½ ρ · H ρ for a small rotation ρ. λ_p is λ with the openings of free facets eliminated, at which their traction
 // vanishes. `bondem/interactions/cells/cell_constants.py` computes the constants once.
 //
-// With the stress σ = λ_p θ_p of a cell and g = σ R s, the gradient of U is
+// With the stress σ = λ_p θ_p of a cell and g = σ R s, the loads on both cells, minus the gradient of U, are
 //
 //     f = k δ + g_i + g_j
 //     F_i = f     T_i = (R_i b_i) × f + δ × g_i
-//     F_j = -f    T_j = -(R_j b_j) × f + δ × g_j            and ∓ the moment of 2 v · H v
+//     F_j = -f    T_j = -(R_j b_j) × f + δ × g_j        ± the moment of 2 v · H v, + on i (`bending_moment`)
 //
 // where δ × g comes from normals that turn with their cells. Cells need two passes: dilatation, then forces.
 //

@@ -302,7 +302,7 @@ template <class T> BONDEM_INLINE CrackLosses<T> crack_losses(T k, const CrackSte
         cracked += select(lost > zero, T(mean * lost), zero);
     }
     const Vector3<T> stretch = (1.0 / (k * (1.0 - step.now.grip))) * step.rub;
-    // the spring of friction stores Δγ times the product of its stretches before and after
+    // the spring of friction stores ½ k Δγ times the product of its stretches before and after
     const T taken = select(step.before.grip < one, T(0.5 * dot(step.rub_before, stretch) / (1.0 - step.before.grip)),
                            T(0.5 * k * dot(stretch + step.increment, stretch)));
     return {cracked - select(fell > zero, T(taken * fell), zero),

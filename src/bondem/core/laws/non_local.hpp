@@ -112,7 +112,7 @@ BONDEM_INLINE Vector3<T> present_force(const PairStore<T> &store, const PairPose
                                        const PairStiffness<T> &k) {
     return spring_force(now, k) + turned_by(i, store.extra);
 }
-// The force F [N] of a bond and the moments [N·m] that it exerts on both elements.
+// The loads of a bond with the force F on its element i [N].
 template <class T> BONDEM_INLINE NonLocalLoads<T> non_local_loads(const PairPose<T> &now, Vector3<T> force) {
     const T middle = T{} + 0.5;
     const Vector3<T> arm_i = plus(now.lever_i, middle, now.gap), arm_j = minus(now.lever_j, middle, now.gap);

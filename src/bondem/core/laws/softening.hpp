@@ -89,13 +89,13 @@ template <class T> BONDEM_INLINE Vector3<T> opening_part(Vector3<T> f, Vector3<T
     return minus(f, least(along, T{}), normal);
 }
 
-// Pull of a traction t along an intact direction e, with the principal stress `stress` and n·e = `slope` [Pa].
+// Pull of a traction t along intact e [Pa]: |t·e| if the principal `stress` there pulls, else ⟨t·e⟩ for e towards n.
 template <class T> BONDEM_INLINE T pulled_along(Vector3<T> t, Vector3<T> e, T slope, T stress) {
     const T pull = dot(t, e), zero = {};
     return select(stress > zero, absolute(pull), positive(select(slope >= zero, pull, -pull)));
 }
 
-// Traction of pull and bending along a direction of a crack (rms), and its strength over that of the facet.
+// Traction of pull and bending along a direction of a crack, and the two factors r c_d of the strength there.
 template <class T> struct LoadAlong {
     T traction, share, slope;  // T_d [Pa], r, c_d [-]
 };
@@ -116,7 +116,7 @@ BONDEM_INLINE T left_along(T s, const LoadAlong<T> &load, const Softening<T> &fa
     // brittle failure continues once begun
     return select((facet.brittleness == all<T>(infinity)) & (s < all<T>(1.0)), zero, left);
 }
-// Largest traction along a direction of integrity s, over its strength.
+// Largest traction that a direction of integrity s transmits, over its strength, for r = 1 [-].
 template <class T>
 BONDEM_INLINE T borne_of(T s, T slope, const Softening<T> &facet, const CurveShape &curve) {
     const T onset = facet.strength * slope, one = all<T>(1.0);

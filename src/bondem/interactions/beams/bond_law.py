@@ -29,7 +29,7 @@ class BondGeometry:
     Attributes:
         length: distance of the centres [m], shape (m,).
         radius_i, radius_j: element radii at the two ends [m], shape (m,).
-        mean_radius: R̄ of the body of each bond [m], shape (m,).
+        mean_radius: mean radius R̄ of all elements of the body of each bond [m], shape (m,).
     """
 
     length: PerBond

@@ -65,7 +65,7 @@ class CellStrain:
         return cls(gap, rotation[j] - rotation[i], wall_gap, rotation, swelling)
 
     def stress(self, constants: CellConstants) -> PerElement:
-        """Return the stress of each cell by its dilatation, `CellConstants.stress_of` [Pa], (n,)."""
+        """Return the stress σ of each cell for its V θ, by `CellConstants.stress_of` [Pa], user's order, (n,)."""
         return constants.stress_of(self.swelling)
 
     def forces(self, body: Lattice, constants: CellConstants) -> Floats:

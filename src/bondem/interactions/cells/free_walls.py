@@ -35,7 +35,7 @@ class FreeWalls:
 
         Args:
             body: a lattice with facets and cells.
-            fixed: facets on the surface whose normal a wall holds, indices into `cells.free`, which are not free.
+            fixed: indices into `cells.free` of facets whose normal displacement is constrained, not counted; or None.
         """
         share, axis = _free_axes(body, fixed)
         thin = share > _THIN

@@ -157,7 +157,7 @@ class ContactLaws:
         return least
 
     def released(self, radius: PerElement) -> float:
-        """Return a bound of the energy that adhesion releases as elements meet [J]; radii [m] in the user's order."""
+        """Return an upper bound of the energy [J] that adhesion releases as elements meet; radii [m], (n,)."""
         total = 0.0
         for number, law in enumerate(self.laws):
             if law.adhesion is not None:  # a well of F_c D / 2 at each contact

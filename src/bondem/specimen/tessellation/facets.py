@@ -108,7 +108,7 @@ SymmetricColumn("moment", Facets, FreeFacets)
 
 @dataclass(frozen=True, eq=False)
 class Cells:
-    """Cells, one per element, in the order of the elements.
+    """Volumes, moments and free facets of cells, one cell per element, in the order of the elements.
 
     Attributes:
         volume: volumes V [m³], shape (n,).
@@ -116,7 +116,7 @@ class Cells:
         inertia: tensor of inertia about the centroid at density 1 [m⁵], shape (n, 3, 3).
         remainder: error of the dilatation under a unit uniform strain that the shares leave [-], shape (n,); below
             1e-7, except where a cell has too few facets to satisfy all six equations.
-        free: facets on the walls.
+        free: facets on the surface of the body.
     """
 
     volume: PerElement

@@ -161,7 +161,7 @@ class DamagedBody:
         return 0.5 * _NONE * float((force**2 / self.constants.k[none]).sum())
 
     def state(self, motion: Floats, factor: float, *, balanced: bool = True) -> State:
-        """Return the state at rest under a load factor; the conditions of its model keep their values there.
+        """Return the state at rest under a load factor, of a model whose conditions are constant at this factor.
 
         Args:
             motion: displacements and rotations at a factor of 1 [m, rad], (6 n,).

@@ -1,11 +1,11 @@
-// Mohr–Coulomb on the traction of a bond or facet, with a tensile strength f_t: cohesion c and angle of friction φ.
+// Mohr–Coulomb on the traction of a bond or facet, with a tensile strength f_t: cohesion C and angle of friction φ.
 //
-//     t_n ≥ f_t        |t_s| + t_n tan φ ≥ c
+//     t_n ≥ f_t        |t_s| + t_n tan φ ≥ C
 //
 // with t_n = N / A and t_s = Q / A; moments do not count. Tension positive, so that compression strengthens. Where
-// f_t > c / tan φ the cohesion alone limits the traction. Coefficients:
+// f_t > C / tan φ the cohesion alone limits the traction. Coefficients:
 //
-//     a = 1 / (A f_t)    b = 1 / (A c)    c = tan φ
+//     a = 1 / (A f_t)    b = 1 / (A C)    c = tan φ
 #pragma once
 #include "loads.hpp"
 

@@ -17,8 +17,8 @@ struct Crossing {
 
 // Adds the stiffness of a facet to the diagonal block of one end, and sets the block that couples both ends.
 //
-// The gap of a facet is δ = ±(u + φ × b) of its two ends, and the energy ½ k δ² + ½ ρ·H ρ with ρ the relative
-// rotation; `near` and `far` are [b]× of this end and of the other.
+// The gap of a facet is δ = Σ ±(u + φ × b) over its ends, + for j, and the energy ½ k δ² + ½ ρ·H ρ with ρ the
+// relative rotation; `near` and `far` are [b]× of this end and of the other.
 void put_blocks(const FacetRows &facets, Index facet, const Crossing &near, const Crossing &far, const Block &own,
                 const Block &other) {
     const double k = facets.k(facet);

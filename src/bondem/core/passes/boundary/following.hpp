@@ -22,7 +22,7 @@ inline void add_load(Index e, double time, const Timeline &timeline, const RowLo
     }
 }
 
-// Sets the prescribed velocity of drive e at the time of the clock, and over the step that begins there.
+// Sets the velocity of drive e now and over the step that begins; for a displacement both are its mean in this step.
 inline void drive_at(Index e, const Clock &clock, const Timeline &timeline, const Drives &drives, const Rows &rows) {
     const double t = clock.time, dt = clock.dt;
     const Index s = drives.schedule(e), r = drives.row(e), c = drives.dof(e);

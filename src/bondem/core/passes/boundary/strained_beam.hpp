@@ -28,7 +28,7 @@ inline double tension_of(const Moving &all, const Strain &strain, const Beams &b
 }
 
 // Updates the factors to the time of a clock. Sets whether lengths change, and whether ∂U/∂factor is needed: in a
-// step with a change and in the one before it.
+// step with a change and in the one before it. The first step of a call does both.
 inline void follow_factors(const Clock &clock, const Timeline &timeline, const Strain &strain) {
     const auto &factor = strain.factor;
     bool changed = clock.first, needed = clock.first;

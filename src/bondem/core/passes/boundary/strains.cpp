@@ -1,13 +1,13 @@
-// Stress-free strains of beams that change in time: rest lengths L (1 + ε*), and work by the trapezoid of ∂U/∂ε*.
+// Stress-free strains ε* of beams that change in time: rest lengths L (1 + ε*), and the work by the trapezoidal rule.
 //
-// A step does nothing if no strain changes in it or in the next step. A step before a change finds ∂U/∂ε*.
+// A step does nothing if no strain changes in it or in the next one. The step before a change finds ∂U/∂factor.
 #include "../../registered.hpp"
 #include "rows.hpp"
 #include "strained_beam.hpp"
 
 namespace bondem {
 
-// Sets rest lengths L (1 + ε*), and adds the work of the strains.
+// Adapts strained beams to their lengths L (1 + ε*), and adds the work of the strains.
 void follow_strains(const Range &range, const Timeline &timeline, const Strain &strain, const Moving &all,
                     const Beams &beams, const Rows &rows) {
     follow_factors(range.clock, timeline, strain);

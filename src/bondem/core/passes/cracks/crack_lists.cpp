@@ -22,7 +22,7 @@ void fill(const Array<Index, 1> &list, const Array<Short, 1> &at_i, const Array<
     }
 }
 
-// Eight bytes as one number: calls on(k) for cracked facets skip eight whole facets at once.
+// Calls on(k) for each listed facet. Eight facets without cracks, whose bytes are one number 0, are skipped at once.
 typedef uint64_t EightBytes __attribute__((aligned(1), may_alias));
 template <class On> inline void for_each_listed(const CohesiveCracks &cracks, On on) {
     const Byte *const listed = cracks.listed.data;
@@ -45,7 +45,7 @@ void fill_treated(const CrackLists &lists) {
         for (Index q = cells; q < cells + lanes; q++) lists.cell(q) = lists.cell(cells - 1);
 }
 
-// Renews lists of cracks that are out of date.
+// Rebuilds the lists of cracks if they are out of date.
 void list_cracks(const Range &, const ElasticFacets &facets, const CohesiveCracks &cracks, const CrackLists &lists) {
     lists.size(list_count::parted) = 0;
     if (cracks.size(crack_number::out_of_date) == 0) return;

@@ -1,10 +1,10 @@
-// Cracks in space, their softening, and their halves: one crack, or as many as there are lanes.
+// Cracks in space, their softening and their halves: of a single crack, or of a group, one crack per lane.
 #pragma once
 #include "crack_groups.hpp"
 
 namespace bondem {
 
-// Present faces of one crack or of the cracks of a group, with stresses, compliance and state.
+// A crack, or those of a group: poses and stresses of both cells, faces in space, compliance and state.
 template <class T> struct CrackPlace {
     Ends<T> ends;
     OfCells<T> stress;  // of both cells [Pa]
@@ -74,7 +74,7 @@ template <class T> BONDEM_INLINE Symmetric3<T> mean_stress(const Row<T> &both) {
     const auto mean = [&](int c) { return 0.5 * both.column[c]; };
     return {mean(0), mean(1), mean(2), mean(3), mean(4), mean(5)};
 }
-// Upper bound of the opening traction of bending [Pa] without an angle: σ_3 is at most the least of the diagonal.
+// Upper bound of the part of bending that opens a facet [Pa], because σ_3 is at most the least of the diagonal.
 template <class T> BONDEM_INLINE T opened_at_most(T bent, const Symmetric3<T> &mean) {
     return positive(T(bent + least(least(least(mean.xx, mean.yy), mean.zz), T{})));
 }

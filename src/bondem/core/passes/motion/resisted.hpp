@@ -6,7 +6,7 @@
 namespace bondem {
 
 // Acceleration a' with the absorbing dashpots C of a row at the velocity a kick of h later:
-// (s + h C / m) a' = a - C v / m, a symmetric 3 × 3 system solved by cofactors. `m` is 1/mass, and s = 1 + h α.
+// (s + m h C) a' = a - m C v, a symmetric 3 × 3 system solved by cofactors, with m = 1/mass and s = 1 + h α.
 inline Vector absorbed(const double *absorbing, double h, double s, double m, Vector v, Vector a) {
     double xx = m * absorbing[0], yy = m * absorbing[1], zz = m * absorbing[2];
     double xy = m * absorbing[3], xz = m * absorbing[4], yz = m * absorbing[5];

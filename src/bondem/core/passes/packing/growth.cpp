@@ -178,7 +178,7 @@ Index fly_and_grow(Index, const Spheres &spheres, const PackingWalls &walls, con
                    const Flight &flight) {
     const Flying flying{spheres, walls, near, growing, flight, Period(spheres.period)};
     const Index n = spheres.unit.size();
-    for (Index i = 0; i < n; i++) {  // at time 0 every sphere looks ahead for the first time
+    for (Index i = 0; i < n; i++) {  // at time 0 every sphere predicts its first event
         flight.since(i) = flight.when(i) = 0.0;
         flight.what(i) = check;
         flight.heap(i) = flight.place(i) = i;

@@ -40,7 +40,7 @@ Index sort_into_cells(Index, const SphereGrid &grid) {
 }
 BONDEM_CALL(sort_into_cells, "")
 
-// Sorts spheres into the cells of their grid, and counts the neighbours of each within a gap of `skin` in `start`.
+// Sorts spheres into the cells of their grid, and sets `start` to running sums of their numbers of neighbours.
 Index sort_and_count_neighbours(Index threads, const SphereGrid &grid) {
     sort_into_cells(threads, grid);
     const Index n = grid.sphere.size();

@@ -1,4 +1,4 @@
-// Rigid walls around a packing: forces on spheres that walls carry, and the projection of spheres onto walls.
+// Rigid walls around a packing: the part of the force on a sphere that they carry, and the return of spheres to them.
 //
 // Flat walls, a round wall, and for any other shape its depth on a grid (`PackingWalls`).
 #pragma once
@@ -31,7 +31,7 @@ struct PlainWalls {
     }
     Vector round_normal(Vector x, double rho) const { return each(weight, x) / rho; }
 
-    // The force on a sphere without the part that touching walls carry.
+    // The force on a sphere without the parts that touching flat walls and the round wall carry.
     Vector carried(Vector x, double r, Vector force) const {
         const double near = r * (1.0 + 1e-12);
         for (Index a = 0; a < 3; a++)
@@ -86,7 +86,8 @@ struct Spline {
           slope{t - 0.5, -2.0 * t, t + 0.5} {}
 };
 
-// Depth at a point and its gradient, smooth over the grid; without gradient where the depth is far above `enough`.
+// Depth at a point and its gradient, smooth over the grid; where it is more than two spacings above `enough`, only
+// the depth of the nearest node, with zero gradient.
 inline Depth grid_depth(const PackingWalls &walls, Vector x, double enough) {
     const double h = walls.spacing;
     double at[3];
@@ -115,10 +116,9 @@ inline Depth grid_depth(const PackingWalls &walls, Vector x, double enough) {
 
 inline double steepness(Vector gradient) { return most(dot(gradient, gradient), 0.01); }
 
-// The force on a sphere without the parts that touching flat walls and the wall of the grid carry.
-//
-// With both, the rest is the projection of the force onto the free directions of motion: the carried parts are found
-// in turn, until that of the grid is constant. Without this projection a sphere in a wedge is never at rest.
+// The force on a sphere without the parts that touching plain walls and the wall of the grid carry. With both, the
+// rest is the projection of the force onto the free directions of motion: the carried parts are found in turn, until
+// that of the grid is constant. Without this projection a sphere in a wedge is never at rest.
 inline Vector carried_by_grid(const PlainWalls &plain, const PackingWalls &walls, Vector x, double r, Vector force) {
     Vector left = plain.carried(x, r, force);
     const Depth at = grid_depth(walls, x, r);

@@ -116,7 +116,7 @@ struct Descent {
     double dt, keep, steer;  // time step, and shares of old velocity and of force in the new velocity
 };
 
-// Moves the spheres of a block, and finds the largest displacement since the neighbour lists were made.
+// Moves the spheres of a block; finds the square of the largest displacement since the neighbour lists were made.
 void descend(const Spheres &spheres, const PackingWalls &walls, const Near &near, Descent step, Index b,
              const Array<double, 2> &part) {
     const PlainWalls plain(walls);

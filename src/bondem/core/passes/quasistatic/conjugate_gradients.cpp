@@ -8,7 +8,7 @@
 namespace bondem {
 namespace {
 
-// Reduction of r · z by the rounded matrix, beyond which the exact residual is computed again.
+// Largest reduction of r · z by the rounded matrix alone; after more, the exact residual is computed again.
 constexpr double rounded = 1e6;
 
 // Eight numbers in one register: the six of a cell and two zeros.
@@ -80,7 +80,7 @@ void solve_coarse(const Array<const double, 2> &factor, double *v) {
     }
 }
 
-// Removes rigid motions from z, or from the forces of a rounded matrix the part that drives them.
+// Removes rigid motions from displacements v, or from forces v the part that drives them.
 void remove_rigid(const ClumpCorrection &clumps, double *v) {
     const Index size = clumps.rigid.shape[1];
     for (Index m = 0; m < clumps.rigid.shape[0]; m++) {

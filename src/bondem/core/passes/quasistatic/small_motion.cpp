@@ -31,7 +31,7 @@ double swollen(double s, bool closed, Vector share, Vector gap, Vector normal) {
 }
 
 struct Half {
-    Vector force, opening;  // F of the half, and the part of the whole one that opens it [N]
+    Vector force, opening;  // force that the half transmits, and the part of F that opens it [N]
     bool turns;  // whether it closes or opens now
 };
 Half half_of(Vector whole, double s, bool closed, Vector normal) {
@@ -64,7 +64,7 @@ Index open_weakened_facets(Index, const WeakenedFacets &facets, const SmallMotio
 }
 BONDEM_CALL(open_weakened_facets, "")
 
-// Finds the loads of facets at the stresses of their cells, and adds their moments to those of the cells.
+// Finds the loads of facets at the stresses of their cells, and adds sym(b⊗F), F the force on a cell, to its sum.
 Index load_weakened_facets(Index, const WeakenedFacets &facets, const SmallMotions &motions, const FacetLoading &loading) {
     for (Index k = 0; k < facets.k.size(); k++) {
         const Index i = facets.i(k), j = facets.j(k);

@@ -5,9 +5,9 @@
 //
 //     ω² = Σ v·ΔF / Σ m v²      ΔF = K v
 //
-// averaged over about as many steps as that motion lasts. Loads and prescribed motions grow linearly over the ramp.
-// The motion ends where the unbalanced force is small against applied and supporting forces, roots of sums of
-// squares, with torques divided by a length.
+// averaged over about 1 / ω steps. Loads and prescribed motions grow linearly over the ramp.
+// The motion ends where the unbalanced force is small against applied and supporting forces plus the noise of
+// rounding; forces are roots of sums of squares, with torques divided by a length.
 #include "../../registered.hpp"
 #include "../../tables/statics_tables.hpp"
 #include "../beams/beam_loads.hpp"
@@ -65,7 +65,7 @@ double damping_rate(const Array<double, 1> &memory, const Balance &now) {
     return least(2.0 * root(squared_frequency(memory)), largest_rate);
 }
 
-// Moves free elements by their damped forces, and the others by their prescribed motion.
+// Moves elements along their free components by damped forces, and along the others by their prescribed motion.
 void move(const DynamicRelaxation &c, double share, double rate, Index step) {
     const double keep = (2.0 - rate) / (2.0 + rate), push = 2.0 / (2.0 + rate);
     const double moving = step < c.ramp ? 1.0 / double(c.ramp) : 0.0;

@@ -15,7 +15,7 @@ struct Box {
     Vector low, high;
 };
 
-// The box around the corners of a solid about the centre x.
+// The box around solid s in space; the corners of the solid are relative to the centre x of its cell.
 Box box_around(const Solids &solids, Index s, Vector x) {
     Box box = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
     for (Index f = solids.face(s); f < solids.face(s + 1); f++)
@@ -47,7 +47,7 @@ Index list_walls(const WallTree &walls, const Box &box, const Array<Index, 1> &f
     return listed;
 }
 
-// Puts a cell on the empty pile with all wall triangles within it; false if the list of triangles is full.
+// Puts solid s on the empty pile with all wall triangles within it; returns false if the list of triangles is full.
 bool put_whole(const Solids &solids, Index s, const WallTree &walls, const Splitting &splitting, const Stack &pile) {
     const Vector x = splitting.position.row<const Vector>(solids.cell(s));
     const Index first = solids.face(s), last = solids.face(s + 1);
@@ -74,7 +74,7 @@ bool put_whole(const Solids &solids, Index s, const WallTree &walls, const Split
     return true;
 }
 
-// Number of the wall polygon with the largest area, or no_polygon.
+// Returns the number of the wall triangle with the largest area in a piece, or no_polygon.
 Index largest_wall(const Stack &piece) {
     Index best = no_polygon;
     double largest = 0.0;
@@ -102,7 +102,7 @@ struct Splitter {
     const Splitting &splitting;
     Stack stack, piece, done;
 
-    // Splits solid s; its pieces are put on the pile. Returns false if the scratch is full.
+    // Splits solid s and puts its pieces on the pile, as long as there is room. Returns false if the scratch is full.
     bool split(Index s, Index &pieces) const {
         Buffer lid(splitting.lid), work(splitting.work), other(splitting.other);
         stack.clear();
@@ -134,7 +134,7 @@ struct Splitter {
         }
         return !stack.was_full() && !piece.was_full();
     }
-    // Puts the faces of the piece on the common pile; false if it is full.
+    // Puts the faces of the piece on the common pile; returns false if it is full.
     bool put_done(Index cell, Index &pieces) const {
         for (Index p = 0; p < piece.size(); p++)
             if (piece[p].kind == face_kind) done.put(piece[p]);

@@ -58,7 +58,7 @@ Index measure_polygons(Index, const PolygonMeasures &polygons) {
 }
 BONDEM_CALL(measure_polygons, "")
 
-// Computes volumes and moments of solids, about the centre of the element.
+// Computes volumes, moments and extents of solids about the centre of the element.
 Index measure_solids(Index, const Solids &solids, const Bulk &bulk) {
     for (Index s = 0; s < bulk.volume.size(); s++) {
         double volume = 0.0, far = 0.0, beyond = -infinity;

@@ -11,7 +11,7 @@ enum Division : Index { all_divided, parts_full, room_full };
 // First number of splits by radical planes, to which elements a < b add a n + b; splits by walls have smaller ones.
 constexpr Index first_split = 10000000;
 
-// The radical plane of elements a and b, away from a, about x.
+// The radical plane of elements a and b, its normal from a to b, measured from x.
 Plane radical_plane(const Array<const double, 2> &sphere, Vector x, Index a, Index b) {
     const Vector at = sphere.row<const Vector>(a), apart = sphere.row<const Vector>(b) - at;
     const double distance = length(apart), ra = sphere(a, 3), rb = sphere(b, 3);
@@ -29,7 +29,7 @@ Heights heights_over(const Stack &part, const Plane &plane) {
     return found;
 }
 
-// Returns the pile of the part of solid s nearer to `own` than to the other elements among which it is divided.
+// Returns the pile of the part of solid s whose power is least for `own` of the elements among which it is divided.
 const PolygonBuffer &share_of(const Solids &solids, Index s, Index own, const Dividing &dividing, const PolygonBuffer &first,
                      const PolygonBuffer &second) {
     const Vector x = dividing.sphere.row<const Vector>(solids.cell(s));

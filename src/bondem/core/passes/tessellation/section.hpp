@@ -8,7 +8,7 @@ namespace bondem {
 constexpr Index face_kind = 0, wall_kind = 1;
 // Number that stands for no polygon of a piece.
 constexpr Index no_polygon = -1;
-// Sides of the splits of a cell have these numbers as tags: split - 2 s and split - 2 s - 1.
+// First tag of new faces: those on the sides of split s of a cell have split_tag - 2 s and split_tag - 2 s - 1.
 constexpr Index split_tag = -16;
 
 // Computes the section of a piece by a plane, in `section`.
@@ -25,7 +25,7 @@ inline void cut_section(const Stack &piece, const Plane &plane, double tolerance
     }
 }
 
-// Puts the part of a piece below a plane on a pile, without its new face; polygon `in_plane` lies in the plane.
+// Puts the part of a piece below a plane on a pile, without its new face and without polygon `in_plane` in the plane.
 inline void put_lower_part(const Stack &piece, Index in_plane, const Plane &plane, double tolerance, const Stack &pile,
                            Buffer &work) {
     for (Index p = 0; p < piece.size(); p++) {
