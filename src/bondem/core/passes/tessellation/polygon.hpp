@@ -15,7 +15,7 @@ struct Plane {
 
     double height(Vector x) const { return normal.x * x.x + normal.y * x.y + normal.z * x.z - d; }
     Plane turned() const { return {-normal, -d}; }
-    // This plane, for an origin at -x.
+    // Returns the plane for an origin at -x.
     Plane seen_from(Vector x) const { return {normal, d + normal.x * x.x + normal.y * x.y + normal.z * x.z}; }
 };
 
