@@ -1,4 +1,4 @@
-"""Explicit dynamics: a plan, and the loop that carries it out."""
+"""Explicit dynamics: the loop over the time steps of a plan."""
 
 import time
 from collections.abc import Callable

@@ -91,7 +91,7 @@ def _shortening(strains: Floats) -> Floats:
 
 
 def _confining(specimen: BondedSpecimen, pressure: float, speed: float, begin: float) -> tuple[Wall, ...]:
-    """Create smooth servo walls that apply a confining pressure [Pa] to the sides; none for zero pressure.
+    """Create smooth walls for a confining pressure [Pa]: a servo cylinder, or fixed and servo planes along y and z.
 
     Raises:
         InputError: the specimen is neither a cylinder nor a box.

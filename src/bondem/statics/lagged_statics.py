@@ -51,7 +51,7 @@ class Settled:
 
 
 class LaggedStatics:
-    """Linear statics of a law that lags: one matrix for all rounds and loads."""
+    """Statics of a law whose stresses lag one iteration; all iterations and loads share the matrix of its springs."""
 
     def __init__(self, law: LaggedInteraction, system: System) -> None:
         self._law = law

@@ -8,7 +8,8 @@ from bondem._tables.step_tables import Beams, Ledger, Moving
 
 
 def check_beams(moving: Moving, beams: Beams, ledger: Ledger) -> StepEntry:
-    """Counts unbroken beams of a portion turned wide (c1 or c2 below 0.7, or w² below 0.75) and lost (0 and 0.25).
+    """Counts unbroken beams of a portion beyond safe angles (c1 or c2 < 0.7, w² < 0.75) and valid ones (0, 0.25);
+    c, w as in `laws/beam.hpp`.
 
     Over bonds, in portions. Reads `pose` at both ends.
     """

@@ -36,7 +36,7 @@ def log_cracks(
     moving: Moving, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists,
     event_log: EventLog
 ) -> StepEntry:
-    """Adds up the dissipation of cracks, and logs cracks without integrity.
+    """Adds up the dissipation of cracks, and logs cracks that have lost all integrity in this step.
 
     Over what begins, changes or ends in the step, in order. Reads `pose` at both ends.
     """

@@ -1,5 +1,5 @@
 // Cells that yield on a device, and cracks under strains that change: a thread evaluates one cell, or updates one
-// facet or wall. The work of loads on free facets is in the rows of their cells.
+// facet or wall. Loads on free facets add their work to the rows of their cells.
 #pragma once
 #include "../passes/cracks/strained_cracks.hpp"
 #include "../passes/cracks/yielding_cells.hpp"

@@ -22,7 +22,7 @@ from bondem.model.state import State
 def body_of_cells(
     law: CellInteraction, model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, dt: float
 ) -> BondParts:
-    """Return the parts of a body of cells; `dt` is the time step [s]."""
+    """Return the parts of a time step dt [s] that compute a body of cells and its cracks; facets are joints."""
     layout, table = model.layout, model.softening
     constants = law.constants.stretched(state.eigenstrain, layout)
     if table is not None:  # cracks change the integrity that facets have here

@@ -112,7 +112,7 @@ class CellsAtAnyPose(Interaction):
         return -loads_in(sums), walls
 
     def bond_tangents(self, pose: Floats) -> Floats:
-        """Return `Interaction.bond_tangents` of facets, at constant stresses of cells as in the pose, (12, 12, m)."""
+        """Return tangents of facets (`Interaction.bond_tangents`); stresses of cells are those of the pose."""
         m = len(self.layout.i)
         facets = BodyTables.of(self, self.constants, np.ones(m)).facets
         found = BondTangents(np.empty((12, 12, len(facets.i))))

@@ -28,7 +28,7 @@ BONDEM_PASS(load_cracks, of_cracks, "own tensor; ends pose pose.stress; adds hal
 
 #endif
 
-// Adds up the dissipation of cracks, and logs cracks without integrity.
+// Adds up the dissipation of cracks, and logs cracks that have lost all integrity in this step.
 void log_cracks(const Range &range, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
                 const CrackLists &lists, const EventLog &log) {
     if (!(range.clock.dt > 0.0)) return;
