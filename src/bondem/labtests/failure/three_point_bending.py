@@ -349,7 +349,7 @@ class _Beam:
         return Load(region, force=(0.0, force, 0.0), moment=moment)
 
     def gauges(self) -> Mapping[str, tuple[Region, Region]]:
-        """Pairs of regions for gauges: supports with upper roller, at mid-depth with the ligament; edges of a notch."""
+        """Pairs of regions for gauges: supports with upper roller, at mid-depth with the ligament; notch edges."""
         region = {name: self._region(face, at) for name, (face, at, _) in self._places().items()}
         x, y = float(self.middle[0]), float(self.middle[1])
         inside = self._about(x, float(self.upper[1]) - 0.5 * self.ligament)
