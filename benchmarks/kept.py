@@ -37,9 +37,12 @@ def run(name: str = "") -> None:
 
 
 def variant(record: Record, ending: str) -> Record:
-    """The record NAME with an ending, unless the command names another one."""
+    """Make a record the one of NAME with an ending, unless the command names another one."""
     own = RESULTS / f"{Path(sys.argv[0]).stem}.json"
-    return Record(own.with_stem(own.stem + ending), command()) if ending and record.path == own else record
+    if ending and record.path == own:
+        other = Record(own.with_stem(own.stem + ending), command())
+        record.path, record.data = other.path, other.data
+    return record
 
 
 def child(task: Callable[..., Any], *arguments: Any) -> list[str]:
