@@ -84,7 +84,7 @@ def recording(package: str, name: str, module: types.ModuleType) -> click.Comman
         record = Record(out, command_line(["python", *called, *sys.argv[1:]]))
         if figures is None:
             module.measure(record, **given)
-            click.echo(out)
+            click.echo(record.path)
             return
         figures.mkdir(parents=True, exist_ok=True)
         module.draw(record, figures)
