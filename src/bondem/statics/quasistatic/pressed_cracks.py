@@ -10,7 +10,7 @@ from bondem.errors import FractureEnergyWarning
 from bondem.statics.quasistatic.damaged_body import DamagedBody, Loaded
 
 # Mean pressure along cracks over the tension across them. Cubes of 400 cells dissipate as much at 1 as without, and
-# a fifth more at 2. Facets whose tension is a smaller share of the pressure slide rather than open.
+# more at 2, before they end. Facets whose tension is a smaller share of the pressure slide rather than open.
 _LIMIT, _OPENS = 1.5, 0.05
 
 
