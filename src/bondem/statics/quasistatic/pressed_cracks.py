@@ -7,6 +7,8 @@ import numpy as np
 from bondem._names import users_line
 from bondem._types import Ints
 from bondem.errors import FractureEnergyWarning
+from bondem.observables.principal_stresses import principal_stresses
+from bondem.specimen.tessellation.symmetric_columns import NINE
 from bondem.statics.quasistatic.damaged_body import DamagedBody, Loaded
 
 # Mean pressure along cracks over the tension across them. Cubes of 400 cells dissipate as much at 1 as without, and
@@ -22,9 +24,9 @@ class PressedCracks:
 
     def add(self, found: Loaded, factor: float, facets: Ints) -> None:
         """Add facets (c,) that begin to soften at a factor of the given loads."""
-        xx, yy, zz, xy, xz, yz = (found.tensor[self._body.i[facets]] + found.tensor[self._body.j[facets]]).T
-        principal = np.linalg.eigvalsh(np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]).transpose(2, 0, 1))
-        pressure, tension = np.maximum(-principal[:, 0], 0.0), principal[:, 2]
+        both = found.tensor[self._body.i[facets]] + found.tensor[self._body.j[facets]]
+        principal = principal_stresses(both[:, NINE].reshape(-1, 3, 3))
+        pressure, tension = np.maximum(-principal[:, 2], 0.0), principal[:, 0]
         area = np.where(tension > _OPENS * pressure, 0.5 * factor * self._body.area[facets], 0.0)
         self._pressing += float(area @ pressure)
         self._pulling += float(area @ tension)
