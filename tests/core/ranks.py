@@ -174,12 +174,24 @@ class Ranks:
     def _forces(self, before: int, last_step: bool) -> None:
         """Carry out the passes of forces, with refreshes between them."""
         lists = [composed(rank.parts, *FORCES) for rank in self.ranks]
-        places = sorted({one.place for one in self.wanted if one.stage == "forces"})
-        for first, last in pairwise([-1, *places, len(lists[0]) - 1]):
+        summed = [place for place, entry in enumerate(lists[0]) if entry.name == "load_walls"]
+        places = {one.place for one in self.wanted if one.stage == "forces"} | {place - 1 for place in summed}
+        for first, last in pairwise([-1, *sorted(places), len(lists[0]) - 1]):
             for rank, entries in zip(self.ranks, lists, strict=True):
                 if entries[first + 1 : last + 1]:
                     rank.call(before, pauses=last_step, forces=entries[first + 1 : last + 1])
             self._refresh("forces", last)
+            if last + 1 in summed:
+                self.share_wall_loads([entries[last + 1] for entries in lists])
+
+    def share_wall_loads(self, entries: Sequence[StepEntry]) -> None:
+        """Give all ranks the loads of all elements on walls, of which each rank then takes the same exact sums."""
+        tables = [next(one for one in entry.tables if type(one).__name__ == "WallContacts") for entry in entries]
+        whole = np.array([table.output for table in tables])
+        owner = self.owner[tables[0].element.astype(int)]
+        for table in tables:
+            assert np.array_equal(table.element, tables[0].element)
+            table.output[...] = whole[owner, np.arange(len(owner))]
 
     def _refresh(self, stage: str, place: int | None = None) -> None:
         """Copy columns of ghosts from their owners; with the number of a crack its integrities and axes."""

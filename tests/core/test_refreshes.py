@@ -160,11 +160,21 @@ class Sides:
 
 
 @pytest.mark.parametrize(
-    ("name", "steps"), [("dashpots and brittle", 20), ("layer of cells", 10), ("non-local, bonds break", 20)]
+    ("name", "steps"),
+    [
+        ("dashpots and brittle", 20), ("layer of cells", 10), ("non-local, bonds break", 20),
+        ("beams break, Hertzian", 400),
+    ],
 )
 def test_ranks_have_the_bits_of_one_process(name: str, steps: int) -> None:
     case = _ALL[name]()
     assert Sides(case, dealt(case[0])).differing(steps) == 0
+
+
+def test_ranks_share_the_sums_of_loads_on_walls(monkeypatch) -> None:
+    case = _ALL["beams break, Hertzian"]()
+    monkeypatch.setattr(Ranks, "share_wall_loads", lambda self, entries: None)
+    assert Sides(case, dealt(case[0])).differing(400) > 0
 
 
 @pytest.mark.parametrize("name", _LONG)
@@ -195,8 +205,8 @@ def test_more_layers_change_nothing(given: tuple[int, int]) -> None:
     assert Sides(case, cuts(case[0]), given=given).differing(case[2]) == 0
 
 
-_STEPS = {"dashpots and brittle": 10, "layer of cells": 3, "cells with corrected mass": 3,
-          "non-local, bonds break": 40, "planes": 20}  # fmt: skip
+_STEPS = {"dashpots and brittle": 10, "beams break, Hertzian": 400, "layer of cells": 3,
+          "cells with corrected mass": 3, "non-local, bonds break": 40, "planes": 20}  # fmt: skip
 _JUDGED = WANTED["planes that shear"].index("judged yield_cells")
 
 

@@ -1,5 +1,10 @@
 """The script that follows README: lines in order, in one shell, until one fails."""
 
+import os
+import sys
+
+import pytest
+
 from tests.documentation.follow_readme import ROOT, follow, steps
 
 PAGE = """
@@ -18,6 +23,14 @@ test "$place" = here && test "$(basename "$PWD")" = inside && touch done
 pytest -n auto
 ```
 """
+
+
+@pytest.fixture(autouse=True)
+def _python_on_path(monkeypatch, tmp_path):
+    """Provide the command `python`, which some machines lack outside a virtual environment."""
+    (tmp_path / "bin").mkdir()
+    (tmp_path / "bin/python").symlink_to(sys.executable)
+    monkeypatch.setenv("PATH", os.pathsep.join((str(tmp_path / "bin"), os.environ["PATH"])))
 
 
 def test_blocks_are_carried_out_in_one_shell_with_an_empty_home(tmp_path, capfd):
