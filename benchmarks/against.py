@@ -1,98 +1,44 @@
 """Comparison of this working tree with an older revision of the repository, on one machine: bits and speed.
 
-    python benchmarks/against.py bits  [--revision c790c8a] [--cases alike grains ...] [--elements 500 3000 9000]
-                                       [--threads 1 2 4] [--steps 300]
+    python benchmarks/against.py bits  [--revision REV] [--runs beams] [--elements 500 3000 9000] [--threads 1 2 4]
     python benchmarks/against.py speed [--revision c790c8a] [--kinds beams cells ...]
                                        [--elements 10000 100000 1000000] [--threads 1 2] [--repeat 7]
 
-`bits` runs every kind of bond, load, damping, rotation and contact in both revisions, interrupted in several ways. It
-compares all results by bytes, and its exit status is 1 if any byte differs. `speed` runs the specimen of `tiled.py`
-in both by turns, and writes benchmarks/results/against.json, with one entry per kind of processor. Option --python
-gives another interpreter for a revision that needs other packages.
+`bits` compares digests of runs of all kinds (`levels.py`); its exit status is 1 if any differs. The older revision
+must have the interfaces that tests of the present one use. `speed` runs the specimen of `tiled.py` in both by turns,
+and writes benchmarks/results/against.json, with one entry per kind of processor. Option --python gives another
+interpreter for a revision that needs other packages.
 """
 
 import argparse
 import json
 import os
+import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 
-from bits.compare import Difference, differing
 from kept import origin
+from levels import SIZES, THREADS
 from paired import ROOT, SOURCE, Worker, extracted, head, in_turns, specimen_file, steps_of
 
 RESULTS = ROOT / "benchmarks" / "results" / "against.json"
-SIZES = (500, 3000, 9000)
-# Larger specimens test blocks and domains; the small one tests all ways to interrupt a run.
-PAUSES = {"small": ("every 30", "every 0", "every 1", "every 7", "saved every 37", "two runs"),
-          "large": ("every 30", "every 0", "two runs")}  # fmt: skip
-
-
-# ---- bits
-
-
-def compared(old: Worker, new: Worker, name: str, size: int, threads: list[int], steps: int) -> tuple[dict, dict]:
-    """Run a case in both revisions; return the answer of the old one, and the first difference per thread count."""
-    pauses = PAUSES["small" if size <= SIZES[0] else "large"]
-    with tempfile.TemporaryDirectory() as folder:
-        told: list[dict] = []
-        for side, worker in (("old", old), ("new", new)):
-            (Path(folder) / side).mkdir()
-            arguments = {"name": name, "size": size, "threads": threads, "pauses": pauses, "steps": steps}
-            dt = told[0]["dt"] if told else None
-            told.append(worker.ask("bits", **arguments, dt=dt, folder=str(Path(folder) / side)))
-        found = {count: _first(Path(folder), count, pauses) for count in threads}
-    return told[0], found
-
-
-def _first(folder: Path, count: int, pauses: tuple[str, ...]) -> Difference | None:
-    for pause in pauses:
-        pair = [folder / side / f"{pause}-{count}.npz" for side in ("old", "new")]
-        if not any(path.exists() for path in pair):  # the case cannot be interrupted in this way
-            continue
-        found = differing(*pair, pause)
-        if found is not None:
-            return found
-    return None
 
 
 def bits(options: argparse.Namespace) -> int:
-    """Compare all chosen cases and print a table of them; return exit status 1 if any byte differs."""
-    threads = options.threads or [1, 2, 4]
-    cores = max(4, *threads)
+    """Compare digests of all runs of both revisions by `levels.py`; return exit status 1 if any differs."""
+    script = str(ROOT / "benchmarks" / "levels.py")
+    sizes, threads = (map(str, given or usual) for given, usual in (
+        (options.elements, SIZES), (options.threads, THREADS),
+    ))  # fmt: skip
+    words = ["--elements", *sizes, "--threads", *threads, "--runs", options.runs]
     old_source = extracted(options.revision)
-    print(f"{options.revision} against the working tree, {options.steps} steps; first array that differs, if any")
-    bad = 0
-    with (
-        Worker(old_source, cores=cores, cache=old_source.parent, python=options.python) as old,
-        Worker(SOURCE, cores=cores) as new,
-    ):
-        known = new.ask("cases")["names"]
-        unknown = sorted(set(options.cases or known) - set(known))
-        if unknown:
-            sys.exit(f"there is no case '{unknown[0]}'; choose from {', '.join(known)}")
-        for size in options.elements or SIZES:
-            columns = "".join(f"{f'{count} threads':>11}" for count in threads)
-            print(f"\n{f'about {size} elements':<26}{'elements':>9}{'bonds':>8}{'moved':>9}{'touch':>7}{columns}")
-            for name in options.cases or known:
-                start = time.perf_counter()
-                was, found = compared(old, new, name, size, threads, options.steps)
-                marks = "".join(f"{'same' if found[count] is None else 'DIFFERS':>11}" for count in threads)
-                row = f"{name:<26}{was['elements']:>9}{was['bonds']:>8}{was['moved']:>9.1e}{was['touching']:>7}"
-                print(f"{row}{marks}{time.perf_counter() - start:8.1f} s", flush=True)
-                for fault in list(was["faults"].items())[:1]:
-                    print(f"    the old revision did not complete it ({fault[0]}): {fault[1]}")
-                for count, difference in found.items():
-                    if difference is not None:
-                        print(f"    {count} threads: {difference}")
-                bad += bool(was["faults"]) or any(found.values())
-    print(f"\n{bad} runs differ" if bad else "\nthe same bits everywhere")
-    return 1 if bad else 0
-
-
-# ---- speed
+    older = os.environ | {"PYTHONPATH": str(old_source), "BONDEM_CACHE_DIR": str(old_source.parent)}
+    with tempfile.TemporaryDirectory() as folder:
+        file = str(Path(folder) / "digests.txt")
+        subprocess.run([options.python or sys.executable, script, "--out", file, *words], env=older, check=True)
+        now = os.environ | {"PYTHONPATH": str(SOURCE)}
+        return subprocess.run([sys.executable, script, "--against", file, *words], env=now, check=False).returncode
 
 
 def _kept(options: argparse.Namespace, begun: dict, found: dict) -> None:
@@ -162,8 +108,7 @@ def main() -> None:
     parser.add_argument("--revision", default="c790c8a", help="what to compare with [c790c8a]")
     parser.add_argument("--elements", type=int, nargs="+", help="[500 3000 9000; 10000 100000 1000000 for speed]")
     parser.add_argument("--threads", type=int, nargs="+", help="[1 2 4; 1 2 for speed]")
-    parser.add_argument("--cases", nargs="+", help="bits: some of the cases only")
-    parser.add_argument("--steps", type=int, default=300, help="bits: of each run, whole hundreds [300]")
+    parser.add_argument("--runs", default="", help="bits: those alone whose names contain this")
     parser.add_argument("--python", help="interpreter of the old revision [the present one]")
     parser.add_argument("--repeat", type=int, default=7, help="speed: pairs [7]")
     parser.add_argument("--kinds", nargs="+", default=["beams"], help="speed: of `paired_kinds.py` [beams]")

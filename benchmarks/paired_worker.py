@@ -67,6 +67,14 @@ def _there(module: str) -> bool:
         return False
 
 
+def set_threads(count: int) -> None:
+    """Set the number of threads, in old revisions that of Numba."""
+    if hasattr(bd, "set_threads"):
+        bd.set_threads(count)
+    else:
+        importlib.import_module("numba").set_num_threads(count)
+
+
 class Timed:
     """Body whose steps are timed, by the loop of a run alone."""
 
@@ -86,9 +94,7 @@ class Timed:
         """Return the function that takes steps with a new loop of this revision."""
         from bondem.model.state import State
 
-        name, module = next(
-            (name, module) for name, module in _LOOPS if _there(module)
-        )  # fmt: skip
+        name, module = next((name, module) for name, module in _LOOPS if _there(module))
         loop_of = getattr(importlib.import_module(module), name)
         plans = importlib.import_module(module if name == "_Loop" else f"{module.rpartition('.')[0]}.plan")
         if self.state is None:
@@ -105,8 +111,6 @@ class Timed:
 
     def go(self, threads: int, steps: int) -> dict:
         """Return wall and processor time of `steps` steps [s]; each number of threads has its own loop."""
-        from bits.case import set_threads
-
         set_threads(threads)
         if threads not in self.runs:
             self.runs = {threads: self.make()}
@@ -136,20 +140,7 @@ def go(threads: int, steps: int) -> dict:
     return _loaded["now"].go(threads, steps)
 
 
-def bits(**arguments) -> dict:
-    from bits.runs import run
-
-    return run(**arguments)
-
-
-def cases() -> dict:
-    """Return the names of the cases of `bits`."""
-    from bits.cases import CASES
-
-    return {"names": list(CASES)}
-
-
-TASKS = {task.__name__: task for task in (source, specimen, load, go, counts, bits, cases)}
+TASKS = {task.__name__: task for task in (source, specimen, load, go, counts)}
 
 
 def main() -> None:
