@@ -9,10 +9,6 @@ steps are compared with those of bondem: a code with another motion, or with bro
 """
 
 import argparse
-import datetime
-import json
-import os
-import platform
 import statistics
 import sys
 import tempfile
@@ -27,10 +23,8 @@ from own import Bondem, NonLocalBondem
 from specimen import Specimen, build
 from yade_cohfrict import Yade
 
-from kept import command, commit
-from validation.frame.machine import processor, vector_extensions
+from kept import RESULTS, keep, origin
 
-RESULTS = Path(__file__).parent.parent / "results"
 CODES = {code.name: code for code in (Bondem, NonLocalBondem, Lammps, Yade, Kratos)}
 # Number of compared steps: about three periods of the highest mode, so that every bond is both stretched and pressed.
 CHECK = 20
@@ -125,15 +119,7 @@ def main() -> None:
     parser.add_argument("--output", type=Path, default=RESULTS / "peers.json")
     options = parser.parse_args()
     codes = installed(options.codes)
-    started = datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
-    load = os.getloadavg()[0]
-    report = {
-        "command": command(), "commit": commit(),
-        "machine": f"{os.cpu_count()} cores, {platform.machine()}, {_processor()}, load {load:.1f} at the start",
-        "started": started,
-        "threads": 1,
-        "specimens": [],
-    }
+    report: dict = {**origin(), "threads": 1, "specimens": []}
     print(f"{report['machine']}; one thread each, {options.repeat} runs in turns")
     for code in codes:
         for remark in code.differs:
@@ -149,12 +135,7 @@ def main() -> None:
         report["specimens"].append(
             {"elements": elements, "bonds": bonds, "z": 2.0 * bonds / elements, "dt": specimen.dt, "codes": rows}
         )
-        options.output.write_text(json.dumps(report, indent=1) + "\n")
-
-
-def _processor() -> str:
-    """Return the name of the processor, where the system gives it, and its vector extensions."""
-    return f"{processor()} ({'+'.join(vector_extensions()) or 'no vector extension known'})"
+        keep(options.output, report)
 
 
 if __name__ == "__main__":
