@@ -1,13 +1,12 @@
 """Comparison of this working tree with an older revision of the repository, on one machine: bits and speed.
 
-    python benchmarks/against.py bits  [--revision REV] [--runs beams] [--elements 500 3000 9000] [--threads 1 2 4]
-    python benchmarks/against.py speed [--revision c790c8a] [--kinds beams cells ...]
+    python benchmarks/against.py bits  [--revision HEAD] [--runs beams] [--elements 500 3000 9000] [--threads 1 2 4]
+    python benchmarks/against.py speed [--revision HEAD] [--kinds beams cells ...]
                                        [--elements 10000 100000 1000000] [--threads 1 2] [--repeat 7]
 
 `bits` compares digests of runs of all kinds (`levels.py`); its exit status is 1 if any differs. The older revision
 must have the interfaces that tests of the present one use. `speed` runs the specimen of `tiled.py` in both by turns,
-and writes benchmarks/results/against.json, with one entry per kind of processor. Option --python gives another
-interpreter for a revision that needs other packages.
+and writes benchmarks/results/against.json, with one entry per kind of processor.
 """
 
 import argparse
@@ -20,7 +19,7 @@ from pathlib import Path
 
 from kept import origin
 from levels import SIZES, THREADS
-from paired import ROOT, SOURCE, Worker, extracted, head, in_turns, specimen_file, steps_of
+from paired import ROOT, SOURCE, Worker, commit_of, extracted, head, in_turns, specimen_file, steps_of
 
 RESULTS = ROOT / "benchmarks" / "results" / "against.json"
 
@@ -32,12 +31,10 @@ def bits(options: argparse.Namespace) -> int:
         (options.elements, SIZES), (options.threads, THREADS),
     ))  # fmt: skip
     words = ["--elements", *sizes, "--threads", *threads, "--runs", options.runs]
-    old_source = extracted(options.revision)
-    older = os.environ | {"PYTHONPATH": str(old_source), "BONDEM_CACHE_DIR": str(old_source.parent)}
+    older, now = (os.environ | {"PYTHONPATH": str(source)} for source in (extracted(options.revision), SOURCE))
     with tempfile.TemporaryDirectory() as folder:
         file = str(Path(folder) / "digests.txt")
-        subprocess.run([options.python or sys.executable, script, "--out", file, *words], env=older, check=True)
-        now = os.environ | {"PYTHONPATH": str(SOURCE)}
+        subprocess.run([sys.executable, script, "--out", file, *words], env=older, check=True)
         return subprocess.run([sys.executable, script, "--against", file, *words], env=now, check=False).returncode
 
 
@@ -55,10 +52,7 @@ def rates(options: argparse.Namespace, old_source: Path) -> list[dict]:
     names = (options.revision, "now")
     threads = options.threads or [1, 2]
     cores = max(threads)
-    with (
-        Worker(old_source, cores=cores, cache=old_source.parent, python=options.python) as old,
-        Worker(SOURCE, cores=cores) as new,
-    ):
+    with Worker(old_source, cores=cores) as old, Worker(SOURCE, cores=cores) as new:
         print(f"\n{'kind':<20}{'elements':>9}{'threads':>8}{head(names)}   (rates: min / median / max)")
         for elements in options.elements or [10_000, 100_000, 1_000_000]:
             path = specimen_file(old, elements)
@@ -105,11 +99,10 @@ def speed(options: argparse.Namespace) -> int:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("what", choices=("bits", "speed"))
-    parser.add_argument("--revision", default="c790c8a", help="what to compare with [c790c8a]")
+    parser.add_argument("--revision", type=commit_of, default="HEAD", help="what to compare with [HEAD]")
     parser.add_argument("--elements", type=int, nargs="+", help="[500 3000 9000; 10000 100000 1000000 for speed]")
     parser.add_argument("--threads", type=int, nargs="+", help="[1 2 4; 1 2 for speed]")
     parser.add_argument("--runs", default="", help="bits: those alone whose names contain this")
-    parser.add_argument("--python", help="interpreter of the old revision [the present one]")
     parser.add_argument("--repeat", type=int, default=7, help="speed: pairs [7]")
     parser.add_argument("--kinds", nargs="+", default=["beams"], help="speed: of `paired_kinds.py` [beams]")
     parser.add_argument("--steps-timed", type=int, help="speed: of a sample [a second or so]")
