@@ -17,7 +17,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from kept import origin
+from kept import keep, origin
 from levels import SIZES, THREADS
 from paired import ROOT, SOURCE, Worker, commit_of, extracted, head, in_turns, specimen_file, steps_of
 
@@ -27,10 +27,8 @@ RESULTS = ROOT / "benchmarks" / "results" / "against.json"
 def bits(options: argparse.Namespace) -> int:
     """Compare digests of all runs of both revisions by `levels.py`; return exit status 1 if any differs."""
     script = str(ROOT / "benchmarks" / "levels.py")
-    sizes, threads = (map(str, given or usual) for given, usual in (
-        (options.elements, SIZES), (options.threads, THREADS),
-    ))  # fmt: skip
-    words = ["--elements", *sizes, "--threads", *threads, "--runs", options.runs]
+    sizes, threads = options.elements or SIZES, options.threads or THREADS
+    words = ["--elements", *map(str, sizes), "--threads", *map(str, threads), "--runs", options.runs]
     older, now = (os.environ | {"PYTHONPATH": str(source)} for source in (extracted(options.revision), SOURCE))
     with tempfile.TemporaryDirectory() as folder:
         file = str(Path(folder) / "digests.txt")
@@ -38,21 +36,12 @@ def bits(options: argparse.Namespace) -> int:
         return subprocess.run([sys.executable, script, "--against", file, *words], env=now, check=False).returncode
 
 
-def _kept(options: argparse.Namespace, begun: dict, found: dict) -> None:
-    """Write the entry of this processor into the results, which keep those of others."""
-    here = begun["machine"]
-    kept = json.loads(options.output.read_text()) if options.output.exists() else {}
-    kept[f"{here['processor']}, {here['vector']}"] = begun | {"revision": options.revision} | found
-    options.output.write_text(json.dumps(kept, indent=1) + "\n")
-
-
-def rates(options: argparse.Namespace, old_source: Path) -> list[dict]:
+def rates(options: argparse.Namespace) -> list[dict]:
     """Measure both revisions in turns; return a row of rates per kind, size and number of threads."""
-    rows = []
-    names = (options.revision, "now")
+    rows, names = [], (options.revision, "now")
     threads = options.threads or [1, 2]
     cores = max(threads)
-    with Worker(old_source, cores=cores) as old, Worker(SOURCE, cores=cores) as new:
+    with Worker(extracted(options.revision), cores=cores) as old, Worker(SOURCE, cores=cores) as new:
         print(f"\n{'kind':<20}{'elements':>9}{'threads':>8}{head(names)}   (rates: min / median / max)")
         for elements in options.elements or [10_000, 100_000, 1_000_000]:
             path = specimen_file(old, elements)
@@ -67,21 +56,7 @@ def rates(options: argparse.Namespace, old_source: Path) -> list[dict]:
                     known |= {"bonds": bonds, "threads": count, "steps": steps, "counts": new.ask("counts")}
                     print(f"{kind:<20}{elements:>9}{count:>8}{pairs.line()}  {known['counts']}", flush=True)
                     rows.append(known | pairs.report(names))
-                print(scaling([row for row in rows if row["elements"] == elements and row["kind"] == kind], names),
-                      flush=True)  # fmt: skip
     return rows
-
-
-def scaling(rows: list[dict], names: tuple[str, str]) -> str:
-    """Return the lines that show the speed-up by threads of both revisions, by median rates."""
-    one = [row for row in rows if row["threads"] == 1]
-    more = [row for row in rows if row["threads"] > 1]
-    return "\n".join(
-        f"{'':>11}{row['threads']} threads over one: "
-        + ", ".join(f"{row[name]['median'] / one[0][name]['median']:.2f} ({name})" for name in names)
-        for row in more
-        if one
-    )
 
 
 def speed(options: argparse.Namespace) -> int:
@@ -89,10 +64,10 @@ def speed(options: argparse.Namespace) -> int:
     begun = origin()
     here = begun["machine"]
     print(", ".join(f"{key}: {value}" for key, value in here.items()))
-    old_source = extracted(options.revision)
-    entry = {"unit": "million bond-steps a second", "rates": rates(options, old_source)}
+    entry = {"revision": options.revision, "unit": "million bond-steps a second", "rates": rates(options)}
     here["load at the end"] = round(os.getloadavg()[0], 2)
-    _kept(options, begun, entry)
+    kept = json.loads(options.output.read_text()) if options.output.exists() else {}
+    keep(options.output, kept | {f"{here['processor']}, {here['vector']}": begun | entry})
     return 0
 
 
