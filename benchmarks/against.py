@@ -18,7 +18,7 @@ import tempfile
 from pathlib import Path
 
 from kept import keep, origin
-from levels import SIZES, THREADS
+from levels import SIZES
 from paired import ROOT, SOURCE, Worker, commit_of, extracted, head, in_turns, specimen_file, steps_of
 
 RESULTS = ROOT / "benchmarks" / "results" / "against.json"
@@ -27,9 +27,12 @@ RESULTS = ROOT / "benchmarks" / "results" / "against.json"
 def bits(options: argparse.Namespace) -> int:
     """Compare digests of all runs of both revisions by `levels.py`; return exit status 1 if any differs."""
     script = str(ROOT / "benchmarks" / "levels.py")
-    sizes, threads = options.elements or SIZES, options.threads or THREADS
+    sizes, threads = options.elements or SIZES, options.threads or [1, 2, 4]
     words = ["--elements", *map(str, sizes), "--threads", *map(str, threads), "--runs", options.runs]
-    older, now = (os.environ | {"PYTHONPATH": str(source)} for source in (extracted(options.revision), SOURCE))
+    older, now = (
+        os.environ | {"PYTHONPATH": str(source), "BONDEM_NUM_THREADS": str(max(threads))}
+        for source in (extracted(options.revision), SOURCE)
+    )
     with tempfile.TemporaryDirectory() as folder:
         file = str(Path(folder) / "digests.txt")
         subprocess.run([sys.executable, script, "--out", file, *words], env=older, check=True)

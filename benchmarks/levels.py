@@ -34,7 +34,7 @@ from tiled import specimen
 Run = Callable[[], ExplicitResult]
 #: Modules of tests with small runs of all kinds that devices know.
 SMALL = ("device_runs", "device_cracks", "device_yielding")
-SIZES, STEPS, THREADS = (500, 3000, 9000), 100, (1, 2, 4)
+SIZES, STEPS = (500, 3000, 9000), 100
 
 
 def runs(sizes: list[int]) -> dict[str, Run]:
@@ -76,7 +76,7 @@ def main() -> None:
     """Print the digests of runs, and compare them with those of a file."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--elements", type=int, nargs="*", default=SIZES, help="of larger bodies [500 3000 9000]")
-    parser.add_argument("--threads", type=int, nargs="+", default=THREADS, help="[1 2 4]")
+    parser.add_argument("--threads", type=int, nargs="+", default=[1], help="BONDEM_NUM_THREADS at most [1]")
     parser.add_argument("--runs", default="", help="those alone whose names contain this")
     parser.add_argument("--out", type=Path, help="write the digests here")
     parser.add_argument("--against", type=Path, help="file of another level or revision")
