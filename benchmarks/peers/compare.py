@@ -84,8 +84,7 @@ def table(codes: list, specimen: Specimen, runs: dict[str, list[Outcome]], steps
         seconds = [run.seconds for run in runs[code.name]]
         per_step[code.name] = [s / steps[code.name] for s in seconds]
         best, middle = min(per_step[code.name]), statistics.median(per_step[code.name])
-        judgement = judged(code, specimen, runs[code.name][-1], ours[-1])
-        row = {
+        row = report[code.name] = {
             "version": runs[code.name][-1].version,
             "steps": steps[code.name],
             "seconds": seconds,
@@ -94,19 +93,12 @@ def table(codes: list, specimen: Specimen, runs: dict[str, list[Outcome]], steps
             "ratio_best": best / min(per_step["bondem"]),
             "ratio_median": middle / statistics.median(per_step["bondem"]),
             "differs": code.differs,
-            **judgement,
+            **judged(code, specimen, runs[code.name][-1], ours[-1]),
         }
-        report[code.name] = row
-        line = (
-            f"{len(specimen.radius):>8} {code.name:>8} {row['Mbond_steps_per_s_best']:8.2f}"
-            f" {row['Mbond_steps_per_s_median']:8.2f}"
-        )
-        if judgement["faults"]:
-            line += "  NO RATIO: " + "; ".join(judgement["faults"])
-        else:
-            line += f"  {row['ratio_best']:6.1f} {row['ratio_median']:6.1f}"
-            line += f"  motion {judgement['difference']:.1e}  kinetic {judgement['kinetic_share']:.3f}"
-        print(line, flush=True)
+        told = "NO RATIO: " + "; ".join(row["faults"]) if row["faults"] else f"{row['ratio_median']:.1f} of bondem"
+        rate = f"{row['Mbond_steps_per_s_median']:8.2f} million bond-steps/s"
+        motion = f"motion {row['difference']:.1e}, kinetic {row['kinetic_share']:.3f}"
+        print(f"{len(specimen.radius):>8} {code.name:>9} {rate}, time {told}, {motion}", flush=True)
     return report
 
 
@@ -124,7 +116,6 @@ def main() -> None:
     for code in codes:
         for remark in code.differs:
             print(f"  {code.name}: {remark}")
-    print(f"{'elements':>8} {'code':>8} {'Mbond/s':>8} {'median':>8}  {'bondem/it: best, median'}")
     for elements in options.elements:
         specimen = build(elements)
         bonds = len(specimen.pairs)

@@ -26,14 +26,14 @@ TARGET = 0.01
 
 def row(attempt: Attempt) -> dict[str, Any]:
     began, worked = perf_counter(), process_time()
-    found = attempt.run()
+    error, assembly = attempt.run()
     taken, cpu = perf_counter() - began, process_time() - worked
     seed = "" if attempt.seed is None else f", seed {attempt.seed}"
-    part = f" (assembly {found.assembly:.2f} s)" if found.assembly else ""
-    what = f"{taken:.2f} s, of processors {cpu:.2f} s{part}, error {100 * found.error:.2g} %"
+    part = f" (assembly {assembly:.2f} s)" if assembly else ""
+    what = f"{taken:.2f} s, of processors {cpu:.2f} s{part}, error {100 * error:.2g} %"
     print(f"  {attempt.method}, {attempt.size}{seed}: {what}", flush=True)
     line = {"method": attempt.method, "size": attempt.size, "seed": attempt.seed, "seconds": taken, "cpu": cpu}
-    return line | ({"assembly": found.assembly} if found.assembly else {}) | {"error": found.error}
+    return line | ({"assembly": assembly} if assembly else {}) | {"error": error}
 
 
 def first_within(rows: list[dict[str, Any]]) -> dict[str, Any]:
