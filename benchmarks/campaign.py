@@ -1,8 +1,8 @@
 """Campaign of a hundred specimens on a local cluster: speed-up, and survival of killed workers and coordinator.
 
-The specimens are small bars of cells in tension, as in examples/campaign.toml. The speed-up is that of a few bars of
-1000 cells on two workers over one, including the start of the cluster. Then all bars, of 200 cells each, run on two
-workers. SIGKILL ends one worker every few seconds, and halfway the coordinator, which is started again.
+The specimens are small bars of cells in tension, those of examples/campaign.toml. The speed-up is that of a few bars
+of 1000 cells on two workers over one, including the start of the cluster. Then all bars, of 200 cells each, run on
+two workers. SIGKILL ends one worker every few seconds, and halfway the coordinator, which is started again.
 
 Run: python benchmarks/campaign.py [--specimens 100] [--few 12] [--cells 1000] [--every 8]
 It writes benchmarks/results/campaign.json.
@@ -12,6 +12,7 @@ import contextlib
 import json
 import os
 import random
+import re
 import signal
 import subprocess
 import sys
@@ -20,33 +21,19 @@ import time
 from pathlib import Path
 
 import bondem as bd
-from kept import Record, run
+from kept import ROOT, Record, run
 
-STUDY = """
-name = "bars"
-seed = 1
-tests = ["direct_tension"]
-[material]
-name = "concrete"
-E = "40 GPa"
-nu = 0.2
-rho = 2400.0
-[failure]
-criterion = "Rankine"
-tension = "4 MPa"
-fracture_energy = 100.0
-[specimen]
-shape = "box"
-size = ["60 mm", "30 mm", "30 mm"]
-count = {cells}
-method = "even"
-[bond]
-law = "CellBond"
-[output]
-figures = false
-[campaign]
-seeds = {seeds}
-"""
+EXAMPLE = ROOT / "examples" / "campaign.toml"
+
+
+def write_study(folder: Path, seeds: int, cells: int) -> Path:
+    """Write the example with other numbers of seeds and cells, and one value of each key; return its path."""
+    text = EXAMPLE.read_text(encoding="utf-8").partition("[campaign.vary]")[0]
+    for key, value in (("count", cells), ("seeds", seeds)):
+        text = re.sub(rf"^{key} = \d+", f"{key} = {value}", text, flags=re.MULTILINE)
+    study = folder / "study.toml"
+    study.write_text(text, encoding="utf-8")
+    return study
 
 
 def started(study: Path, out: Path, workers: int) -> subprocess.Popen[bytes]:
@@ -69,8 +56,7 @@ def busy(out: Path) -> list[int]:
 
 def timed(folder: Path, specimens: int, workers: int, cells: int) -> float:
     """Return the wall time of a whole campaign, including the start of the cluster [s]."""
-    study, out = folder / "study.toml", folder / f"{workers}"
-    study.write_text(STUDY.format(seeds=specimens, cells=cells))
+    study, out = write_study(folder, specimens, cells), folder / f"{workers}"
     begun = time.perf_counter()
     assert started(study, out, workers).wait() == 0
     return time.perf_counter() - begun
@@ -78,8 +64,7 @@ def timed(folder: Path, specimens: int, workers: int, cells: int) -> float:
 
 def killed(folder: Path, specimens: int, every: float) -> dict[str, object]:
     """Run a campaign, kill a worker every few seconds and the coordinator once; return counts of the outcome."""
-    study, out, chance = folder / "study.toml", folder / "killed", random.Random(1)
-    study.write_text(STUDY.format(seeds=specimens, cells=200))
+    study, out, chance = write_study(folder, specimens, 200), folder / "killed", random.Random(1)
     deaths, coordinators = 0, 0
     before: dict[str, float] = {}
     process = started(study, out, 2)

@@ -10,7 +10,6 @@ timed. spheropack (PyPI; event-driven Lubachevsky-Stillinger in C++) takes turns
 """
 
 import importlib.util
-import json
 import os
 import resource
 import statistics
@@ -44,15 +43,8 @@ def one(request: dict) -> dict:
     if "volume_fraction" in request["target"]:
         return {"seconds": seconds, "peak_GiB": peak}
     quality = bd.fabric(bd.connect(particles))
-    return {
-        "seconds": seconds,
-        "peak_GiB": peak,
-        "volume_fraction": quality.volume_fraction,
-        "coordination_number": quality.coordination_number,
-        "backbone_coordination_number": quality.backbone_coordination_number,
-        "largest_overlap": quality.largest_overlap,
-        "passed": quality.passed,
-    }
+    names = ("volume_fraction", "coordination_number", "backbone_coordination_number", "largest_overlap", "passed")
+    return {"seconds": seconds, "peak_GiB": peak} | {name: getattr(quality, name) for name in names}
 
 
 def measured(repeat: int, *requests: dict) -> list[list[dict]]:
@@ -73,24 +65,11 @@ def asked(
 
 
 def row(request: dict, runs: list[dict]) -> dict:
-    """Return a request with smallest and median time of its runs; print these and the ranges of their results."""
+    """Return a request with smallest and median time of its runs, and print all."""
     seconds = [run["seconds"] for run in runs]
-    print(
-        f"{request['shape']:>8} {request['count']:>8} {request['method']:>11} {json.dumps(request['target']):>18}"
-        f" {min(seconds):8.2f} {statistics.median(seconds):8.2f} s"
-        f"  phi {_range(runs, 'volume_fraction', 4)}  z {_range(runs, 'coordination_number', 3)}"
-        f"  z backbone {_range(runs, 'backbone_coordination_number', 3)}"
-        f"  overlap {max(run['largest_overlap'] for run in runs):.1e}"
-        f"  {max(run['peak_GiB'] for run in runs):.2f} GiB"
-        f"  {'good' if all(run['passed'] for run in runs) else 'NOT GOOD'}",
-        flush=True,
-    )
-    return {**request, "seconds_min": min(seconds), "seconds_median": statistics.median(seconds), "runs": runs}
-
-
-def _range(runs: list[dict], name: str, digits: int) -> str:
-    values = [run[name] for run in runs]
-    return f"{min(values):.{digits}f}-{max(values):.{digits}f}"
+    found = {**request, "seconds_min": min(seconds), "seconds_median": statistics.median(seconds), "runs": runs}
+    print(found, flush=True)
+    return found
 
 
 def compared(count: int, repeat: int) -> list[dict]:
@@ -99,17 +78,11 @@ def compared(count: int, repeat: int) -> list[dict]:
     for target in ({"volume_fraction": 0.60}, {"jamming": True}):
         pair = [asked("cell", count, 0.0, target, library=library) for library in ("spheropack", "bondem")]
         theirs, ours = ([run["seconds"] for run in runs] for runs in measured(repeat, *pair))
-        ratio = min(theirs) / min(ours)
-        middle = statistics.median(theirs) / statistics.median(ours)
-        print(
-            f"{count} equal spheres in a cell, {json.dumps(target)}: spheropack {min(theirs):.2f} s,"
-            f" bondem {min(ours):.2f} s, ratio {ratio:.1f} of smallest, {middle:.1f} of median times",
-            flush=True,
-        )
-        found.append(
-            {"count": count, "target": target, "spheropack": theirs, "bondem": ours, "ratio_min": ratio,
-             "ratio_median": middle}
-        )  # fmt: skip
+        found.append({
+            "count": count, "target": target, "spheropack": theirs, "bondem": ours,
+            "ratio_min": min(theirs) / min(ours), "ratio_median": statistics.median(theirs) / statistics.median(ours),
+        })  # fmt: skip
+        print(found[-1], flush=True)
     return found
 
 

@@ -27,15 +27,18 @@ QUIET = 0.08
 _JIFFIES = os.sysconf("SC_CLK_TCK") if hasattr(os, "sysconf") else 100
 
 
-def extracted(revision: str) -> Path:
+def commit_of(revision: str) -> str:
+    """Return the first digits of the commit of a revision."""
+    words = ["git", "-C", str(ROOT), "rev-parse", "--short=8", "--verify", revision + "^{commit}"]
+    return subprocess.run(words, check=True, capture_output=True, text=True).stdout.strip()
+
+
+def extracted(commit: str) -> Path:
     """Extract an older revision to a temporary folder that later calls reuse, and return its folder `src`."""
-    git = ["git", "-C", str(ROOT)]
-    commit = subprocess.run(
-        [*git, "rev-parse", "--verify", revision + "^{commit}"], check=True, capture_output=True, text=True
-    ).stdout.strip()
-    folder = Path(tempfile.gettempdir()) / f"bondem-{commit[:12]}"
+    folder = Path(tempfile.gettempdir()) / f"bondem-{commit}"
     if not (folder / "src").is_dir():
-        archive = subprocess.run([*git, "archive", commit], check=True, capture_output=True).stdout
+        words = ["git", "-C", str(ROOT), "archive", commit]
+        archive = subprocess.run(words, check=True, capture_output=True).stdout
         with tempfile.TemporaryDirectory(dir=folder.parent) as aside:
             with tarfile.open(fileobj=io.BytesIO(archive)) as tar:
                 tar.extractall(aside, filter="data")
@@ -52,21 +55,13 @@ class Worker:
     Args:
         source: folder `src` of the revision.
         cores: largest number of threads.
-        cache: folder for compiled code; None for the default one.
-        python: interpreter with the packages of this revision; None for the present one.
     """
 
-    def __init__(
-        self, source: Path, *, cores: int, cache: Path | None = None, python: str | None = None
-    ) -> None:  # fmt: skip
-        # the second name is that of revisions without a core
-        threads = {name: str(cores) for name in ("BONDEM_NUM_THREADS", "NUMBA_NUM_THREADS")}
-        environment = {**os.environ, "PYTHONPATH": str(source), **threads}
-        if cache is not None:
-            environment["BONDEM_CACHE_DIR"] = str(cache)
+    def __init__(self, source: Path, *, cores: int) -> None:
         self._process = subprocess.Popen(
-            [python or sys.executable, str(Path(__file__).parent / "paired_worker.py")],
-            stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=environment,
+            [sys.executable, str(Path(__file__).parent / "paired_worker.py")],
+            stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
+            env={**os.environ, "PYTHONPATH": str(source), "BONDEM_NUM_THREADS": str(cores)},
         )  # fmt: skip
         found = Path(self.ask("source")["file"])
         assert found.is_relative_to(source.resolve()), f"{found} was imported instead of {source}"

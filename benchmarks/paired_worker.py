@@ -1,11 +1,9 @@
 """Process of one revision in a comparison: carries out tasks from a pipe with the bondem on PYTHONPATH.
 
-A task with its arguments is a line of JSON, and so is the answer. Only interfaces that old revisions also have are
-used: public ones, `State(model)` and the loop of a run.
+A task with its arguments is a line of JSON, and so is the answer. Only interfaces are used that old revisions with a
+compiled core also have: public ones, `State(model)` and the loop of a run.
 """
 
-import importlib
-import importlib.util
 import json
 import os
 import sys
@@ -18,6 +16,11 @@ from typing import Any
 import numpy as np
 
 import bondem as bd
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.plan import Plan
+from bondem.dynamics.timestep import critical_step
+from bondem.model.state import State
+from paired_kinds import KINDS
 
 
 def source() -> dict:
@@ -46,37 +49,14 @@ def read_lattice(path: str) -> bd.Lattice:
         return bd.Lattice(particles, file["pairs"])
 
 
-# Names and modules of the loop of a run, the newest first: of the core; of Numba; of c790c8a and older revisions.
-_LOOPS = (
-    ("CoreLoop", "bondem.dynamics.core_loop"), ("CoreLoop", "bondem.solve.loop_core"),
-    ("CpuLoop", "bondem.solve.loop_cpu"), ("_Loop", "bondem.solve.explicit"),
-)  # fmt: skip
-
-
-def critical(model: bd.Model) -> float:
-    """Return the critical step of velocity Verlet [s], from the module in which this revision has it."""
-    places = ("bondem.dynamics.timestep", "bondem.solve.timestep")
-    return importlib.import_module(next(filter(_there, places))).critical_step(model, bd.VelocityVerlet())
-
-
-def _there(module: str) -> bool:
-    """Return True if this revision has a module."""
-    try:
-        return importlib.util.find_spec(module) is not None
-    except ModuleNotFoundError:
-        return False
-
-
 class Timed:
     """Body whose steps are timed, by the loop of a run alone."""
 
     def __init__(self, path: str, kind: str) -> None:
-        from paired_kinds import KINDS
-
         kind_of = KINDS[kind]
         self.model = kind_of.model(read_lattice(path))
         n = len(self.model.lattice.particles)
-        self.dt = kind_of.share * critical(self.model)
+        self.dt = kind_of.share * critical_step(self.model, bd.VelocityVerlet())
         self.velocity = kind_of.speed * np.random.default_rng(0).standard_normal((n, 3))
         self.before = kind_of.before
         self.state: Any = None
@@ -84,20 +64,13 @@ class Timed:
 
     def make(self) -> Callable[[int], object]:
         """Return the function that takes steps with a new loop of this revision."""
-        from bondem.model.state import State
-
-        name, module = next(
-            (name, module) for name, module in _LOOPS if _there(module)
-        )  # fmt: skip
-        loop_of = getattr(importlib.import_module(module), name)
-        plans = importlib.import_module(module if name == "_Loop" else f"{module.rpartition('.')[0]}.plan")
         if self.state is None:
             self.state = State(self.model)
             self.state.set_motion(velocity=self.velocity)
         state = self.state.copy()
         self.last = state
-        loop = loop_of(self.model, plans.Plan(duration=1.0, dt=self.dt, every=0), state, self.dt)
-        getattr(loop, "record_present" if hasattr(loop, "record_present") else "look")()  # once "look"
+        loop = CoreLoop(self.model, Plan(duration=1.0, dt=self.dt, every=0), state, self.dt)
+        getattr(loop, "record_present", getattr(loop, "look", None))()  # formerly "look"
         if self.before:
             loop.run(self.before)
             self.state, self.before = state.copy(), 0
@@ -105,9 +78,7 @@ class Timed:
 
     def go(self, threads: int, steps: int) -> dict:
         """Return wall and processor time of `steps` steps [s]; each number of threads has its own loop."""
-        from bits.case import set_threads
-
-        set_threads(threads)
+        bd.set_threads(threads)
         if threads not in self.runs:
             self.runs = {threads: self.make()}
             self.runs[threads](2)
@@ -136,20 +107,7 @@ def go(threads: int, steps: int) -> dict:
     return _loaded["now"].go(threads, steps)
 
 
-def bits(**arguments) -> dict:
-    from bits.runs import run
-
-    return run(**arguments)
-
-
-def cases() -> dict:
-    """Return the names of the cases of `bits`."""
-    from bits.cases import CASES
-
-    return {"names": list(CASES)}
-
-
-TASKS = {task.__name__: task for task in (source, specimen, load, go, counts, bits, cases)}
+TASKS = {task.__name__: task for task in (source, specimen, load, go, counts)}
 
 
 def main() -> None:

@@ -7,7 +7,6 @@
     python -m book --list                 list the measurements and their commands
     python -m book --measure [NAME ...]   repeat measurements: benchmarks/results/NAME.json and docs/figures; all
                                           that a page quotes, if its name is given: python -m book --measure README.md
-    python -m book --fast [DIR]           measure a small part from nothing and check its tolerances; a minute
 
 A chapter is a text in `book/chapters`, NAME.md, with NAME.py beside it (`book/chapter_file.py`). Its rows read
 numbers from JSON files in `benchmarks/results`, also those of tests (`book/outcomes.py`). Python holds published

@@ -2,12 +2,10 @@
 
 import argparse
 import sys
-import tempfile
 from pathlib import Path
 
 from book.counting import counted
 from book.errors import BookError
-from book.fast import fast
 from book.markdown import counts
 from book.measure import BUILD, measure
 from book.measurements import MEASUREMENTS
@@ -16,7 +14,7 @@ from book.results import RESULTS, ROOT
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Exit status 0 when all went well, 1 when a page differs or a row of the fast part is missed, 2 on an error."""
+    """Exit status 0 when all went well, 1 when a page differs or a miss is not printed, 2 on an error."""
     parser = argparse.ArgumentParser(prog="python -m book", description="Write and check the validation pages.")
     action = parser.add_mutually_exclusive_group()
     action.add_argument("--check", action="store_true",
@@ -25,8 +23,6 @@ def main(arguments: list[str] | None = None) -> int:
     action.add_argument("--list", action="store_true", help="list the measurements and their commands")
     action.add_argument("--measure", nargs="*", metavar="NAME",
         help="repeat measurements, or those that a page quotes; all without names")
-    action.add_argument("--fast", nargs="?", const="", metavar="DIR",
-        help="measure a small part from nothing; in DIR if given")
     parser.add_argument("--no-run", action="store_true",
         help="with --measure: use the files that the folder holds already")
     parser.add_argument("--build", type=Path, default=BUILD, help="with --measure: folder for the output of commands")
@@ -38,8 +34,6 @@ def main(arguments: list[str] | None = None) -> int:
             for name in sorted({path.stem for path in RESULTS.glob("*.json")} - {one.name for one in MEASUREMENTS}):
                 print(f"{name:20} benchmarks/results/{name}.json is in no chapter")
             return 0
-        if options.fast is not None:
-            return _fast(options.fast)
         if options.check:
             found = list(differences())
             print("\n".join(found) or "the validation pages agree with the results")
@@ -58,13 +52,6 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"book: {error}", file=sys.stderr)
         return 2
     return 0
-
-
-def _fast(folder: str) -> int:
-    if folder:
-        return fast(Path(folder))
-    with tempfile.TemporaryDirectory() as temporary:
-        return fast(Path(temporary))
 
 
 if __name__ == "__main__":

@@ -4,7 +4,6 @@ from book.chapters import FILES
 from book.printed import PRINTED
 from book.quoted import MEASUREMENTS as QUOTED
 from book.results import Measurement
-from book.small import PACKINGS
 
 _NAMED = {one.name: one for file in FILES for one in file.measurements} | {one.name: one for one in QUOTED}
-MEASUREMENTS: tuple[Measurement, ...] = (*_NAMED.values(), PACKINGS, PRINTED)
+MEASUREMENTS: tuple[Measurement, ...] = (*_NAMED.values(), PRINTED)

@@ -1,23 +1,16 @@
-"""Agglomerates of bonded spheres that break as they fall on a floor or tumble in a drum, in bondem and in LAMMPS.
+"""Agglomerates of bonded spheres that break as they fall on a floor, in bondem and in LAMMPS.
 
     LAMMPS=lammps/bin/lmp python benchmarks/peers/agglomerates.py [--bodies 50] [--each 200] [--repeat 3]
-    LAMMPS=lammps/bin/lmp python benchmarks/peers/agglomerates.py --scene drum [--bodies 1000] [--each 60]
-    python benchmarks/peers/agglomerates.py --scene drum --bodies 40 --turns 2
 
-Balls of 10 mm of bonded spheres, in random orientations and stacked without contact, move down at a speed. They hit a
-floor, or the shell of a drum that rotates between two smooth ends. Both codes have the same spheres, the same four
-stiffnesses of all bonds, and `LinearSum` (the sum of `bond_style bpm/rotational`) with the same strengths. Contact
-has one stiffness, share of critical damping and friction. Gravity and time step, that of bondem, are also the same.
-The codes run in turns on one thread each. Spheres of a broken bond touch. Times are processor seconds of the loop
-alone.
+Balls of 10 mm of bonded spheres, in random orientations and stacked without contact, move down at a speed and hit a
+floor. Both codes have the same spheres, the same four stiffnesses of all bonds, and `LinearSum` (the sum of
+`bond_style bpm/rotational`) with the same strengths. Contact has one stiffness and friction. Gravity and time step,
+that of bondem, are also the same. The codes run in turns on one thread each. Spheres of a broken bond touch. Times
+are processor seconds of the loop alone.
 
 best      time of a run, LAMMPS over bondem, of the fastest runs; "median" of all
 memory    largest resident size of the process [MiB]
 broken    share of the bonds at the end
-impulse   momentum that the floor and gravity gave, over what the bodies gained: 1 [-]; of bondem, without friction
-sideways  momentum along the floor over that of the fall, where nothing rubs on it [-]; of bondem
-balance   angular momentum of a charge about the axis of its drum: what it gained, over what weight and drum gave [-]
-torque    mean torque of the drum, its work over its angle, over M g x̄ in the last turn [-]; "lever" is x̄ [m]
 """
 
 import math
@@ -27,64 +20,127 @@ import resource
 import statistics
 import sys
 import tempfile
-from dataclasses import asdict, replace
+from dataclasses import dataclass
 from pathlib import Path
 from time import process_time
-from typing import Annotated, Any
+from typing import Any, ClassVar
 
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent.parent))
-from agglomerate_scenes import DENSITY, FRICTION, GRAVITY, RADIUS, Drum, Fall, Scene, model_of
-from lammps_bpm import BREAKING, EXTRA, counts, data, ran
+from lammps_bpm import BREAKING, EXTRA, counts, data, ran, wall_spring
 
 import bondem as bd
-from kept import Record, alone, run, variant
+from bondem.interactions.beams.bond_law import BondGeometry, BondLaw, BondStiffness
+from kept import Record, alone, run
 
-#: Speeds of falls [m/s].
-SPEEDS = (5.0, 7.0, 10.0)
+#: Radius of a ball [m], density [kg/m³], E [Pa], ν of bonds, and their radius over the mean radius of spheres.
+RADIUS, DENSITY, E, NU, SHARE = 5e-3, 2500.0, 1e9, 0.2, 0.6
+#: Strength over E: tension of the section of a bond, twice that in shear, bending and twisting [-].
+STRENGTH = 8e-3
+FRICTION, GRAVITY = 0.5, 9.81
+#: Duration of motion before and after the first contact, over RADIUS / speed.
+AHEAD, AFTER = 0.2, 4.0
+#: Distance of the centres of stacked bodies [m], and speeds of falls [m/s].
+APART, SPEEDS = 2.3 * RADIUS, (5.0, 7.0, 10.0)
 
 
-def bondem(scene: Scene, *, rubs: bool, every: int) -> dict[str, Any]:
-    """Run a scene in bondem; return its measures, with balances for a drum or without friction.
+@dataclass(frozen=True, kw_only=True)
+class Alike(BondLaw):
+    """Bonds with the same four stiffnesses at any length, as in `bond_style bpm/rotational` of LAMMPS.
 
-    `every` is the number of steps between records: few for a balance, many for a run that is timed.
+    Attributes:
+        kn, ks: normal and shear stiffness [N/m].
+        kb, kt: bending and twisting stiffness [N·m].
     """
-    model, state, _ = model_of(scene, rubs=rubs)
-    start = state.copy()
+
+    title: ClassVar[str] = "alike"
+    moments_at_contact: ClassVar[bool] = True
+
+    kn: float
+    ks: float
+    kb: float
+    kt: float
+
+    def stiffness(self, bonds: BondGeometry) -> BondStiffness:
+        names = ("kn", "ks", "kb", "kt", "radius")
+        values = {name: np.full_like(bonds.length, getattr(self, name)) for name in names}
+        return BondStiffness(lever=0.5 * bonds.length, **values)
+
+
+def agglomerate(each: int) -> bd.Lattice:
+    """Return a ball of `each` bonded spheres that do not overlap."""
+    packed = bd.pack(bd.Ball(radius=RADIUS), count=each, seed=1)
+    bonds = bd.connect(packed, tolerance=0.01)
+    # no overlaps, because LAMMPS has none without force: spheres of broken bonds would push each other apart
+    i, j = bonds.pairs.T
+    shrunk = min(1.0, float((bonds.length / (packed.radius[i] + packed.radius[j])).min()))
+    return bd.Lattice(bd.Particles(packed.position, shrunk * packed.radius), bonds.pairs)
+
+
+def stacked(rock: bd.Lattice, bodies: int) -> bd.Lattice:
+    """Return bodies stacked as a cube, with the lowest sphere at z = 0."""
+    side = math.ceil(bodies ** (1.0 / 3.0))
+    k = np.arange(bodies)
+    places = APART * np.column_stack([k % side, k // side % side, k // side**2])
+    all_of = bd.replicate(rock, places, rotations="random", seed=1)
+    lowest = float((all_of.particles.position[:, 2] - all_of.particles.radius).min())
+    return all_of.moved((0.0, 0.0, -lowest))
+
+
+def stiffness(rock: bd.Lattice) -> dict[str, float]:
+    """Return stiffnesses of an Euler–Bernoulli beam of the mean bond length, and its strengths for `LinearSum`."""
+    r, length = SHARE * rock.particles.mean_radius, float(rock.length.mean())
+    area, second = np.pi * r**2, 0.25 * np.pi * r**4
+    tension = STRENGTH * E
+    return {
+        "kn": E * area / length, "ks": 12.0 * E * second / length**3, "kb": E * second / length,
+        "kt": E / (1.0 + NU) * second / length, "radius": r, "force": tension * area, "shear": 2.0 * tension * area,
+        "bending": 2.0 * tension * second / r, "twisting": 2.0 * tension * second / r,
+    }  # fmt: skip
+
+
+def model_of(bodies: int, each: int, speed: float) -> tuple[bd.Model, bd.State, dict[str, float]]:
+    """Return model and initial state of a fall at a speed [m/s], and the `stiffness` of its bonds."""
+    rock = agglomerate(each)
+    bond, radius = stiffness(rock), rock.particles.mean_radius
+    law = Alike(E=E, nu=NU, **{name: bond[name] for name in ("kn", "ks", "kb", "kt", "radius")})
+    failure = bd.LinearSum(**{name: bond[name] for name in ("force", "shear", "bending", "twisting")})
+    # kn = E π R² / 2R of two mean spheres
+    contact = bd.LinearContact(
+        E=2.0 * bond["kn"] / (np.pi * radius), kappa=3.5, friction=FRICTION, stress_free=False
+    )
+    model = bd.Model(
+        stacked(rock, bodies), law, DENSITY, contact=contact, failure=failure, boundary=[bd.Gravity(GRAVITY)],
+        walls=[bd.PlaneWall((0, 0, -AHEAD * RADIUS), (0, 0, 1))],
+    )  # fmt: skip
+    state = model.state()
+    state.velocity = (0.0, 0.0, -speed)
+    return model, state, bond
+
+
+def bondem(bodies: int, each: int, speed: float) -> dict[str, Any]:
+    """Run a fall in bondem until `AFTER` the first contact."""
+    model, state, _ = model_of(bodies, each, speed)
     began = process_time()
-    run = bd.solve_explicit(model, duration=scene.duration, state=state, gauges=scene.gauges, every=every)
-    seconds = process_time() - began
-    balance = scene.balance(model, start, run) if isinstance(scene, Drum) or not rubs else {}
-    return balance | {
-        "seconds": seconds, "steps": run.steps, "dt": run.dt, "bonds": len(model.lattice.pairs),
+    run = bd.solve_explicit(model, duration=(AHEAD + AFTER) * RADIUS / speed, state=state, every=200)
+    return {
+        "seconds": process_time() - began, "steps": run.steps, "dt": run.dt, "bonds": len(model.lattice.pairs),
         "elements": len(model.mass), "broken": len(run.events) / len(model.lattice.pairs),
         "imbalance": run.history.imbalance,
         "memory": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0,
     }  # fmt: skip
 
 
-def wall_spring(kn: float, soft: float, rate: float, friction: float) -> str:
-    """Return the contact model of walls of LAMMPS for kn [N/m], ks / kn, dashpot over mass [1/s] and friction.
-
-    Walls of style `hooke/history` have ks times √(R overlap / m²) in version 22 Jul 2025, and hardly any friction.
-    """
-    tangential = f"tangential linear_history {soft * kn:.17g} {math.sqrt(soft):.17g} {friction}"
-    return f"granular hooke {kn:.17g} {rate:.17g} {tangential} damping mass_velocity limit_damping"
-
-
-def script(scene: Scene, model: bd.Model, bond: dict[str, float], steps: int, dt: float) -> str:
-    """Return the input script of LAMMPS for a scene."""
+def script(model: bd.Model, bond: dict[str, float], steps: int, dt: float) -> str:
+    """Return the input script of LAMMPS for a fall."""
     order = "kn", "ks", "kt", "kb", "force", "shear", "bending", "twisting"
     values = " ".join(f"{bond[name]:.17g}" for name in order)
-    # the damping of two mean spheres; without any, sliding at a wall divides by zero there
-    mass = float(model.mass.mean())
-    rate = max(1e-3, 2.0 * scene.damping * math.sqrt(bond["kn"] / (0.5 * mass)))
-
-    kn, soft = bond["kn"], 2.0 / 7.0
+    # without any damping, sliding at a wall divides by zero there
+    kn, soft, rate = bond["kn"], 2.0 / 7.0, 1e-3
     pair = f"{kn:.17g} {soft * kn:.17g} {rate:.17g} {math.sqrt(soft) * rate:.17g} {FRICTION} 1 limit_damping"
     # a sphere at a wall has half the length of two, kn = E π R² / R
-    walls = scene.fixes(*(wall_spring(2.0 * kn, soft, rate, friction) for friction in (FRICTION, 0.0)))
+    wall = wall_spring(2.0 * kn, soft, rate, FRICTION)
     return f"""{BREAKING}comm_modify vel yes cutoff {0.8 * RADIUS:.17g}
 read_data start.data
 pair_style gran/hooke/history {pair}
@@ -94,8 +150,8 @@ bond_coeff 1 {values} 0 0 0 0
 neighbor {0.25 * model.lattice.particles.mean_radius:.3g} bin
 neigh_modify every 1 delay 0 check yes
 fix motion all nve/bpm/sphere
-fix weight all gravity {GRAVITY} vector {" ".join(map(str, scene.down))}
-{walls}
+fix weight all gravity {GRAVITY} vector 0.0 0.0 -1.0
+fix floor all wall/gran {wall} zplane {-AHEAD * RADIUS:.17g} NULL
 timestep {dt:.17g}
 thermo_style custom step bonds
 thermo {steps}
@@ -112,12 +168,12 @@ def start_of(model: bd.Model, state: bd.State) -> str:
     return data("agglomerates", spheres, pairs, np.ones(len(pairs), int), box, extra=EXTRA, velocity=state.velocity)
 
 
-def lammps(scene: Scene, steps: int, dt: float) -> dict[str, Any]:
-    """Run a scene in LAMMPS; return its seconds, version, share of broken bonds and memory [MiB]."""
-    model, state, bond = model_of(scene)
+def lammps(fall: tuple[int, int, float], steps: int, dt: float) -> dict[str, Any]:
+    """Run a fall in LAMMPS; return its seconds, version, share of broken bonds and memory [MiB]."""
+    model, state, bond = model_of(*fall)
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "start.data").write_text(start_of(model, state))
-        log, memory = ran(Path(folder), script(scene, model, bond, steps, dt))
+        log, memory = ran(Path(folder), script(model, bond, steps, dt))
     wall, share = re.findall(r"Loop time of (\S+) on", log)[-1], re.findall(r"(\S+)% CPU use", log)[-1]
     return {
         "seconds": float(wall) * float(share) / 100.0, "steps": steps,
@@ -126,67 +182,32 @@ def lammps(scene: Scene, steps: int, dt: float) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def again(kind: str, fields: dict[str, Any], rubs: bool, every: int) -> dict[str, Any]:
-    """The run of a scene that JSON describes."""
-    return bondem({"Fall": Fall, "Drum": Drum}[kind](**fields), rubs=rubs, every=every)
-
-
-def apart(scene: Scene, *, rubs: bool = True, every: int = 200) -> dict[str, Any]:
-    """A run of bondem in a process of its own, with one thread."""
-    return alone(again, type(scene).__name__, asdict(scene), rubs, every, BONDEM_NUM_THREADS="1")
-
-
-def in_turns(scene: Scene, repeat: int) -> dict[str, Any]:
+def in_turns(fall: tuple[int, int, float], repeat: int) -> dict[str, Any]:
     """Run both codes in turns; return all results, the loads of the machine, and the ratios of times."""
     loads, ours, theirs = [], [], []
     for _ in range(repeat):
         loads.append(os.getloadavg()[0])
-        ours.append(apart(scene))
-        theirs.append(lammps(scene, ours[0]["steps"], ours[0]["dt"]))
-    row = {"speed": scene.speed, "loads": loads, "bondem": ours, "lammps": theirs}
+        ours.append(alone(bondem, *fall, BONDEM_NUM_THREADS="1"))
+        theirs.append(lammps(fall, ours[0]["steps"], ours[0]["dt"]))
+    row = {"speed": fall[-1], "loads": loads, "bondem": ours, "lammps": theirs}
     for name, one in (("best", min), ("median", statistics.median)):
         row[name] = one([x["seconds"] for x in theirs]) / one([x["seconds"] for x in ours])
-    first, other = ours[0], theirs[0]
-    print(
-        f"{scene.speed:4.1f} m/s: {first['steps']} steps, broken {first['broken']:.3f}, {other['broken']:.3f},"
-        f" {first['steps'] / first['seconds']:.0f} steps/s, {row['best']:.1f} (median {row['median']:.1f}) times as"
-        f" fast as LAMMPS, memory {first['memory']:.0f} and {other['memory']:.0f} MiB,"
-        f" ledger {first['imbalance']:.1e}", flush=True,
-    )  # fmt: skip
+    print(f"{fall[-1]:4.1f} m/s: LAMMPS over bondem {row['best']:.1f}, {row['median']:.1f};", ours[0], theirs[0])
     return row
 
 
-def measure(
-    record: Record, *, scene: Annotated[str, ("fall", "drum")] = "fall", bodies: int = 0, each: int = 0,
-    repeat: int = 3, turns: float = 0.0,
-) -> None:  # fmt: skip
-    """Measure falls, or a drum.
+def measure(record: Record, *, bodies: int = 50, each: int = 200, repeat: int = 3) -> None:
+    """Measure falls.
 
     Args:
-        scene: to be measured.
-        bodies: how many; 50 that fall or 1000 in a drum unless given.
-        each: spheres of a body; 200, or 60 in a drum, unless given.
+        bodies: how many fall.
+        each: spheres of a body.
         repeat: runs of each code, of falls at 7 m/s.
-        turns: turns of the drum, in bondem alone.
     """
-    sizes = {name: value for name, value in {"bodies": bodies, "each": each}.items() if value}
-    if scene == "drum":
-        drum = Drum(**sizes)
-        if turns:
-            drum = replace(drum, duration=turns * drum.turn)
-        found = {"bondem": [apart(drum, every=20)]} if turns else in_turns(drum, repeat)
-        whole = {"threads": 1, "bodies": drum.bodies, "each": drum.each, "duration": drum.duration}
-        variant(record, "_turns" if turns else "_drum").keep(**whole, **found)
-        print(found["bondem"])
-        return
     falls: list[dict[str, Any]] = []
     for speed in SPEEDS:
-        fall = Fall(speed=speed, **sizes)
-        falls.append(in_turns(fall, repeat if speed == SPEEDS[1] else 1))
-        if speed == SPEEDS[1]:
-            # the force of the floor is added up from records
-            falls[-1]["smooth"] = apart(fall, rubs=False, every=2)
-        record.keep(threads=1, falls=falls, bodies=fall.bodies, each=fall.each)
+        falls.append(in_turns((bodies, each, speed), repeat if speed == SPEEDS[1] else 1))
+        record.keep(threads=1, falls=falls, bodies=bodies, each=each)
 
 
 if __name__ == "__main__":

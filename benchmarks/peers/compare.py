@@ -9,10 +9,6 @@ steps are compared with those of bondem: a code with another motion, or with bro
 """
 
 import argparse
-import datetime
-import json
-import os
-import platform
 import statistics
 import sys
 import tempfile
@@ -27,10 +23,8 @@ from own import Bondem, NonLocalBondem
 from specimen import Specimen, build
 from yade_cohfrict import Yade
 
-from kept import command, commit
-from validation.frame.machine import processor, vector_extensions
+from kept import RESULTS, keep, origin
 
-RESULTS = Path(__file__).parent.parent / "results"
 CODES = {code.name: code for code in (Bondem, NonLocalBondem, Lammps, Yade, Kratos)}
 # Number of compared steps: about three periods of the highest mode, so that every bond is both stretched and pressed.
 CHECK = 20
@@ -90,8 +84,7 @@ def table(codes: list, specimen: Specimen, runs: dict[str, list[Outcome]], steps
         seconds = [run.seconds for run in runs[code.name]]
         per_step[code.name] = [s / steps[code.name] for s in seconds]
         best, middle = min(per_step[code.name]), statistics.median(per_step[code.name])
-        judgement = judged(code, specimen, runs[code.name][-1], ours[-1])
-        row = {
+        row = report[code.name] = {
             "version": runs[code.name][-1].version,
             "steps": steps[code.name],
             "seconds": seconds,
@@ -100,19 +93,12 @@ def table(codes: list, specimen: Specimen, runs: dict[str, list[Outcome]], steps
             "ratio_best": best / min(per_step["bondem"]),
             "ratio_median": middle / statistics.median(per_step["bondem"]),
             "differs": code.differs,
-            **judgement,
+            **judged(code, specimen, runs[code.name][-1], ours[-1]),
         }
-        report[code.name] = row
-        line = (
-            f"{len(specimen.radius):>8} {code.name:>8} {row['Mbond_steps_per_s_best']:8.2f}"
-            f" {row['Mbond_steps_per_s_median']:8.2f}"
-        )
-        if judgement["faults"]:
-            line += "  NO RATIO: " + "; ".join(judgement["faults"])
-        else:
-            line += f"  {row['ratio_best']:6.1f} {row['ratio_median']:6.1f}"
-            line += f"  motion {judgement['difference']:.1e}  kinetic {judgement['kinetic_share']:.3f}"
-        print(line, flush=True)
+        told = "NO RATIO: " + "; ".join(row["faults"]) if row["faults"] else f"{row['ratio_median']:.1f} of bondem"
+        rate = f"{row['Mbond_steps_per_s_median']:8.2f} million bond-steps/s"
+        motion = f"motion {row['difference']:.1e}, kinetic {row['kinetic_share']:.3f}"
+        print(f"{len(specimen.radius):>8} {code.name:>9} {rate}, time {told}, {motion}", flush=True)
     return report
 
 
@@ -125,20 +111,11 @@ def main() -> None:
     parser.add_argument("--output", type=Path, default=RESULTS / "peers.json")
     options = parser.parse_args()
     codes = installed(options.codes)
-    started = datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
-    load = os.getloadavg()[0]
-    report = {
-        "command": command(), "commit": commit(),
-        "machine": f"{os.cpu_count()} cores, {platform.machine()}, {_processor()}, load {load:.1f} at the start",
-        "started": started,
-        "threads": 1,
-        "specimens": [],
-    }
+    report: dict = {**origin(), "threads": 1, "specimens": []}
     print(f"{report['machine']}; one thread each, {options.repeat} runs in turns")
     for code in codes:
         for remark in code.differs:
             print(f"  {code.name}: {remark}")
-    print(f"{'elements':>8} {'code':>8} {'Mbond/s':>8} {'median':>8}  {'bondem/it: best, median'}")
     for elements in options.elements:
         specimen = build(elements)
         bonds = len(specimen.pairs)
@@ -149,12 +126,7 @@ def main() -> None:
         report["specimens"].append(
             {"elements": elements, "bonds": bonds, "z": 2.0 * bonds / elements, "dt": specimen.dt, "codes": rows}
         )
-        options.output.write_text(json.dumps(report, indent=1) + "\n")
-
-
-def _processor() -> str:
-    """Return the name of the processor, where the system gives it, and its vector extensions."""
-    return f"{processor()} ({'+'.join(vector_extensions()) or 'no vector extension known'})"
+        keep(options.output, report)
 
 
 if __name__ == "__main__":

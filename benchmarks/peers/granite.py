@@ -31,8 +31,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent.parent))
-from agglomerates import wall_spring
-from lammps_bpm import BREAKING, EXTRA, counts, data, ran
+from lammps_bpm import BREAKING, EXTRA, counts, data, ran, wall_spring
 
 import bondem as bd
 from bondem.interactions.beams.bond_law import BondGeometry, BondStiffness

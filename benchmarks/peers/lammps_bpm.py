@@ -1,5 +1,6 @@
 """Runs of LAMMPS with `bond_style bpm/rotational`: input, execution and outcome."""
 
+import math
 import os
 import re
 import subprocess
@@ -45,6 +46,15 @@ def _environment() -> dict[str, str]:
     """Return the environment of a run, with the libraries of the virtual environment of LAMMPS and its MPI."""
     path = Path(executable()).absolute().parent.parent / "lib"
     return {**os.environ, "LD_LIBRARY_PATH": str(path), "OMP_NUM_THREADS": "1"}
+
+
+def wall_spring(kn: float, soft: float, rate: float, friction: float) -> str:
+    """Return the contact model of walls of LAMMPS for kn [N/m], ks / kn, dashpot over mass [1/s] and friction.
+
+    Walls of style `hooke/history` have ks times √(R overlap / m²) in version 22 Jul 2025, and hardly any friction.
+    """
+    tangential = f"tangential linear_history {soft * kn:.17g} {math.sqrt(soft):.17g} {friction}"
+    return f"granular hooke {kn:.17g} {rate:.17g} {tangential} damping mass_velocity limit_damping"
 
 
 def ran(folder: Path, script: str) -> tuple[str, float]:

@@ -1,7 +1,7 @@
 """Chen et al. (2022), Tables 3 to 5, and what its figures say in numbers: cantilevers of bonds."""
 
 from book.forms import PERCENT, ROUNDING, Form
-from book.results import Measurement, record
+from book.results import record
 from book.row import Measured, Row, Rows
 from book.tolerances import AtMost, Near
 
@@ -22,38 +22,37 @@ TABLE_5 = {
 }
 
 
-def table_4(tables: Measurement, runs: Measurement | None) -> Rows:
-    """Tips by statics and, where there are runs, by explicit dynamics."""
+def table_4() -> Rows:
+    """Tips by statics and by explicit dynamics."""
     millimetres = Form("mm", 1e-3, ".4f")
     above = "the paper's number lies above the exact value that beam elements reproduce"
     for law, (tip, error) in TABLE_4.items():
-        found = tables.at("table4", {"law": law})
-        yield Row(f"{law}, tip, static", tables.of(found["tip"]), Near(absolute=0.001e-3), millimetres,
+        found = TABLES.at("table4", {"law": law})
+        yield Row(f"{law}, tip, static", TABLES.of(found["tip"]), Near(absolute=0.001e-3), millimetres,
             source="Table 4", paper=1e-3 * float(tip), printed=f"{tip} mm", reason=above)  # fmt: skip
-        yield Row(f"{law}, distance from Timoshenko", tables.of(abs(found["error_timoshenko"])), Near(absolute=1e-4),
+        yield Row(f"{law}, distance from Timoshenko", TABLES.of(abs(found["error_timoshenko"])), Near(absolute=1e-4),
             PERCENT, source="Table 4", paper=1e-2 * float(error), reason=above)  # fmt: skip
-        if runs is not None:
-            tip_run = 100.0 * runs.at("explicit", {"case": "1", "law": law})["tip"]
-            yield Row(f"{law}, tip, explicit at 1 kN × 100", runs.of(tip_run), Near(absolute=0.001e-3), millimetres,
-                source="Table 4", paper=1e-3 * float(tip), printed=f"{tip} mm", reason=above)  # fmt: skip
+        tip_run = 100.0 * CASES.at("explicit", {"case": "1", "law": law})["tip"]
+        yield Row(f"{law}, tip, explicit at 1 kN × 100", CASES.of(tip_run), Near(absolute=0.001e-3), millimetres,
+            source="Table 4", paper=1e-3 * float(tip), printed=f"{tip} mm", reason=above)  # fmt: skip
 
 
-def table_5(tables: Measurement) -> Rows:
+def table_5() -> Rows:
     """Stiffnesses of a bond."""
     for n, printed in TABLE_5.items():
-        found = tables.at("table5", {"bonds": n})
+        found = TABLES.at("table5", {"bonds": n})
         for name, number in zip(("axial", "PBM", "EBBM", "TBBM"), printed, strict=True):
             places = len(number.partition(".")[2])
             words = "axial" if name == "axial" else f"shear, {name}"
-            yield Row(f"{n} bond{'s' * (n > 1)}: {words}", tables.of(found[name]), Near(absolute=1e9 * 10.0**-places),
+            yield Row(f"{n} bond{'s' * (n > 1)}: {words}", TABLES.of(found[name]), Near(absolute=1e9 * 10.0**-places),
                 Form("GN/m", 1e9, f".{places}f"), source="Table 5", paper=1e9 * float(number))  # fmt: skip
-    least, most = (tables.at("table5", {"bonds": n}) for n in (1, 10))
+    least, most = (TABLES.at("table5", {"bonds": n}) for n in (1, 10))
     for what, paper, ratio, room in (
         ("PBM over TBBM, 1 bond", 52.0, least["PBM"] / least["TBBM"], 0.5),
         ("PBM over TBBM, 10 bonds", 1.6, most["PBM"] / most["TBBM"], 0.05),
         ("EBBM over TBBM, 10 bonds", 3.1, most["EBBM"] / most["TBBM"], 0.07),
     ):
-        yield Row(f"shear stiffness, {what}", tables.of(ratio), Near(absolute=room), Form(style=".3g"), source="§4.1",
+        yield Row(f"shear stiffness, {what}", TABLES.of(ratio), Near(absolute=room), Form(style=".3g"), source="§4.1",
             paper=paper)  # fmt: skip
 
 

@@ -15,10 +15,7 @@ FOLDER = Path(__file__).parents[2] / "benchmarks" / "peers"
 @pytest.fixture(scope="module")
 def peers():
     """The modules of the driver, which are scripts beside each other."""
-    modules = {
-        "kratos": "kratos_kdem", "lammps": "lammps_bpm", "outcome": "outcome", "scenes": "agglomerate_scenes",
-        "specimen": "specimen",
-    }  # fmt: skip
+    modules = {"kratos": "kratos_kdem", "lammps": "lammps_bpm", "outcome": "outcome", "specimen": "specimen"}
     return scripts("benchmarks/peers", **modules)
 
 
@@ -70,17 +67,6 @@ def test_lammps_has_the_stiffness_of_every_bond_within_a_class(peers, small):
     width = np.ptp(small.length) / peers["lammps"].TYPES / small.length.min()
     # shear goes as the third power of the length
     assert (np.abs(given[kind] / wanted - 1.0).max(axis=0) < width * np.array([1.1, 3.3, 1.1, 1.1])).all()
-
-
-def test_the_weight_and_the_drum_turn_agglomerates_that_break(peers):
-    """What a charge gains of angular momentum is the moment of its weight, and the work of the drum over its spin."""
-    scene = peers["scenes"].Drum(bodies=12, each=30, speed=1.5, duration=0.012)
-    model, state, _ = peers["scenes"].model_of(scene)
-    start = state.copy()
-    run = bd.solve_explicit(model, duration=scene.duration, state=state, gauges=scene.gauges, every=20)
-    assert 0.02 < len(run.events) / len(model.lattice.pairs) < 0.9
-    assert run.history.energy["friction"][-1] > 0.0
-    assert scene.balance(model, start, run)["balance"] == pytest.approx(1.0, rel=1e-4)
 
 
 def test_kratos_gets_spheres_and_normal_stiffness(peers, small, tmp_path):

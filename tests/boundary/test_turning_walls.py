@@ -16,6 +16,7 @@ from bondem.errors import InputError
 from tests.bits import EnoughError, assert_same_bits
 from tests.models import VERLET, grains, moving, time_step
 from tests.scripts import python
+from tests.specimens import spheres
 
 E, DENSITY = 1e7, 1000.0
 MASS = 4.0 / 3.0 * math.pi * DENSITY  # of a sphere of 1 m
@@ -139,6 +140,37 @@ def test_grains_in_a_drum_keep_the_balance_of_their_angular_momentum() -> None:
     change = momentum(run.state) - before
     assert np.abs(change) > 1e4
     assert change == pytest.approx(np.trapezoid(weight - torque, run.history.time), rel=1e-5)
+
+
+def test_agglomerates_that_break_in_a_drum_keep_the_balance_of_their_angular_momentum() -> None:
+    """As grains do, whatever breaks and rubs."""
+    rock = spheres(bd.Ball(radius=5e-3), 30, seed=1, reach=1.01)
+    places = [(11e-3 * (i - 1.5), 0.0, -25e-3 + 11e-3 * k) for i in range(4) for k in range(3)]
+    turn = bd.Driven(spin=20.0, axis=(0, 1, 0))
+    ends = [bd.PlaneWall((0, side * 6e-3, 0), (0, -side, 0), friction=0.0) for side in (-1, 1)]
+    model = bd.Model(
+        bd.replicate(rock, places, rotations="random", seed=1), bd.EulerBernoulli(E=1e7, nu=0.2, radius_ratio=0.6),
+        2500.0, contact=bd.LinearContact(E=1e7, friction=0.5, damping=0.2), boundary=[bd.Gravity()],
+        walls=[bd.CylinderWall(36e-3, axis=(0, 1, 0), motion=turn), *ends],
+        failure=bd.PeripheralStress(tension=1e5, shear=2e5),
+    )  # fmt: skip
+    start = model.state()
+    start.velocity = (0.0, 0.0, -2.0)
+    gauges = {str(k): bd.Gauge(bd.Index([k]), "displacement") for k in range(len(model.mass))}
+    run = bd.solve_explicit(model, duration=4e-3, every=20, state=start.copy(), gauges=gauges)
+
+    def momentum(of: bd.State) -> float:
+        orbit = model.mass @ np.cross(of.position, of.velocity)[:, 1]
+        return float(orbit + model.inertia @ of.angular_velocity[:, 1])
+
+    moved = sum(m * run.history[str(k)] for k, m in enumerate(model.mass))
+    x, drop = moved[:, 0] + model.mass @ model.lattice.centre[:, 0], -moved[-1, 2]
+    # the impulse of the drum is its work over its spin
+    drum = (run.history.energy["work"][-1] - 9.81 * drop) / 20.0
+    given = 9.81 * np.trapezoid(x, run.history.time) + drum
+    assert 0.02 < len(run.events) / len(model.lattice.pairs) < 0.9
+    assert run.history.energy["friction"][-1] > 0.0
+    assert momentum(run.state) - momentum(start) == pytest.approx(given, rel=1e-4)
 
 
 @pytest.mark.validate

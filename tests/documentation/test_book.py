@@ -2,8 +2,6 @@
 
 import json
 import re
-import subprocess
-import sys
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -18,7 +16,6 @@ from book.chapter_file import ChapterFile
 from book.chart import chart
 from book.counting import counted
 from book.errors import BookError
-from book.fast import chapter as fast_chapter
 from book.forms import PERCENT, SIGNED, Form, Said
 from book.front import front
 from book.markdown import moved, slug, table
@@ -36,16 +33,6 @@ ORIGIN = Origin("bondem measure", "benchmarks/results/it.json")
 
 def ours(*values: float, scatter: float | None = None) -> Measured:
     return Measured(values, ORIGIN, scatter)
-
-
-@pytest.fixture(scope="module")
-def fast(tmp_path_factory) -> Path:
-    folder = tmp_path_factory.mktemp("fast")
-    done = subprocess.run(
-        [sys.executable, "-m", "book", "--fast", str(folder)], cwd=ROOT, capture_output=True, text=True, check=False
-    )
-    assert done.returncode == 0, done.stdout + done.stderr
-    return folder
 
 
 @pytest.mark.parametrize(
@@ -299,7 +286,7 @@ def test_what_tests_record_stands_in_the_book_and_is_kept():
 
 def test_every_row_of_the_papers_tables_is_there():
     rows = [row for chapter in pages.chapters() for row in chapter.rows]
-    # Table 1 of André and Table 3 of Chen are inputs: the fast part and tests/validation/test_chen_cases.py hold them
+    # Table 1 of André and Table 3 of Chen are inputs: tests/validation has tests of them
     for source, fewest in (("Table 2", 3), ("Table 3", 3), ("Table 4", 4 + 8), ("Table 5", 24)):
         found = [row for row in rows if row.source == source and row.paper is not None]
         assert len(found) >= fewest, source
@@ -344,24 +331,3 @@ def test_every_kept_result_names_its_command_and_what_code_made_it():
         for entry in entries:
             assert entry["command"].startswith(("python ", "bondem ")), path.name
             assert re.fullmatch("[0-9a-f]{7,40}\\+?", entry.get("commit", entry.get("kept_with", ""))), path.name
-
-
-@pytest.mark.validate
-def test_the_fast_part_is_measured_from_nothing_and_meets_its_tolerances(fast):
-    text = (fast / "fast.md").read_text(encoding="utf-8")
-    assert "**missed**" not in text
-    assert len(list(fast_chapter(fast).rows)) > 60
-
-
-@pytest.mark.validate
-@pytest.mark.parametrize(
-    ("place", "factor"),
-    [(("cell", "cell_E_ratio"), 1.02), (("cylinder", "nu_printed"), 1.1), (("cylinder", "E_printed"), 0.85)],
-)
-def test_the_fast_part_finds_wrong_physics(fast, tmp_path, place, factor):
-    for name in ("small", "chen_tables", "energy_drift"):
-        (tmp_path / f"{name}.json").write_text((fast / f"{name}.json").read_text())
-    wrong = json.loads((fast / "small.json").read_text())
-    wrong[place[0]][place[1]] *= factor
-    (tmp_path / "small.json").write_text(json.dumps(wrong))
-    assert [row.verdict for row in fast_chapter(tmp_path).rows].count(Verdict.MISSED) == 1

@@ -13,7 +13,10 @@ from bondem.dynamics.plan import Plan
 from bondem.dynamics.timestep import critical_step
 from bondem.errors import InputError
 from bondem.model.state import State
-from tests.device_runs import CASES, deviation
+from tests import device_cracks, device_runs, device_yielding
+from tests.device_runs import deviation
+
+CASES = device_runs.CASES | device_cracks.CASES | device_yielding.CASES
 
 
 def model_and_plan() -> tuple[bd.Model, Plan]:

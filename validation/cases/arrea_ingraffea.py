@@ -57,13 +57,12 @@ class ShearBeam(PathCase):
             "outer support": (Line(far, 0.0), left), "inner support": (Line(near, 0.0), 1.0 + SHARE - left),
         }  # fmt: skip
 
-    def body(self, seed: int) -> bd.Lattice:
-        """Its cells."""
+    @property
+    def size(self) -> bd.Graded:
         about: bd.Shape = bd.Box((2.0 * INNER + 60e-3, DEPTH, SLAB)).moved((0.5 * LENGTH - INNER - 30e-3, 0.0, 0.0))
         for line, _ in self.lines.values():
             about = about | bd.Box((_THIN, _THIN, SLAB)).moved((line.x, min(line.y, DEPTH - _THIN), 0.0))
-        size = bd.Graded(fine=_FINE / self.finer, coarse=_COARSE / self.finer, about=about, growth=0.3)
-        return bd.connect(bd.pack(self.shape, size=size, method="even", seed=seed), method="laguerre")
+        return bd.Graded(fine=_FINE / self.finer, coarse=_COARSE / self.finer, about=about, growth=0.3)
 
     def run(self, seed: int) -> Outcome:
         body = self.body(seed)

@@ -27,8 +27,7 @@ import bondem as bd
 from bondem._types import Floats
 from validation.cases.case import Claim
 from validation.cases.path_case import LOST, Outcome, PathCase
-from validation.cases.spared import SparedRankine
-from validation.cases.toughness import ENERGY, LENGTH, NU, RHO, TENSION, TOUGHNESS, CompactTension, E
+from validation.cases.toughness import LENGTH, TOUGHNESS, CompactTension
 
 #: Width W, notch, distance of the hole's near side from it, and radius of the hole, over l.
 OVER, NOTCH, AHEAD, RADIUS = 32.0, 12.8, 4.0, 1.0
@@ -58,29 +57,20 @@ class HoleArrest(PathCase):
     @property
     def shape(self) -> bd.Shape:
         plate, unit = self.plate, LENGTH
-        lower, _ = plate.plate.bounds
-        wide, thick = plate.cells * unit, plate.thickness
-        slot = bd.Box((NOTCH * unit - lower[0] + wide, wide, 3.0 * thick)).moved(
-            (lower[0] - wide, -0.5 * wide, -thick)
-        )
-        hole = bd.Cylinder(radius=RADIUS * unit, length=3.0 * thick).rotated("y", 0.5 * math.pi)
-        at = (self.far - RADIUS * unit, 0.0, 2.0 * thick)
-        return plate.plate.cut(slot, name="notch").cut(hole.moved(at), name="hole")
+        hole = bd.Cylinder(radius=RADIUS * unit, length=3.0 * plate.thickness).rotated("y", 0.5 * math.pi)
+        at = (self.far - RADIUS * unit, 0.0, 2.0 * plate.thickness)
+        return plate.notched(NOTCH * unit, plate.cells * unit).cut(hole.moved(at), name="hole")
 
-    def body(self, seed: int) -> bd.Lattice:
-        """Its cells."""
+    @property
+    def size(self) -> bd.Graded:
         plate, unit = self.plate, LENGTH
         place = bd.Box(((0.4 + AHEAD + 2.0 * RADIUS + _BEHIND) * unit, 2.0 * _BESIDE * unit, plate.thickness))
         about = place.moved(((NOTCH - 0.4) * unit, -_BESIDE * unit, 0.0))
-        size = bd.Graded(fine=plate.cells * unit, coarse=_COARSE * unit, about=about, growth=0.3)
-        return bd.connect(bd.pack(self.shape, size=size, method="even", seed=seed), method="laguerre")
+        return bd.Graded(fine=plate.cells * unit, coarse=_COARSE * unit, about=about, growth=0.3)
 
     def run(self, seed: int) -> Outcome:
         body, plate = self.body(seed), self.plate
-        loads, read = plate.ends(body)
-        walls = [bd.Fix(bd.Face(name), translation="z", rotation="") for name in ("z_min", "z_max")]
-        failure = SparedRankine(tension=TENSION, fracture_energy=ENERGY, lines=plate.spared)
-        model = bd.Model(body, bd.CellBond(E=E, nu=NU), RHO, failure=failure, boundary=[*walls, *loads])
+        model, read = plate.model(body)
         path = bd.solve_quasistatic(model, read, ripple=_RIPPLE, together=_TOGETHER, until=_UNTIL)
         reached, behind = self._events(body, path)
         tough = plate.thickness * math.sqrt(plate.width) * TOUGHNESS

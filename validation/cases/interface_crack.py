@@ -58,23 +58,19 @@ class InterfaceCrack(PathCase):
 
     @property
     def shape(self) -> bd.Shape:
-        plate = self.plate
-        lower, _ = plate.plate.bounds
-        wide, thick = _CELLS * LENGTH, plate.thickness
-        slot = bd.Box((NOTCH * LENGTH - lower[0] + wide, wide, 3.0 * thick))
-        return plate.plate.cut(slot.moved((lower[0] - wide, -0.5 * wide, -thick)), name="notch")
+        return self.plate.notched(NOTCH * LENGTH, _CELLS * LENGTH)
 
     @property
     def behind(self) -> bd.Plane:
         """The material behind the interface."""
         return bd.Plane(point=(self.at, 0.0, 0.0), normal=(1.0, 0.0, 0.0))
 
-    def body(self, seed: int) -> bd.Lattice:
-        """Its cells."""
-        size = _CELLS / self.finer * LENGTH
-        return bd.connect(
-            bd.pack(self.shape, size=size, method="even", seed=seed, around=self.behind), method="laguerre"
-        )
+    @property
+    def size(self) -> float:
+        return _CELLS / self.finer * LENGTH
+
+    def packed(self, seed: int) -> bd.Particles:
+        return bd.pack(self.shape, size=self.size, method="even", seed=seed, around=self.behind)
 
     def run(self, seed: int) -> Outcome:
         body, plate, rest, behind = self.body(seed), self.plate, bd.Everything(), self.behind

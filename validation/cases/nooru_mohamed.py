@@ -68,11 +68,10 @@ class NooruMohamed(PathCase):
             shape = shape.cut(slit.moved((x, 0.5 * (EDGE - SLIT), -SLAB)), name=name)
         return shape
 
-    def body(self, seed: int) -> bd.Lattice:
-        """Its cells."""
+    @property
+    def size(self) -> bd.Graded:
         about = bd.Box((EDGE, 2.0 * _NEAR, SLAB)).moved((0.0, 0.5 * EDGE - _NEAR, 0.0))
-        size = bd.Graded(fine=_FINE / self.finer, coarse=_COARSE / self.finer, about=about, growth=0.3)
-        return bd.connect(bd.pack(self.shape, size=size, method="even", seed=seed), method="laguerre")
+        return bd.Graded(fine=_FINE / self.finer, coarse=_COARSE / self.finer, about=about, growth=0.3)
 
     def run(self, seed: int) -> Outcome:
         body, law = self.body(seed), bd.CellBond(E=E, nu=NU)

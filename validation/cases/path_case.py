@@ -6,9 +6,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+import bondem as bd
 from bondem._types import Floats, PerBond
-from bondem.geometry.shape import Shape
-from bondem.specimen.lattice import Lattice
 from validation.cases.case import Claim
 
 #: A facet that has lost this share of its integrity belongs to the crack.
@@ -26,7 +25,7 @@ class Outcome:
         curve: displacement [m] and load [N], (k, 2).
     """
 
-    body: Lattice
+    body: bd.Lattice
     integrity: PerBond
     values: Mapping[str, float]
     curve: Floats
@@ -52,15 +51,28 @@ class PathCase(ABC):
 
     @property
     @abstractmethod
-    def shape(self) -> Shape:
+    def shape(self) -> bd.Shape:
         """The body."""
+
+    @property
+    @abstractmethod
+    def size(self) -> float | bd.Graded:
+        """Size of the cells [m]."""
+
+    def packed(self, seed: int) -> bd.Particles:
+        """Centres of the cells."""
+        return bd.pack(self.shape, size=self.size, method="even", seed=seed)
+
+    def body(self, seed: int) -> bd.Lattice:
+        """The cells of a packing."""
+        return bd.connect(self.packed(seed), method="laguerre")
 
     @abstractmethod
     def run(self, seed: int) -> Outcome:
         """Carry out the test on one packing."""
 
 
-def cracked(body: Lattice, integrity: PerBond) -> tuple[Floats, Floats]:
+def cracked(body: bd.Lattice, integrity: PerBond) -> tuple[Floats, Floats]:
     """Return the centroids [m], (k, 3), and areas [m²], (k,), of the facets that belong to the crack."""
     assert body.facets is not None
     lost = np.flatnonzero(integrity < 1.0 - LOST)

@@ -45,10 +45,12 @@ class SplitCube(PathCase):
         pad = bd.Box((STRIP, _PAD, SLAB))
         return pad.moved((-0.5 * STRIP, 0.5 * EDGE, 0.0)) | pad.moved((-0.5 * STRIP, -0.5 * EDGE - _PAD, 0.0))
 
-    def body(self, seed: int) -> bd.Lattice:
-        """Its cells."""
-        packed = bd.pack(self.shape | self.pads, size=_CELL / self.finer, method="even", seed=seed)
-        return bd.connect(packed, method="laguerre")
+    @property
+    def size(self) -> float:
+        return _CELL / self.finer
+
+    def packed(self, seed: int) -> bd.Particles:
+        return bd.pack(self.shape | self.pads, size=self.size, method="even", seed=seed)
 
     def run(self, seed: int) -> Outcome:
         body, rest, pads = self.body(seed), bd.Everything(), bd.Within(self.pads)

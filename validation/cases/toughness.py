@@ -89,8 +89,11 @@ class Cracked(ABC):
     @property
     def shape(self) -> bd.Shape:
         """The plate with its notch."""
+        return self.notched(_ALPHA * self.width, self.cells * LENGTH)
+
+    def notched(self, tip: float, wide: float) -> bd.Shape:
+        """The plate with a slot of some width that ends at x = tip [m]."""
         lower, _ = self.plate.bounds
-        wide, tip = self.cells * LENGTH, _ALPHA * self.width
         slot = bd.Box((tip - lower[0] + wide, wide, 3.0 * self.thickness))
         return self.plate.cut(slot.moved((lower[0] - wide, -0.5 * wide, -self.thickness)), name="notch")
 

@@ -12,8 +12,9 @@ from matplotlib.colors import Normalize
 from bondem.report.spheres import View, render
 from bondem.report.style import BLUE, GREEN, GREY, ORANGE, SEQUENTIAL, sheet
 from bondem.specimen.lattice import Lattice
-from validation.figures.axes import column, draw_means
+from validation.figures.axes import draw_means
 from validation.figures.packing_curves import NAMES
+from validation.frame.files import column
 from validation.measures.limit import Limit
 
 Row = Mapping[str, Any]

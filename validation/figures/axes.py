@@ -6,6 +6,8 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
+from matplotlib.collections import PatchCollection
+from matplotlib.patches import Circle
 from matplotlib.ticker import FixedLocator, FormatStrFormatter, NullLocator
 
 from bondem._types import Floats
@@ -36,9 +38,30 @@ def mean_by(x: Floats, y: Floats) -> tuple[Floats, Floats]:
     return level, np.array([group.mean() if len(group) else np.nan for group in known])
 
 
-def column(rows: Sequence[Mapping[str, Any]], name: str) -> Floats:
-    """One column of rows, (k,)."""
-    return np.array([row[name] for row in rows], dtype=float)
+def draw_slice(
+    ax: Axes, kept: Mapping[str, Any], views: tuple[int, int, int], moved: Floats, colours: Floats, *, cmap: str,
+    limits: tuple[float, float],
+) -> PatchCollection:  # fmt: skip
+    """Spheres of a slice through the middle, one mean radius to both sides, whose motion is magnified twenty times.
+
+    Args:
+        ax: where to draw.
+        kept: "position" (n, 3) and "radius" (n,) of the spheres [m].
+        views: axes along which one looks, across and up.
+        moved: displacements [m], (n, 3).
+        colours: of each sphere, in `cmap` between `limits`, (n,).
+        cmap, limits: of the colours.
+    """
+    (middle, across, up), position, radius = views, kept["position"], kept["radius"]
+    level = 0.5 * (position[:, middle].min() + position[:, middle].max())
+    inside = np.flatnonzero(np.abs(position[:, middle] - level) < radius.mean())
+    place = position[inside] + 20.0 * moved[inside]
+    circles = [Circle((x, y), r) for x, y, r in zip(place[:, across], place[:, up], radius[inside], strict=True)]
+    found = PatchCollection(circles, cmap=cmap, edgecolor="black", linewidth=0.2)
+    found.set_array(colours[inside])
+    found.set_clim(*limits)
+    ax.add_collection(found)
+    return found
 
 
 def draw_bars(

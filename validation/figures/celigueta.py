@@ -5,13 +5,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from matplotlib.collections import PatchCollection
-from matplotlib.patches import Circle
 
 from bondem.report.style import BLUE, GREY, ORANGE, sheet
+from validation.figures.axes import draw_slice
 
 _COLOURS = {"weighted": ORANGE, "facet": BLUE}
-_SLICE = 1.0  # half the thickness of a slice, over the mean radius
 _MOST = 5e-5  # displacement from which on colours are those of the end [m]
 
 
@@ -44,18 +42,10 @@ def draw_broken(path: Path, runs: Sequence[tuple[Mapping[str, Any], Mapping[str,
         for ax in boxes.flat:
             ax.set_axis_off()
         for ax, (run, kept) in zip(boxes.T.flat, runs, strict=False):
-            position, moved, radius = kept["position"], kept["displacement"], kept["radius"]
             # seen along the axis in splitting, across it in the other tests
-            middle, across, up = (0, 1, 2) if run["test"] == "splitting" else (1, 2, 0)
-            level = 0.5 * (position[:, middle].min() + position[:, middle].max())
-            inside = np.flatnonzero(np.abs(position[:, middle] - level) < _SLICE * radius.mean())
-            place = position[inside] + 20.0 * np.clip(moved[inside], -5e-4, 5e-4)
-            shown = zip(place[:, across], place[:, up], radius[inside], strict=True)
-            circles = [Circle((x, y), r) for x, y, r in shown]
-            found = PatchCollection(circles, cmap="coolwarm", edgecolor="black", linewidth=0.2)
-            found.set_array(np.clip(moved[inside][:, across], -_MOST, _MOST))
-            found.set_clim(-_MOST, _MOST)
-            ax.add_collection(found)
+            views, moved = (0, 1, 2) if run["test"] == "splitting" else (1, 2, 0), kept["displacement"]
+            shown = np.clip(moved[:, views[1]], -_MOST, _MOST)
+            draw_slice(ax, kept, views, np.clip(moved, -5e-4, 5e-4), shown, cmap="coolwarm", limits=(-_MOST, _MOST))
             ax.autoscale_view()
             ax.set_aspect("equal")
             ax.set_title(f"{run['test']},\n{run['failure']}, {run['areas']}", fontsize=8)

@@ -8,7 +8,8 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, sheet
-from validation.figures.axes import column, draw_means, mean_by
+from validation.figures.axes import draw_means, mean_by
+from validation.frame.files import column
 from validation.measures.limit import Limit
 
 Row = Mapping[str, Any]

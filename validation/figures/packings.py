@@ -6,17 +6,19 @@ from pathlib import Path
 
 import numpy as np
 from matplotlib import colormaps
+from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
+from matplotlib.collections import PolyCollection
 from matplotlib.colors import Normalize
 
-from bondem._types import Floats, Ints
+from bondem._types import Floats
+from bondem.report.cell_pictures import light_on
 from bondem.report.spheres import View, render, tubes
 from bondem.report.style import DIVERGING, SEQUENTIAL, sheet
 from bondem.specimen.direction_sphere import direction_sphere
 from bondem.specimen.fabric import fabric
 from bondem.specimen.interior import region
 from bondem.specimen.lattice import Lattice
-from validation.figures.solids import render_triangles
 
 _VIEW = View(azimuth=math.radians(28.0), elevation=math.radians(24.0))
 _PIXELS = 660  # as wide as it is printed
@@ -94,12 +96,8 @@ def draw_histograms(path: Path, lattices: Sequence[Lattice], titles: Sequence[st
                 (column[0], quality.face_density, "all bonds", whole),
                 (column[1], _density_inside(lattice), "bonds away from the walls", inside),
             ):
-                corner, face = _raised(density)
-                colour = colormaps[DIVERGING](norm(density[face]))[:, :3]
-                reach = 1.03 * float(np.abs(corner @ _VIEW.axes[:2].T).max())
-                image = render_triangles(corner, colour, view=_VIEW, width=_PIXELS, reach=reach)
-                ax.imshow(image, interpolation="lanczos")
-                ax.set(xticks=(), yticks=(), title=f"{title}, {which}")
+                _draw_raised(ax, density, norm)
+                ax.set(xticks=(), yticks=(), title=f"{title}, {which}", aspect="equal")
                 ax.set_xlabel(f"{told}\nhighest face: {density.max():.2f} of isotropic")
                 ax.spines[:].set_visible(False)
         bar = figure.colorbar(
@@ -126,14 +124,21 @@ def _density_inside(lattice: Lattice) -> Floats:
     return (one_way + one_way[sphere.opposite]) / expected
 
 
-def _raised(density: Floats) -> tuple[Floats, Ints]:
-    """Triangles of the faces of the geode, moved out to `density`, with the walls from there to the centre.
+def _draw_raised(ax: Axes, density: Floats, norm: Normalize) -> None:
+    """Draw faces of the geode, moved out to `density`, with walls from there to the centre.
 
-    Returns:
-        Corners (k, 3, 3) and the face of each.
+    Of two cones with one apex the one that points more towards the eye hides the other, and is drawn later.
     """
     sphere = direction_sphere()
     top = sphere.vertices[sphere.faces] * density[:, None, None]
-    centre = np.zeros_like(top[:, 0])
-    walls = [np.stack([centre, top[:, k], top[:, (k + 1) % 3]], axis=1) for k in range(3)]
-    return np.concatenate([top, *walls]), np.tile(np.arange(len(top)), 4)
+    walls = [np.stack([0.0 * top[:, k], top[:, k], top[:, (k + 1) % 3]], axis=1) for k in range(3)]
+    placed = np.concatenate([top, *walls]) @ _VIEW.axes.T
+    normal = np.cross(placed[:, 1] - placed[:, 0], placed[:, 2] - placed[:, 0])
+    # walls are lit on the side that is seen
+    normal *= np.sign(normal[:, 2:]) / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-300)
+    colour = np.tile(colormaps[DIVERGING](norm(density))[:, :3], (4, 1)) * light_on(normal)[:, None]
+    towards = sphere.vertices[sphere.faces].mean(axis=1) @ _VIEW.axes[2]
+    order = np.argsort(np.concatenate([towards * (1.0 + 1e-6), *[towards] * 3]))
+    shown = np.clip(colour[order], 0.0, 1.0)
+    ax.add_collection(PolyCollection(list(placed[order, :, :2]), facecolors=shown, edgecolors=shown, linewidths=0.1))
+    ax.autoscale_view()

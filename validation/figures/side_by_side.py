@@ -1,20 +1,19 @@
 """Broken cylinders of all laws, side by side: slices through the middle, coloured by damage."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from matplotlib.collections import PatchCollection
-from matplotlib.patches import Circle
 
 from bondem.errors import InputError
 from bondem.report.style import INK, sheet
+from validation.figures.axes import draw_slice
 
-#: Tests in rows: seen across the load, or along the axis in splitting; and by how much motion is magnified.
+#: Tests in rows: seen across the load, or along the axis in splitting.
 ROWS = (("ucs", "compression"), ("tension", "direct tension"), ("brazilian", "splitting"))
-_MAGNIFIED, _FARTHEST = 20.0, 5e-4
-_SLICE = 1.0  # half the thickness of a slice, over the mean radius
+_FARTHEST = 5e-4
 
 
 def draw_broken(path: Path, kept: Path, names: Sequence[tuple[str, str]], count: int, radius: float) -> None:
@@ -37,7 +36,7 @@ def draw_broken(path: Path, kept: Path, names: Sequence[tuple[str, str]], count:
         for (test, title), line in zip(ROWS, boxes, strict=True):
             for ax, (name, words) in zip(line, there, strict=True):
                 with np.load(kept / f"{name}-{count}-seed1-{test}.npz") as one:
-                    found = _slice(ax, {key: one[key] for key in one.files}, test)
+                    found = _slice(ax, one, test)
                 height = (-1.2 * radius, 1.2 * radius) if test == "brazilian" else (-0.2 * radius, 4.2 * radius)
                 ax.set(xlim=(-1.3 * radius, 1.3 * radius), ylim=height, aspect="equal")
                 ax.set_axis_off()
@@ -50,17 +49,9 @@ def draw_broken(path: Path, kept: Path, names: Sequence[tuple[str, str]], count:
         bar.set_label("share of the bonds or facets of an element that is broken [-]")
 
 
-def _slice(ax: Any, one: dict[str, np.ndarray], test: str) -> PatchCollection:
-    middle, across, up = (0, 2, 1) if test == "brazilian" else (2, 1, 0)
-    position, radius = one["position"], one["radius"]
-    level = 0.5 * (position[:, middle].min() + position[:, middle].max())
-    inside = np.flatnonzero(np.abs(position[:, middle] - level) < _SLICE * radius.mean())
-    moved = np.clip(one["displacement"], -_FARTHEST, _FARTHEST)
+def _slice(ax: Any, one: Mapping[str, np.ndarray], test: str) -> PatchCollection:
     # what breaks off flies away: all motions beyond half a millimetre are drawn alike
-    place = position[inside] + _MAGNIFIED * (moved[inside] - np.median(moved, axis=0))
-    circles = [Circle((x, y), r) for x, y, r in zip(place[:, across], place[:, up], radius[inside], strict=True)]
-    found = PatchCollection(circles, cmap="YlOrRd", edgecolor="black", linewidth=0.2)
-    found.set_array(one["damage"][inside])
-    found.set_clim(0.0, 1.0)
-    ax.add_collection(found)
-    return found
+    moved = np.clip(one["displacement"], -_FARTHEST, _FARTHEST)
+    views = (0, 2, 1) if test == "brazilian" else (2, 1, 0)
+    moved = moved - np.median(moved, axis=0)
+    return draw_slice(ax, one, views, moved, one["damage"], cmap="YlOrRd", limits=(0.0, 1.0))

@@ -31,7 +31,6 @@ def command_of(kind: type[Study]) -> click.Command:
             ["--threads"], type=click.IntRange(min=1, max=os.cpu_count()), default=1, show_default=True,
             help="Threads of each.",
         ),
-        click.Option(["--address"], metavar="URL", help="Scheduler of a Dask cluster to work on instead."),
     ]  # fmt: skip
     told = explained(kind)
     for field in fields(kind):
@@ -42,13 +41,10 @@ def command_of(kind: type[Study]) -> click.Command:
         options.append(_option(field.name, tuple[of, ...] if isinstance(default, tuple) else of, default,
                                told[field.name]))  # fmt: skip
 
-    def carry_out(out: Path, processes: int | None, threads: int, address: str | None, **options: Any) -> None:
+    def carry_out(out: Path, processes: int | None, threads: int, **options: Any) -> None:
         words = f"python -m validation {' '.join(sys.argv[1:])}"
         with progress_bars() as progress:
-            run(
-                kind(**options), out, processes=processes, thread_count=threads, address=address, command=words,
-                progress=progress,
-            )  # fmt: skip
+            run(kind(**options), out, processes=processes, thread_count=threads, command=words, progress=progress)
         click.echo(f"\n{(out / 'table.md').read_text(encoding='utf-8')}")
         click.echo(out / "results.json")
 

@@ -25,6 +25,11 @@ def plain(value: Any) -> Any:
     return value
 
 
+def column(rows: Sequence[Mapping[str, Any]], name: str) -> np.ndarray:
+    """One column of rows, (k,)."""
+    return np.array([row[name] for row in rows], dtype=float)
+
+
 def rounded(values: Any, digits: int) -> list[float]:
     """Numbers to so many digits."""
     return [float(f"{value:.{digits}g}") for value in np.asarray(values).tolist()]

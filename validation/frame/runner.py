@@ -18,7 +18,6 @@ from pathlib import Path
 from typing import Any
 
 from bondem._threads import threads
-from bondem.campaign.cluster import connected, submitted
 from bondem.errors import BondemError, InputError
 from bondem.io.atomic import require_folder
 from validation.frame.failures import complain
@@ -34,7 +33,6 @@ def run(
     *,
     processes: int | None = None,
     thread_count: int = 1,
-    address: str | None = None,
     command: str = "",
     progress: Callable[[str, float], None] | None = None,
 ) -> dict[str, Any]:
@@ -45,7 +43,6 @@ def run(
         out: folder for the results, of an earlier run or new.
         processes: how many work at once; one a core unless given.
         thread_count: threads of each.
-        address: of the scheduler of a Dask cluster, which works in place of processes of this machine.
         command: that the results are to name.
         progress: told the stage and the share of it that is done.
 
@@ -67,10 +64,8 @@ def run(
         while True:
             number += 1
             possible = [request for request in requests if request.needs not in failed]
-            rows = gather(
-                possible, out, processes=processes, thread_count=thread_count, address=address,
-                progress=partial(tell, stage),
-            )  # fmt: skip
+            told = partial(tell, stage)
+            rows = gather(possible, out, processes=processes, thread_count=thread_count, progress=told)
             failed |= {request: row for request, row in zip(possible, rows, strict=True) if row["error"]}
             stage, requests = stages.send(rows)
     good = [row for row in rows if not row["error"]]
@@ -92,7 +87,6 @@ def gather(
     *,
     processes: int | None = None,
     thread_count: int = 1,
-    address: str | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> list[dict[str, Any]]:
     """The rows of all requests, in their order; those not in the folder yet are made now, largest first.
@@ -102,7 +96,6 @@ def gather(
         folder: where rows and packings are kept; made if it is not there.
         processes: how many work at once; one a core unless given.
         thread_count: threads of each; rows are the same to the bit.
-        address: of the scheduler of a Dask cluster, whose workers share the folder.
         progress: told the share of the work that is done, 0 … 1.
 
     Returns:
@@ -120,11 +113,7 @@ def gather(
     missing = sorted((request for request, row in rows.items() if row is None), key=lambda one: -one.weight)
     done, whole = 0.0, sum(request.weight for request in missing)
     workers = min(processes or os.cpu_count() or 1, max(len(missing), 1))
-    made = (
-        _made(missing, folder, workers, thread_count)
-        if address is None else _made_on_cluster(missing, folder, address, thread_count)
-    )  # fmt: skip
-    for request, row in made:
+    for request, row in _made(missing, folder, workers, thread_count):
         rows[request] = row
         done += request.weight
         if progress is not None:
@@ -152,17 +141,6 @@ def _made(
         pool.shutdown(wait=False, cancel_futures=True)
         raise
     pool.shutdown()
-
-
-def _made_on_cluster(
-    missing: Sequence[Request], folder: Path, address: str, thread_count: int
-) -> Iterator[tuple[Request, dict[str, Any]]]:
-    """The same by the workers of a cluster."""
-    if not missing:
-        return
-    with connected(address=address) as client:
-        for job, request in submitted(client, partial(_on_threads, count=thread_count), missing, folder.resolve()):
-            yield request, _outcome(job, request)
 
 
 def _outcome(job: Any, request: Request) -> dict[str, Any]:

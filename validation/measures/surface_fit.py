@@ -8,6 +8,7 @@ import numpy as np
 from bondem._types import Floats
 from bondem.calibration.surface_correction import lattice_terms, law_terms
 from bondem.interactions.law_catalogue import PARAMETERS
+from validation.frame.files import column
 from validation.frame.study import Row
 
 # The scatter that sets the weights of rows, √(a² + b² / elements): first guess, then as found.
@@ -19,11 +20,6 @@ _TERMS = {name: np.tile(np.arange(5) < count, 4) for name, count in (("E", 5), (
 
 #: Shapes so stubby that equal tractions on their ends lower ν in the gauge.
 STUBBY = ("cube",)
-
-
-def column(rows: Sequence[Row], name: str) -> Floats:
-    """One column of rows, (k,)."""
-    return np.array([row[name] for row in rows], dtype=float)
 
 
 def design(rows: Sequence[Row]) -> Floats:
