@@ -56,7 +56,7 @@ def follow(text: str, folder: Path, *, tests: bool = False) -> int:
     script = folder / "files" / "readme.sh"
     text = "\n".join(["set -o pipefail", _STEP, *lines, "echo; echo 'every line works'"])
     script.write_text(text, encoding="utf-8")
-    own = {"VIRTUAL_ENV", "VIRTUAL_ENV_PROMPT", "PYTHONHOME", "PYTHONPATH"}
+    own = {"VIRTUAL_ENV", "VIRTUAL_ENV_PROMPT", "PYTHONHOME", "PYTHONPATH", "OPENBLAS_CORETYPE"}
     kept = {name: value for name, value in os.environ.items() if name not in own and not name.startswith("BONDEM_")}
     folders = [one for one in kept["PATH"].split(os.pathsep) if Path(one) != Path(sys.executable).parent]
     home = folder / "home"
