@@ -44,11 +44,7 @@ Named = TypeVar("Named", bound=_Named)
 
 @contextmanager
 def connected(
-    *,
-    workers: int | None = None,
-    address: str | None = None,
-    slurm: Slurm | None = None,
-    shared: Path | None = None,
+    *, workers: int | None = None, address: str | None = None, slurm: Slurm | None = None, shared: Path | None = None
 ) -> Iterator[Any]:
     """Yield the client of a Dask cluster; a cluster that is started here ends with the block.
 

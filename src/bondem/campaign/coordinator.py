@@ -96,7 +96,7 @@ def _carry_out(
 
 
 def _arriving(client: Any, missing: Iterable[CampaignSpecimen], out: Path) -> Iterator[dict[str, Any]]:
-    """Yield a row per specimen in the order of completion; if the task failed on its workers, it has "error"."""
+    """Yield a row per specimen in the order of completion; that of a failed specimen has "error" with the reason."""
     for job, one in submitted(client, carry_out, missing, out):
         if job.status == "finished":
             yield job.result()

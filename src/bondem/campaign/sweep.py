@@ -2,7 +2,7 @@
 
 import copy
 import hashlib
-import json
+import math
 import re
 import tomllib
 from collections.abc import Iterator, Mapping
@@ -15,6 +15,7 @@ from bondem._checks import place, shown
 from bondem.errors import StudyError
 from bondem.io.text_file import read_text
 from bondem.study.keys import STUDY
+from bondem.study.programme import document_hash
 from bondem.study.programme_run import code_hash
 from bondem.study.study_file import Study, parse_study, read_toml
 from bondem.study.toml_table import TomlTable
@@ -125,22 +126,16 @@ def parse_campaign(data: Mapping[str, Any], *, folder: Path = Path()) -> Campaig
     first = TomlTable(shared, STUDY).count("seed", default=Study.seed)
     with TomlTable(data, STUDY).section("campaign") as table:
         seeds, vary = _seeds(table, first), _vary(table)
-        slurm = _slurm(table.section("slurm")) if table.has("slurm") else None
-    total = len(seeds)
-    for _, values in vary:
-        total *= len(values)
+        slurm = table.optional("slurm", _slurm)
+    total = len(seeds) * math.prod(len(values) for _, values in vary)
     if total > _MOST:
         raise StudyError(f"'campaign' has {total} specimens; give at most {_MOST}")
-    code, made = code_hash(), []
-    for varied in _combinations(vary, seeds):
-        made.append(_specimen(shared, varied, folder, code))
-    return Campaign(str(data["name"]), (*(key for key, _ in vary), "seed"), tuple(made), slurm)
-
-
-def _combinations(vary: list[tuple[str, list[Any]]], seeds: list[int]) -> Iterator[dict[str, Any]]:
-    keys = [key for key, _ in vary]
-    for chosen in product(*(values for _, values in vary), seeds):
-        yield dict(zip((*keys, "seed"), chosen, strict=True))
+    code, keys = code_hash(), (*(key for key, _ in vary), "seed")
+    specimens = tuple(
+        _specimen(shared, dict(zip(keys, chosen, strict=True)), folder, code)
+        for chosen in product(*(values for _, values in vary), seeds)
+    )
+    return Campaign(str(data["name"]), keys, specimens, slurm)
 
 
 def _seeds(table: TomlTable, first: int) -> list[int]:
@@ -156,7 +151,7 @@ def _seeds(table: TomlTable, first: int) -> list[int]:
 
 def _vary(table: TomlTable) -> list[tuple[str, list[Any]]]:
     found = []
-    for key, values in _flat(table.section("vary").all()):
+    for key, values in flat(table.section("vary").all()):
         where = f"campaign.vary.{key}"
         if key in ("seed", "packings", "name") or key.partition(".")[0] == "campaign":
             raise StudyError(f"'{where}': cannot be varied; give seeds as 'campaign.seeds'")
@@ -168,12 +163,12 @@ def _vary(table: TomlTable) -> list[tuple[str, list[Any]]]:
     return found
 
 
-def _flat(table: Mapping[str, Any], path: str = "") -> Iterator[tuple[str, Any]]:
+def flat(table: Mapping[str, Any], path: str = "") -> Iterator[tuple[str, Any]]:
     """Yield dotted keys and values of nested tables; `"material.E" = […]` and `material.E = […]` are equivalent."""
     for key, value in table.items():
         name = f"{path}.{key}" if path else key
         if isinstance(value, Mapping):
-            yield from _flat(value, name)
+            yield from flat(value, name)
         else:
             yield name, value
 
@@ -181,14 +176,11 @@ def _flat(table: Mapping[str, Any], path: str = "") -> Iterator[tuple[str, Any]]
 def _slurm(table: TomlTable) -> Slurm:
     with table:
         return Slurm(
-            queue=table.text("queue", default="") or None,
-            account=table.text("account", default="") or None,
-            cores=table.count("cores", default=Slurm.cores),
-            memory=table.text("memory", default=Slurm.memory),
+            queue=table.text("queue", default="") or None, account=table.text("account", default="") or None,
+            cores=table.count("cores", default=Slurm.cores), memory=table.text("memory", default=Slurm.memory),
             walltime=table.text("walltime", default=Slurm.walltime),
-            jobs=table.count("jobs", default=Slurm.jobs),
-            directives=table.lines("directives"),
-        )
+            jobs=table.count("jobs", default=Slurm.jobs), directives=table.lines("directives"),
+        )  # fmt: skip
 
 
 def _specimen(shared: Mapping[str, Any], varied: Mapping[str, Any], folder: Path, code: str) -> CampaignSpecimen:
@@ -200,12 +192,7 @@ def _specimen(shared: Mapping[str, Any], varied: Mapping[str, Any], folder: Path
         parse_study(document, folder=folder)
     except StudyError as error:
         raise StudyError(f"{error} (specimen of {values})") from None
-    digest = hashlib.sha256(code.encode())
-    digest.update(json.dumps(document, sort_keys=True, default=str).encode())
-    for key in ("particles", "file"):
-        if key in document["specimen"]:
-            digest.update((folder / document["specimen"][key]).read_bytes())
-    inputs = digest.hexdigest()
+    inputs = hashlib.sha256(f"{code} {document_hash(document, folder)}".encode()).hexdigest()
     words = "_".join(f"{key.rpartition('.')[2]}-{_slug(value)}" for key, value in varied.items())
     return CampaignSpecimen(f"{words[:80]}_{inputs[:10]}", dict(varied), document, folder, inputs)
 

@@ -13,10 +13,11 @@ from typing import Any
 
 from bondem._progress import quiet
 from bondem._threads import threads
-from bondem.campaign.sweep import CampaignSpecimen
+from bondem.campaign.sweep import CampaignSpecimen, flat
 from bondem.errors import BondemError
 from bondem.io.atomic import write_text
 from bondem.study.pipeline import run_study
+from bondem.study.programme_run import read_json
 from bondem.study.study_file import parse_study
 
 #: Folder of the specimens within that of a campaign, and file with the row of a finished specimen.
@@ -36,6 +37,7 @@ def carry_out(specimen: CampaignSpecimen, out: Path) -> dict[str, Any]:
         Row of the specimen: "name", "varied" and "values"; "error" with the reason instead of values if it failed.
     """
     final = out / SPECIMENS / specimen.name
+    row: dict[str, Any] = {"name": specimen.name, "varied": dict(specimen.varied)}
     known = finished(specimen, out)
     if known is not None:  # finished by a worker that the scheduler had lost
         return known
@@ -46,9 +48,9 @@ def carry_out(specimen: CampaignSpecimen, out: Path) -> dict[str, Any]:
             results = run_study(parse_study(specimen.document, folder=specimen.folder), own)
     except BondemError as error:
         shutil.rmtree(own, ignore_errors=True)
-        return _row(specimen) | {"error": " ".join(str(error).split())}
+        return row | {"error": " ".join(str(error).split())}
     worker = f"{socket.gethostname()}:{os.getpid()}"
-    row = _row(specimen) | {"values": {**scalars(results), "seconds": round(time.perf_counter() - start, 3)}}
+    row["values"] = {**scalars(results), "seconds": round(time.perf_counter() - start, 3)}
     write_text(own / RECORD, json.dumps(row | {"inputs": specimen.inputs, "worker": worker}, indent=1) + "\n")
     try:
         own.rename(final)
@@ -61,38 +63,19 @@ def carry_out(specimen: CampaignSpecimen, out: Path) -> dict[str, Any]:
 
 def finished(specimen: CampaignSpecimen, out: Path) -> dict[str, Any] | None:
     """Return the row of a specimen that is finished in `out` with equal study and code, or None."""
-    record = _record(out / SPECIMENS / specimen.name)
+    record = read_json(out / SPECIMENS / specimen.name / RECORD)
     if record is None or record.get("inputs") != specimen.inputs:
         return None
     return {key: record[key] for key in ("name", "varied", "values")}
 
 
-def _record(folder: Path) -> dict[str, Any] | None:
-    """Read the stored record of a finished specimen from its folder; None if there is none."""
-    try:
-        return json.loads((folder / RECORD).read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        return None
-
-
 def clear(out: Path) -> None:
-    """Remove the folders and locks of unfinished specimens, which workers that died have left."""
+    """Remove the folders and locks of unfinished specimens that remain from workers that died."""
     for left in (out / SPECIMENS).glob(f".*{_UNFINISHED}*"):
         with contextlib.suppress(OSError):
             shutil.rmtree(left) if left.is_dir() else left.unlink()
 
 
-def scalars(results: Mapping[str, Any], path: str = "") -> dict[str, Any]:
+def scalars(results: Mapping[str, Any]) -> dict[str, Any]:
     """Collect the numbers and texts of results by dotted names, without lists such as that of the packings."""
-    found: dict[str, Any] = {}
-    for key, value in results.items():
-        name = f"{path}.{key}" if path else key
-        if isinstance(value, Mapping):
-            found |= scalars(value, name)
-        elif not isinstance(value, list):
-            found[name] = value
-    return found
-
-
-def _row(specimen: CampaignSpecimen) -> dict[str, Any]:
-    return {"name": specimen.name, "varied": dict(specimen.varied)}
+    return {name: value for name, value in flat(results) if not isinstance(value, list)}

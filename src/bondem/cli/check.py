@@ -3,10 +3,10 @@
 from pathlib import Path
 
 import click
-from rich.console import Console
 from rich.table import Table
 
 from bondem.campaign.sweep import is_campaign, read_campaign
+from bondem.cli.terminal import TABLE, wide_console
 from bondem.study.forecast import forecast
 from bondem.study.programme import Programme, read
 from bondem.study.rehearsal import rehearse
@@ -21,9 +21,7 @@ def command(study_file: Path) -> None:
     A first specimen of up to 20 000 elements is packed, and its tests to failure begin without a time step, to find
     errors before a run. Element sizes, time steps and memory are estimated. The exit status of errors is 2.
     """
-    console = Console(highlight=False, markup=False)
-    if not console.is_terminal:
-        console.width = 120
+    console = wide_console(markup=False)
     differ = ""
     if is_campaign(study_file):
         campaign = read_campaign(study_file)
@@ -35,13 +33,13 @@ def command(study_file: Path) -> None:
         title = asked.name
         studies = [(one.name, one.study) for one in asked.series] if isinstance(asked, Programme) else [("", asked)]
     done = [rehearse(study) for _, study in studies]
-    console.print(f"{title}: {study_file} is valid", soft_wrap=True)
+    console.print(f"{title}: {study_file} is valid")
     if differ:
-        console.print(differ, soft_wrap=True)
+        console.print(differ)
     for (name, study), rehearsed in zip(studies, done, strict=True):
-        table = Table(box=None, show_header=False, padding=(0, 2, 0, 0), title=name or None, title_justify="left")
+        table = Table(show_header=False, title=name or None, title_justify="left", **TABLE)
         for what, words in forecast(study):
             table.add_row(f"  {what}", words)
         table.add_row("  checked", rehearsed)
         console.print()
-        console.print(table)
+        console.print(table, soft_wrap=False)

@@ -19,13 +19,18 @@ def command(run_file: Path, as_json: bool) -> None:
     if as_json:
         click.echo(found.as_json())
         return
+    Console(highlight=False, markup=False).print(table_of(found))
+
+
+def table_of(found: RunContents) -> Table:
+    """Create a table with the contents of a run file, as names and texts."""
     table = Table(box=None, show_header=False, padding=(0, 2, 0, 0))
-    for name, words in lines_of(found):
+    for name, words in _lines(found):
         table.add_row(name, words)
-    Console(highlight=False, markup=False).print(table)
+    return table
 
 
-def lines_of(found: RunContents) -> list[tuple[str, str]]:
+def _lines(found: RunContents) -> list[tuple[str, str]]:
     """Summarise a run file as pairs of a name and a text."""
     done = found.step / found.steps if found.steps else 1.0
     stands = "being written" if found.written else "finished" if done >= 1.0 else "not finished"

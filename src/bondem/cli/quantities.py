@@ -22,7 +22,7 @@ class Quantity(click.ParamType):
     ) -> None:
         self.unit = unit
         self.name = "number" if unit == "-" else unit
-        self._above, self._least, self._below = above, least, below
+        self._bounds = {"above": above, "least": least, "below": below}
 
     def convert(self, value: object, param: click.Parameter | None, ctx: click.Context | None) -> float:
         name = param.opts[0] if param is not None else "the value"
@@ -32,6 +32,6 @@ class Quantity(click.ParamType):
             given = None
         try:
             found = given if given is not None else quantity(name, str(value), self.unit)
-            return number("", name, found, above=self._above, least=self._least, below=self._below)
+            return number("", name, found, **self._bounds)
         except InputError as error:
             self.fail(str(error), param, ctx)

@@ -1,8 +1,8 @@
 """`bondem strength`: calibrate strengths of cells for a material."""
 
 import math
-from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import click
 
@@ -11,7 +11,7 @@ from bondem.cli.terminal import on_threads, progress_bars
 from bondem.study.strength_calibration import StrengthPlan, run_strength
 
 
-@click.command("strength")
+@click.command("strength", context_settings={"show_default": True})
 @click.option("--E", "E", type=Quantity("Pa"), required=True, help="Young's modulus [Pa], or \"40 GPa\".")
 @click.option("--nu", type=Quantity("-"), required=True, help="Poisson's ratio [-].")
 @click.option("--ucs", type=Quantity("Pa"), required=True, help="Target uniaxial compressive strength [Pa].")
@@ -21,42 +21,33 @@ from bondem.study.strength_calibration import StrengthPlan, run_strength
               help="Tolerance of --brazilian [Pa]; 7.5 % by default.")  # fmt: skip
 @click.option("--friction-angle", type=Quantity("rad"), default=StrengthPlan.friction_angle, show_default="35 deg",
               help="Friction angle φ [rad], or \"35 deg\".")  # fmt: skip
-@click.option("--fracture-energy", type=Quantity("J/m²"), default=StrengthPlan.fracture_energy, show_default=True,
+@click.option("--fracture-energy", type=Quantity("J/m²"), default=StrengthPlan.fracture_energy,
               help="Fracture energy G_f [J/m²].")  # fmt: skip
-@click.option("--diameter", type=Quantity("m", above=0.0), default=StrengthPlan.diameter, show_default=True,
+@click.option("--diameter", type=Quantity("m", above=0.0), default=StrengthPlan.diameter,
               help="Diameter of the cylinder [m].")  # fmt: skip
-@click.option("--length", type=Quantity("m", above=0.0), default=StrengthPlan.length, show_default=True,
+@click.option("--length", type=Quantity("m", above=0.0), default=StrengthPlan.length,
               help="Length of the cylinder [m].")  # fmt: skip
-@click.option("--count", type=click.IntRange(min=200), default=StrengthPlan.count, show_default=True,
+@click.option("--count", type=click.IntRange(min=200), default=StrengthPlan.count,
               help="Number of cells per packing.")  # fmt: skip
-@click.option("--packings", type=click.IntRange(min=1), default=StrengthPlan.packings, show_default=True,
+@click.option("--packings", type=click.IntRange(min=1), default=StrengthPlan.packings,
               help="Number of packings, whose mean strength is calibrated.")  # fmt: skip
-@click.option("--seed", type=click.IntRange(min=0), default=StrengthPlan.seed, show_default=True,
-              help="Seed of the first packing.")  # fmt: skip
-@click.option("--most", type=click.IntRange(min=1), default=StrengthPlan.most, show_default=True,
-              help="Largest number of runs.")  # fmt: skip
+@click.option("--seed", type=click.IntRange(min=0), default=StrengthPlan.seed, help="Seed of the first packing.")
+@click.option("--most", type=click.IntRange(min=1), default=StrengthPlan.most, help="Largest number of runs.")
 @click.option("--out", metavar="DIR", type=click.Path(path_type=Path),
               help="Folder for finished runs, which a later call reuses.")  # fmt: skip
 @click.option("--threads", type=click.IntRange(min=1), help="Number of threads; all cores by default.")
-def command(
-    E: float, nu: float, ucs: float, brazilian: float, ucs_within: float | None, brazilian_within: float | None,
-    friction_angle: float, fracture_energy: float, diameter: float, length: float, count: int, packings: int,
-    seed: int, most: int, out: Path | None, threads: int | None,
-) -> None:  # fmt: skip
+def command(out: Path | None, threads: int | None, **given: Any) -> None:
     """Calibrate the tensile strength and cohesion of cells to compression and Brazilian tests.
 
     The result states the uncertainty of the parameters.
     """
-    plan = StrengthPlan(E=E, nu=nu, ucs=ucs, brazilian=brazilian, friction_angle=friction_angle,
-                        fracture_energy=fracture_energy)  # fmt: skip
-    plan = replace(plan, ucs_within=ucs_within, brazilian_within=brazilian_within, diameter=diameter, length=length,
-                   count=count, packings=packings, seed=seed, most=most)  # fmt: skip
+    plan = StrengthPlan(**given)
     with on_threads(threads), progress_bars():
         fit = run_strength(plan, out, progress=click.echo)
     click.echo(f"\n{fit}")
     found = fit.parameters  # raises an error for targets that were not reached
-    angle = math.degrees(friction_angle)
+    angle = math.degrees(plan.friction_angle)
     click.echo(
         f"\n  bd.MohrCoulomb(tension={found['tension']:.4g}, cohesion={found['cohesion']:.4g},"
-        f" friction_angle=math.radians({angle:g}), fracture_energy={fracture_energy:g})"
+        f" friction_angle=math.radians({angle:g}), fracture_energy={plan.fracture_energy:g})"
     )

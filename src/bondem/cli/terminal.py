@@ -26,9 +26,21 @@ _EXPLANATION = (
 )
 
 
+#: Options of tables without lines.
+TABLE: dict[str, Any] = {"box": None, "padding": (0, 2, 0, 0)}
+
+
+def wide_console(width: int = 120, *, markup: bool = True) -> Console:
+    """Create a console for results, which does not wrap lines, with a number of columns outside a terminal."""
+    console = Console(highlight=False, markup=markup, soft_wrap=True)
+    if not console.is_terminal:
+        console.width = width
+    return console
+
+
 @contextmanager
 def progress_bars(log: Path | None = None) -> Iterator[Callable[[str, float], None]]:
-    """Show stages as bars on a terminal, as lines on stderr elsewhere; yields a function of stage and its share.
+    """Yield a function of a stage and its share, which shows bars on a terminal and lines on stderr elsewhere.
 
     Args:
         log: file for one line per twentieth of a stage, or None.
@@ -99,9 +111,7 @@ def on_threads(count: int | None) -> Iterator[None]:
 
 def show_results(study: Study, results: Mapping[str, Any], out: Path) -> None:
     """Print the results of a study, and the paths of its files in the folder `out`."""
-    console = Console(highlight=False)
-    if not console.is_terminal:
-        console.width = 120
+    console = wide_console()
     micro, macro, specimen = results["micro"], results["macro"], results["specimen"]
     title = f"[bold]{escape(study.name)}[/bold]"
     first, *others = study.bond.heading(study.packings, specimen)
@@ -114,19 +124,16 @@ def show_results(study: Study, results: Mapping[str, Any], out: Path) -> None:
         )  # fmt: skip
         elastic = "" if macro["E"] is None else f"E = {with_unit(macro['E'], 'Pa')}, ν = {macro['nu']:.4f}, "
         lines += [_law(micro), f"  {elastic}ρ = {with_unit(macro['rho'], 'kg/m³')}{spread}"]
-    console.print()
-    for line in lines:
-        console.print(line, soft_wrap=True)
-    console.print()
+    console.print("\n".join(["", *lines, ""]))
     for one in results["packings"]:
         for reason in one["fabric_reasons"]:
-            console.print(f"  [yellow]packing of seed {one['seed']}: {reason}[/yellow]", soft_wrap=True)
+            console.print(f"  [yellow]packing of seed {one['seed']}: {reason}[/yellow]")
     if results["tests"]:
-        console.print(_tests(study, results), soft_wrap=True)
+        console.print(_tests(study, results))
         for line in _EXPLANATION if any(name in TESTS for name in results["tests"]) else ():
-            console.print(f"  [dim]{line}[/dim]", soft_wrap=True)
+            console.print(f"  [dim]{line}[/dim]")
         for line in _broken(results):
-            console.print(f"  {line}", soft_wrap=True, markup=False)
+            console.print(f"  {line}", markup=False)
     _show_files(console, out)
 
 
@@ -141,26 +148,21 @@ def _broken(results: Mapping[str, Any]) -> Iterator[str]:
             f" {with_unit(one['fracture_energy'], 'J/m²')}; stored at the peak"
             f" {one['stored_over_one_crack']:.3g} times the energy of one crack"
         )  # fmt: skip
-        yield (
-            f"{name} {one['mode']}: {many(one['pieces'], 'piece')}, {many(one['crumbs'], 'crumb')}{energy}"
-        )
+        yield f"{name} {one['mode']}: {many(one['pieces'], 'piece')}, {many(one['crumbs'], 'crumb')}{energy}"
 
 
 def _show_files(console: Console, out: Path) -> None:
     """Print the paths of the results; the report is last, as users open it next."""
-    console.print(f"\n  {out / 'results.json'}", soft_wrap=True, markup=False)
+    console.print(f"\n  {out / 'results.json'}", markup=False)
     if (out / "report.html").exists():
-        console.print(f"  {out / 'report.html'}", soft_wrap=True, markup=False)
+        console.print(f"  {out / 'report.html'}", markup=False)
 
 
 def show_programme(results: Mapping[str, Any], out: Path) -> None:
     """Print the results of a test programme, measured values with targets and closed forms."""
-    console = Console(highlight=False)
-    if not console.is_terminal:
-        console.width = 140
-    head = f"\n[bold]{escape(results['programme'])}[/bold], specimens: {len(results['specimens'])}\n"
-    console.print(head, soft_wrap=True)
-    table = Table(box=None, header_style="bold", padding=(0, 2, 0, 0))
+    console = wide_console(140)
+    console.print(f"\n[bold]{escape(results['programme'])}[/bold], specimens: {len(results['specimens'])}\n")
+    table = Table(header_style="bold", **TABLE)
     for name in ("  specimen", "test"):
         table.add_column(name, no_wrap=True)
     for name in ("measured", "± scatter", "target", "off", "closed form", "off"):
@@ -172,7 +174,7 @@ def show_programme(results: Mapping[str, Any], out: Path) -> None:
             with_unit(row["target"], row["unit"]), signed_percent(row["off_target"]),
             with_unit(row["theory"], row["unit"]), signed_percent(row["off_theory"]),
         )  # fmt: skip
-    console.print(table, soft_wrap=True)
+    console.print(table)
     _show_files(console, out)
 
 
@@ -192,7 +194,7 @@ def _law(micro: Mapping[str, Any]) -> str:
 
 def _tests(study: Study, results: Mapping[str, Any]) -> Table:
     published = study.reference.errors if study.reference else {}
-    table = Table(box=None, header_style="bold", padding=(0, 2, 0, 0))
+    table = Table(header_style="bold", **TABLE)
     table.add_column("  test", no_wrap=True)
     columns = ("measured", "theory", "error", "± scatter", "Timoshenko", "refined")
     for name in (*columns, *(["paper"] if published else [])):

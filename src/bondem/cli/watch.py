@@ -7,10 +7,9 @@ from pathlib import Path
 import click
 from rich.console import Console
 from rich.live import Live
-from rich.table import Table
 
 from bondem._progress import span
-from bondem.cli.info import lines_of
+from bondem.cli.info import table_of
 from bondem.errors import RunFileError
 from bondem.io.run_contents import RunContents, read_contents
 
@@ -38,11 +37,11 @@ def command(run_file: Path, interval: float, patience: float) -> None:
     if not console.is_terminal:
         _follow(run_file, found, interval)
         return
-    with Live(_shown(found), console=console, auto_refresh=False) as live:
+    with Live(table_of(found), console=console, auto_refresh=False) as live:
         while found.written:
             time.sleep(interval)
             found = read_contents(run_file)
-            live.update(_shown(found), refresh=True)
+            live.update(table_of(found), refresh=True)
 
 
 def _follow(run_file: Path, found: RunContents, interval: float) -> None:
@@ -57,10 +56,3 @@ def _follow(run_file: Path, found: RunContents, interval: float) -> None:
             return
         time.sleep(interval)
         found = read_contents(run_file)
-
-
-def _shown(found: RunContents) -> Table:
-    table = Table(box=None, show_header=False, padding=(0, 2, 0, 0))
-    for name, words in lines_of(found):
-        table.add_row(name, words)
-    return table

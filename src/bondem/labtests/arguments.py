@@ -45,7 +45,7 @@ def check(test: str, lattice: object, **given: object) -> None:
 
 
 def _each(test: str, density: np.ndarray, count: int) -> None:
-    """Raise InputError unless an array holds one positive density per element [kg/m³], (count,)."""
+    """Raise InputError unless an array has one positive density per element [kg/m³], (count,)."""
     numbers = density.dtype.kind in "fiu" and density.shape == (count,)
     if not (numbers and possible(density) and (density > 0.0).all()):
         raise InputError(

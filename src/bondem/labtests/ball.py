@@ -23,8 +23,8 @@ _ROUND, _FULL = 1e-6, 0.01
 class FragmentSizes(Plotted):
     """Size distribution of the fragments of a broken ball, by mass.
 
-    The diameter of a fragment of mass m is D (m / M)^(1/3), where D is the diameter of the ball and M the sum of
-    these masses. Fragments of rattlers alone are left out, as they were loose from the start.
+    The diameter of a fragment of mass m is D (m / M)^(1/3), with the diameter D of the ball and the sum M of the
+    masses. Fragments of rattlers only are left out of both, as rattlers were loose from the start.
 
     Attributes:
         diameter: diameters of the fragments, ascending [m], shape (f,).

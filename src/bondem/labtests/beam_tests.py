@@ -54,9 +54,7 @@ class CrossSection:
                 I = c * b**3 / 12.0
                 return cls(area, I, _torsion_of_rectangle(b, c), I, polar, False)
             case _:
-                raise InputError(
-                    f"a {type(shape).__name__} is not a bar along x; test a Cylinder or a Box"
-                )
+                raise InputError(f"a {type(shape).__name__} is not a bar along x; test a Cylinder or a Box")
 
     def filled(self, stiffness: Floats, mass: Floats) -> "CrossSection":
         """Return a cross-section of equal area with the second moments of uneven stiffness and mass.

@@ -12,7 +12,7 @@ from bondem.boundary.schedules import Ramp
 from bondem.boundary.wall_motions import Driven
 from bondem.boundary.walls import CylinderWall
 from bondem.labtests.bonded_platens import LEAST, REACH, RECORDS, BondedSpecimen, Side
-from bondem.labtests.quasi_static_rig import Rig, RunOptions, StrengthTest, straight_part
+from bondem.labtests.quasi_static_rig import Rig, RunOptions, StrengthTest, initial_slope
 from bondem.specimen.regions import Index
 
 # Radius of the rollers over the depth of the beam, and its lower limit in mean radii.
@@ -39,13 +39,7 @@ class BentBonds:
 
 
 def bend_bonded(
-    specimen: BondedSpecimen,
-    *,
-    span: float,
-    ligament: float,
-    friction: float,
-    ending: float,
-    options: RunOptions,
+    specimen: BondedSpecimen, *, span: float, ligament: float, friction: float, ending: float, options: RunOptions
 ) -> BentBonds:
     """Bend a beam of bonded spheres between a moving rod above mid-span and two fixed rods below, all along z.
 
@@ -98,9 +92,7 @@ def bend_bonded(
     history = test.run.history
     load = test.curve[:, 1] * section
     deflection = (0.5 * (history["left"] + history["right"]) - history["middle"])[:, 1]
-    straight = straight_part(load)
-    slope = float(np.polyfit(deflection[straight], load[straight], 1)[0]) if len(straight) > 2 else math.nan
-    return BentBonds(test, load, deflection, slope)
+    return BentBonds(test, load, deflection, initial_slope(deflection, load))
 
 
 def _roller(

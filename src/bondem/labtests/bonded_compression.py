@@ -5,7 +5,6 @@ from functools import partial
 
 import numpy as np
 
-from bondem._types import Floats
 from bondem.boundary.gauges import Gauge, StrainGauge
 from bondem.boundary.schedules import Ramp
 from bondem.boundary.wall_motions import Servo
@@ -28,12 +27,7 @@ _TORN = 0.1
 
 
 def compress_bonded(
-    specimen: BondedSpecimen,
-    *,
-    pressure: float,
-    friction: float,
-    reach: float | None,
-    options: RunOptions,
+    specimen: BondedSpecimen, *, pressure: float, friction: float, reach: float | None, options: RunOptions
 ) -> StrengthTest:
     """Compress bonded spheres along x between a fixed platen and one that approaches it.
 
@@ -60,7 +54,7 @@ def compress_bonded(
         axis=0, sign=-1.0, near=near, far=far, section=section, torn=section, length=length, size=length,
         expected=expected, way=way, reach=(REACH if reach is None else reach) * way, ending=0.5, traverses=math.nan,
         model=model, gauge=StrainGauge(Index(middle_half(specimen.lattice))),
-        strain=_shortening, least=LEAST, records=RECORDS,
+        strain=lambda strains: -strains[:, 0], least=LEAST, records=RECORDS,
     )  # fmt: skip
     return specimen.load(rig, options)
 
@@ -84,10 +78,6 @@ def tear_bonded(specimen: BondedSpecimen, options: RunOptions) -> StrengthTest:
         gauge=StrainGauge(Index(middle_half(specimen.lattice))), least=LEAST, records=RECORDS,
     )  # fmt: skip
     return specimen.load(rig, options)
-
-
-def _shortening(strains: Floats) -> Floats:
-    return -strains[:, 0]
 
 
 def _confining(specimen: BondedSpecimen, pressure: float, speed: float, begin: float) -> tuple[Wall, ...]:

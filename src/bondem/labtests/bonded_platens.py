@@ -2,7 +2,7 @@
 
 import math
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -27,7 +27,7 @@ from bondem.interactions.contact.contact_law import ContactLaw
 from bondem.interactions.law_catalogue import AnyLaw, kind_of
 from bondem.labtests.arguments import check
 from bondem.labtests.fragment_contact import fragment_contact
-from bondem.labtests.quasi_static_rig import Rig, RunOptions, StrengthTest, load_rig
+from bondem.labtests.quasi_static_rig import Rig, RunOptions, StrengthTest, load_rig, matrix_of
 from bondem.model.model import Model
 from bondem.observables.breakage import failure_index
 from bondem.specimen.lattice import Lattice
@@ -51,11 +51,11 @@ LEAST, REACH, RECORDS = 0.2, 20.0, 4000
 
 
 def is_cells(body: Lattice, law: object) -> bool:
-    """Return True to run a test with cells, False for bonded spheres and for the non-local law.
+    """Return True for a body of cells with a cell law, False for bonded spheres and for the non-local law.
 
-    A body that is no lattice gives True, as the checks of tests with cells reject it.
+    The result is also True for an object that is not a lattice, which the checks of tests with cells reject.
     """
-    kind = kind_of(next(iter(law.values()), None) if isinstance(law, Mapping) else law)
+    kind = kind_of(matrix_of(law))
     if kind.on_facets or not isinstance(body, Lattice):
         return True
     return body.cells is not None and kind.evaluated == "force"
@@ -156,14 +156,13 @@ class BondedSpecimen:
 
     @property
     def G(self) -> float:
-        """Fracture energy of bonds that soften [J/m²]; NaN for brittle ones, which have none."""
+        """Fracture energy of bonds that soften [J/m²]; NaN for brittle bonds."""
         return self.implied.fracture_energy if self.implied.softens else math.nan
 
-    @cached_property
+    @property
     def bounds(self) -> tuple[Floats, Floats]:
         """Lower and upper corner of the shape [m], (3,) each."""
-        lower, upper = self.lattice.particles.envelope.bounds
-        return np.asarray(lower, dtype=float), np.asarray(upper, dtype=float)
+        return self.lattice.particles.envelope.bounds
 
     @property
     def cast(self) -> bool:
@@ -209,7 +208,10 @@ class BondedSpecimen:
     def driven(
         self, axis: int, ends: tuple[tuple[Ints, float], ...], begin: float, walls: tuple[Wall, ...] = ()
     ) -> Model:
-        """Create a model in which sets of elements move along an axis at velocities [m/s] reached at `begin` [s]."""
+        """Create a model in which sets of elements move along an axis.
+
+        `ends` are pairs of indices, (k,), and velocity [m/s]. Velocities rise from zero until the time `begin` [s].
+        """
         drives: list[BoundaryCondition] = []
         for chosen, speed in ends:
             motion: dict[str, Any] = {"v" + "xyz"[axis]: Ramp(0.0, speed, begin)}
@@ -311,7 +313,7 @@ class BondedSpecimen:
         return compliance, high * force
 
     def _reached(self, static: StaticResult, factor: float) -> float:
-        """Failure index that a twentieth of the bonds exceed, if a factor multiplies the displacements [-]."""
+        """Return the failure index that a twentieth of the bonds exceeds at a factor on the displacements [-]."""
         scaled = replace(static, displacement=factor * static.displacement, rotation=factor * static.rotation)
         return float(np.quantile(failure_index(self.bare, scaled), 1.0 - _REACHED))
 

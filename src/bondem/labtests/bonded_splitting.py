@@ -24,12 +24,7 @@ _SPLIT = 0.7
 
 
 def split_bonded(
-    specimen: BondedSpecimen,
-    *,
-    half_angle: float | None,
-    friction: float,
-    ending: float | None,
-    options: RunOptions,
+    specimen: BondedSpecimen, *, half_angle: float | None, friction: float, ending: float | None, options: RunOptions
 ) -> tuple[StrengthTest, float, float, float]:
     """Compress a disc of bonded spheres along y.
 
@@ -117,5 +112,5 @@ def _pressed_elements(
 
 
 def _strained(strains: Floats) -> Floats:
-    """Equivalent tensile strain at the centre of a disc [-], (k,), of strains (k, 3): 2 P / (π D t E) if σ_x = 0."""
+    """Compute 2 P / (π D t E) [-], (k,), from the normal strains at the centre of a disc, (k, 3), for σ_x = 0."""
     return -0.5 * (strains[:, 1] + strains[:, 2] - strains[:, 0])

@@ -66,8 +66,8 @@ class Cantilever:
         """Create the cantilever of a specimen with macroscopic E [Pa], ν [-] and ρ [kg/m³].
 
         With `Tension.gyration` [m²], (2,), `refined` and `moving` have the section that carries the axial force, and
-        mass is distributed like the element `density` [kg/m³], a number or (n,). `depth` is that of the face regions,
-        in mean radii [-].
+        the mass distribution of the element `density` [kg/m³], a number or (n,). `depth` is the depth of the face
+        regions in mean radii [-].
 
         Raises:
             EmptyRegionError: a face has no connected element.
@@ -86,14 +86,10 @@ class Cantilever:
         faces = specimen_faces(lattice, depth)
         near, far = faces.ends
         return cls(
-            lattice=lattice,
-            clamped=clamped,
-            loaded=loaded,
-            paper=Bar(faces.paper_length, section, E, nu, rho),
-            refined=Bar(far - near, filled, E, nu, rho),
-            moving=Bar(face - near, filled, E, nu, rho),
+            lattice=lattice, clamped=clamped, loaded=loaded, paper=Bar(faces.paper_length, section, E, nu, rho),
+            refined=Bar(far - near, filled, E, nu, rho), moving=Bar(face - near, filled, E, nu, rho),
             overhang=face - far,
-        )
+        )  # fmt: skip
 
     def model_under(self, law: AnyLaw, depth: float, force: tuple[float, ...], moment: float = 0.0) -> Model:
         """Create the model clamped at x_min, under a force [N], (3,), and a moment about x [N·m] on x_max."""
@@ -132,7 +128,7 @@ def mass_gyration(lattice: Lattice, density: float | PerElement = 1.0) -> Floats
     """Squared radii of gyration of the mass in the section, ⟨y²⟩ and ⟨z²⟩ about its centre [m²], (2,).
 
     Elements are solid balls or cells. Cells, and spheres of `balanced_density`, have the result of the shape. Spheres
-    of uniform density have less, as they fill the skin of the body less than its core.
+    of uniform density have less, as the skin of their packing is less dense than its core.
 
     Args:
         lattice: the specimen.
@@ -181,13 +177,10 @@ def clamped_tension(
     position, motion = at_generators(lattice, u, solution.rotation)
     strain = AffineField.fit(position[chosen], motion[chosen]).strain[0, 0]
     return Outcome(
-        name="static_tension",
-        measured=float(moved[0]),
-        theory=bar.paper.extension(force),
-        theory_refined=bar.refined.extension(force),
-        unit="m",
+        name="static_tension", measured=float(moved[0]), theory=bar.paper.extension(force),
+        theory_refined=bar.refined.extension(force), unit="m",
         curves=bar.profile(u, 0) | {"gauge_error": np.array(strain * E / stress - 1.0)},
-    )
+    )  # fmt: skip
 
 
 @staged("static bending")
@@ -227,17 +220,14 @@ def static_bending(
     middle, face = (lattice.particles.envelope.face_centre(name)[0] for name in ("x_min", "x_max"))
     middle = 0.5 * (middle + face)
     bent = curvature(lattice.centre[chosen], u[chosen], middle)
+    error = np.array(bent * bar.paper.EI / (force * (face - middle)) - 1.0)
     return Outcome(
-        name="static_bending",
-        measured=float(moved[1]),
-        theory=bar.paper.deflection(force),
+        name="static_bending", measured=float(moved[1]), theory=bar.paper.deflection(force),
         theory_timoshenko=bar.paper.deflection(force, shear=True),
-        theory_refined=bar.refined.deflection(force, overhang=bar.overhang, shear=True),
-        unit="m",
-        curves=bar.profile(u, 1)
-        | {"gauge_error": np.array(bent * bar.paper.EI / (force * (face - middle)) - 1.0)}
+        theory_refined=bar.refined.deflection(force, overhang=bar.overhang, shear=True), unit="m",
+        curves=bar.profile(u, 1) | {"gauge_error": error}
         | bar.stressed(law, depth, solution, force=(0.0, force, 0.0)),
-    )
+    )  # fmt: skip
 
 
 @staged("static torsion")
@@ -275,12 +265,8 @@ def static_torsion(
     solution, moved = bar.respond(law, depth, moment=moment)
     u, chosen = solution.displacement, middle_half(lattice)
     rate = twist_rate(lattice.centre[chosen], u[chosen])
+    error = np.array(rate * bar.paper.G * section.torsion_constant / moment - 1.0)
     return Outcome(
-        name="static_torsion",
-        measured=float(moved[3]),
-        theory=bar.paper.twist(moment),
-        theory_refined=bar.refined.twist(moment),
-        unit="rad",
-        curves=bar.profile(u, 3)
-        | {"gauge_error": np.array(rate * bar.paper.G * section.torsion_constant / moment - 1.0)},
-    )
+        name="static_torsion", measured=float(moved[3]), theory=bar.paper.twist(moment),
+        theory_refined=bar.refined.twist(moment), unit="rad", curves=bar.profile(u, 3) | {"gauge_error": error},
+    )  # fmt: skip

@@ -39,8 +39,8 @@ def impact(
     speed is L_M of eq (12) of André et al. (2012) over the arrival time.
 
     The refined theory uses the path from the mean centre of the driven elements to the face x_min. In a body of cells
-    this path is the whole length. The wall drives the face x_max itself, and the cells at x_min record the front and
-    its reflection symmetrically about the time at which the front reaches the face.
+    this path is the full length, as the wall drives the face x_max itself. The cells at x_min record the front and
+    its reflection, symmetrically about the time at which the front reaches the face.
 
     Args:
         lattice: the specimen.
@@ -58,6 +58,7 @@ def impact(
         Measured and theoretical speed [m/s], with the velocities of both faces over time as curves.
 
     Raises:
+        EmptyRegionError: a face has no connected element.
         InputError: a shape other than a Cylinder or a Box, or no plateau of the velocity at x_min, such as for a
             coarse specimen or wrong E or rho.
         UnstableRunError: the run became unstable or lost its energy balance.
@@ -81,17 +82,11 @@ def impact(
     path = specimen_faces(lattice, depth).ends[1] - float(lattice.particles.envelope.bounds[0][0])
     speed = bar.paper.wave_speed
     return Outcome(
-        name="impact",
-        measured=bar.paper.length / arrival,
-        theory=speed,
+        name="impact", measured=bar.paper.length / arrival, theory=speed, unit="m/s",
         # the same path in both numbers would cancel, so the ratio of paths goes into the theory
         theory_refined=speed * bar.paper.length / path,
-        unit="m/s",
         curves={
-            "time": wave.time,
-            "near": wave.near,
-            "far": wave.far,
-            "arrival": np.array(arrival),
+            "time": wave.time, "near": wave.near, "far": wave.far, "arrival": np.array(arrival),
             "plateau": np.array(plateau),
         },
-    )
+    )  # fmt: skip

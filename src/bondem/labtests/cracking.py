@@ -24,10 +24,10 @@ FEW = 10
 _SEVERAL = 1.5
 
 
-def dissipated_in(history: History) -> tuple[float, float, float]:
-    """Return final energies of a run [J]: dissipated by facets including crushing, by plastic flow, by crushing."""
+def dissipated_in(history: History) -> dict[str, Any]:
+    """Return the energies `dissipated`, `slipped` and `crushed` of a `Cracking` at the end of a run [J], by name."""
     fracture, crushed, slipped = (float(history.energy[name][-1]) for name in ("fracture", "crushing", "plastic"))
-    return fracture + crushed, slipped, crushed
+    return {"dissipated": fracture + crushed, "slipped": slipped, "crushed": crushed}
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,7 +40,7 @@ class Cracking:
         integrity: largest integrity of a facet that counts as cracked [-].
         dissipated: energy dissipated by facets until the end of the test, crushing included [J].
         slipped: energy dissipated by yielding cells until the end of the test [J].
-        stored: elastic energy of the specimen at its peak, or its largest if fragments fly apart [J].
+        stored: elastic energy of the specimen at the peak load, or the largest one if fragments fly apart [J].
         fracture_energy: fracture energy G_f of the material, or of the matrix [J/m²]; NaN for brittle bonds.
         section: area that a single crack has to cross [m²]; NaN for a test in compression, which has no such section.
         axis: normal of that section, 0, 1 or 2.

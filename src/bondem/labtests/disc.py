@@ -102,6 +102,6 @@ def centre_stress(position: Floats, volume: Floats, across: Floats, disc: Disc) 
 
 
 def middle_of_disc(body: Lattice, disc: Disc) -> Region:
-    """Select the elements within half the radius of the disc from its axis."""
+    """Select the elements whose distance from the axis of the disc is below half its radius."""
     position = body.centre - disc.middle
     return Index(np.flatnonzero(np.hypot(position[:, 1], position[:, 2]) < _GAUGE * 0.5 * disc.diameter))

@@ -56,13 +56,9 @@ def dynamic_tension(
     bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, gyration=gyration, density=density, depth=depth)
     modes = modes or natural_frequencies(lattice, law, density=density, depth=depth)
     return Outcome(
-        name="dynamic_tension",
-        measured=modes.tension,
-        theory=bar.paper.axial_frequency,
-        theory_refined=bar.moving.axial_frequency,
-        unit="Hz",
-        curves=_curves(vibration, "tension"),
-    )
+        name="dynamic_tension", measured=modes.tension, theory=bar.paper.axial_frequency,
+        theory_refined=bar.moving.axial_frequency, unit="Hz", curves=_curves(vibration, "tension"),
+    )  # fmt: skip
 
 
 @staged("dynamic bending")
@@ -81,21 +77,32 @@ def dynamic_bending(
 ) -> Outcome:
     """Compare the first bending frequency of a clamped specimen with Euler–Bernoulli's and Timoshenko's cantilevers.
 
-    Arguments, curves and errors are those of `dynamic_tension`.
+    `curves` has the signal, spectrum and frequency of the free vibration, if it is given.
+
+    Args:
+        lattice: the specimen.
+        law: bond law, cell law or non-local law of the specimen.
+        density: density of the elements, ρ_μ [kg/m³], a number or (n,).
+        E: Young's modulus of the specimen [Pa].
+        nu: Poisson's ratio of the specimen [-].
+        rho: density of the specimen, mass over volume of the shape [kg/m³].
+        gyration: `Tension.gyration` of the specimen [m²], (2,), for the consistency check `theory_refined`.
+        modes: natural frequencies of the specimen, if known; None to compute them.
+        vibration: free vibration of the specimen, or None.
+        depth: depth of the two face regions, in mean radii [-].
+
+    Raises:
+        EmptyRegionError, InputError: as for `dynamic_tension`.
     """
     density, E, nu, rho = constant("density", density), constant("E", E), constant("nu", nu), constant("rho", rho)
     check("dynamic_bending", lattice, density=density, E=E, nu=nu, rho=rho, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, gyration=gyration, density=density, depth=depth)
     modes = modes or natural_frequencies(lattice, law, density=density, depth=depth)
     return Outcome(
-        name="dynamic_bending",
-        measured=modes.bending,
-        theory=bar.paper.bending_frequency,
+        name="dynamic_bending", measured=modes.bending, theory=bar.paper.bending_frequency,
         theory_timoshenko=bar.paper.bending_frequency_timoshenko,
-        theory_refined=bar.moving.bending_frequency_timoshenko,
-        unit="Hz",
-        curves=_curves(vibration, "bending"),
-    )
+        theory_refined=bar.moving.bending_frequency_timoshenko, unit="Hz", curves=_curves(vibration, "bending"),
+    )  # fmt: skip
 
 
 @staged("dynamic torsion")
@@ -114,20 +121,31 @@ def dynamic_torsion(
 ) -> Outcome:
     """Compare the first torsional frequency of a clamped specimen with √(G J / (ρ I_p)) / (4 L).
 
-    Arguments, curves and errors are those of `dynamic_tension`.
+    `curves` has the signal, spectrum and frequency of the free vibration, if it is given.
+
+    Args:
+        lattice: the specimen.
+        law: bond law, cell law or non-local law of the specimen.
+        density: density of the elements, ρ_μ [kg/m³], a number or (n,).
+        E: Young's modulus of the specimen [Pa].
+        nu: Poisson's ratio of the specimen [-].
+        rho: density of the specimen, mass over volume of the shape [kg/m³].
+        gyration: `Tension.gyration` of the specimen [m²], (2,), for the consistency check `theory_refined`.
+        modes: natural frequencies of the specimen, if known; None to compute them.
+        vibration: free vibration of the specimen, or None.
+        depth: depth of the two face regions, in mean radii [-].
+
+    Raises:
+        EmptyRegionError, InputError: as for `dynamic_tension`.
     """
     density, E, nu, rho = constant("density", density), constant("E", E), constant("nu", nu), constant("rho", rho)
     check("dynamic_torsion", lattice, density=density, E=E, nu=nu, rho=rho, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, gyration=gyration, density=density, depth=depth)
     modes = modes or natural_frequencies(lattice, law, density=density, depth=depth)
     return Outcome(
-        name="dynamic_torsion",
-        measured=modes.torsion,
-        theory=bar.paper.torsional_frequency,
-        theory_refined=bar.moving.torsional_frequency,
-        unit="Hz",
-        curves=_curves(vibration, "torsion"),
-    )
+        name="dynamic_torsion", measured=modes.torsion, theory=bar.paper.torsional_frequency,
+        theory_refined=bar.moving.torsional_frequency, unit="Hz", curves=_curves(vibration, "torsion"),
+    )  # fmt: skip
 
 
 def _curves(vibration: FreeVibration | None, kind: str) -> dict[str, Floats]:
@@ -136,9 +154,6 @@ def _curves(vibration: FreeVibration | None, kind: str) -> dict[str, Floats]:
     signal = vibration.signal[kind]
     frequency, amplitude = spectrum(vibration.time, signal)
     return {
-        "time": vibration.time,
-        "signal": signal,
-        "frequency": frequency,
-        "amplitude": amplitude,
+        "time": vibration.time, "signal": signal, "frequency": frequency, "amplitude": amplitude,
         "free_vibration": np.array(vibration.frequency(kind)),
-    }
+    }  # fmt: skip

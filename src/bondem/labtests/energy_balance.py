@@ -24,20 +24,16 @@ def energy_ledger(test: AnyTest) -> dict[str, Floats]:
     mean position deviates slightly from the line of the load.
     """
     if isinstance(test, BendingTest):
-        found = _of_path(test.path) if isinstance(test.path, QuasistaticResult) else test.path.history.parts
+        run = test.path
     else:
-        found = _of_run(test)
+        run = test.run if isinstance(test, StrengthTest) else test.test.run
+    found = _of_path(run) if isinstance(run, QuasistaticResult) else run.history.parts
     balance = np.sum([found[name] for name in PARTS], axis=0) - found["work"]
     return found | {"balance": balance - balance[:1]}
 
 
-def _of_run(test: StrengthTest | BrazilianTest | TriaxialTest) -> dict[str, Floats]:
-    run = test.run if isinstance(test, StrengthTest) else test.test.run
-    return run.history.parts
-
-
 def _of_path(path: QuasistaticResult) -> dict[str, Floats]:
-    """Compute the energies along a path of k events [J], (k + 1,) each, from load and roller motion.
+    """Compute the energies along a path of k events [J], (k + 1,) each, from the load and the motion of the rollers.
 
     Each failure event occurs at constant load. Between events, motion and load are proportional.
     """

@@ -5,6 +5,7 @@ therefore that of its surface; see `bondem.observables.surface_displacement`.
 """
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -73,9 +74,7 @@ class SpecimenFaces:
         chosen = self._select(name)
         return rigid_motion(self.lattice.centre[chosen], solution.displacement[chosen])
 
-    def outside(
-        self, model: Model, solution: StaticResult
-    ) -> tuple[Floats, Floats, dict[str, tuple[Ints, Floats]]]:
+    def outside(self, model: Model, solution: StaticResult) -> tuple[Floats, Floats, dict[str, tuple[Ints, Floats]]]:
         """Positions and displacements of elements or facets [m], (k, 3), with indices and weights by face."""
         sets = {name: self._select(name) for name in self._names}
         even = {name: (found, np.full(len(found), 1.0 / len(found))) for name, found in sets.items()}
@@ -130,9 +129,7 @@ class WalledFaces(SpecimenFaces):
         free, found = self.elements.cells.free, self.elements.on_face(name)
         return rigid_motion(free.centroid[found], self._surface(model, solution)[found], free.area[found])
 
-    def outside(
-        self, model: Model, solution: StaticResult
-    ) -> tuple[Floats, Floats, dict[str, tuple[Ints, Floats]]]:
+    def outside(self, model: Model, solution: StaticResult) -> tuple[Floats, Floats, dict[str, tuple[Ints, Floats]]]:
         free = self.elements.cells.free
         sets = {name: self.elements.on_face(name) for name in self._names}
         by_area = {name: (found, free.area[found] / free.area[found].sum()) for name, found in sets.items()}
@@ -147,6 +144,19 @@ class WalledFaces(SpecimenFaces):
         """Displacements of the free facets under the loads of the model [m], (k, 3), in the order of `cells.free`."""
         traction = loads_on_facets(model) / self.elements.cells.free.area[:, None]
         return surface_displacement(model, solution.displacement, solution.rotation, traction=traction)
+
+
+def means_on_face(body: Lattice, face: str, measure: Callable[[Floats], Floats]) -> tuple[Ints, Floats]:
+    """Average a function of facet centroids [m], (k, 3), over the facets of each cell on a face, weighted by area.
+
+    Returns:
+        Indices of the cells with facets on the face, (c,), and their averages, (c,).
+    """
+    free, on = body.elements.require_cells().cells.free, body.on_face(face)
+    cell, area = free.cell[on], free.area[on]
+    total, summed = (np.bincount(cell, weights=one) for one in (area, area * measure(free.centroid[on])))
+    cells = np.flatnonzero(total > 0.0)
+    return cells, summed[cells] / total[cells]
 
 
 def specimen_faces(lattice: Lattice, depth: float = 0.02) -> SpecimenFaces:

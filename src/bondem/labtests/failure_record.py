@@ -21,7 +21,7 @@ Curve = tuple[Floats, Floats]
 
 @dataclass(frozen=True)
 class TestOption:
-    """Option of a test in a study, in the SI unit `unit`; `needed` is True if the option has no default."""
+    """Option of a test in a study, a number in the SI unit `unit`; `needed` is True if it has no default."""
 
     __test__ = False  # no test of pytest
 
@@ -40,7 +40,7 @@ class TestFigure:
         slips: True to colour yielded cells by their slip.
         halved: True to leave out the half of the specimen in front.
         across, up: factor on SI values, and unit, of the horizontal and of the vertical axis.
-        plain: quantity of the horizontal axis for a specimen without a notch; "" for the same as with one.
+        plain: quantity of the horizontal axis for a specimen without a notch; "" if a notch makes no difference.
         quantity: name of the measured value.
         line: True to draw the strength of the material, where it is known.
     """
@@ -71,29 +71,9 @@ class TestFigure:
         return f"{self.strain} [{self.units[0]}]", f"{self.stress} [{self.units[1]}]"
 
 
-def no_theory(softening: Softening, asked: Mapping[str, float]) -> float:
-    """Return NaN, the theoretical strength of a test without a closed form."""
-    return math.nan
-
-
-def curve_of(result: Any) -> Curve:
-    """Return both columns of `result.curve`, (k,) each."""
-    return result.curve[:, 0], result.curve[:, 1]
-
-
-def peak_of(result: Any) -> float:
-    """Return `result.peak` [Pa]."""
-    return float(result.peak)
-
-
-def nothing_of(result: Any) -> dict[str, Any]:
+def _nothing(result: Any) -> dict[str, Any]:
     """Return an empty mapping, for a test without further numbers."""
     return {}
-
-
-def cracking_of(result: Any, body: Lattice, fracture_energy: float) -> Cracking:
-    """Return `result.cracking`, for a test that evaluates its cracks itself."""
-    return result.cracking
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -109,7 +89,7 @@ class FailureTest:
         yields: True if the criterion needs a shear strength, so that cells can yield.
         uniform: True if laws and criteria by region are not supported.
         bonded: True if the test accepts bonded spheres.
-        theory: function of softening law and options that returns the theoretical strength [unit].
+        theory: function of softening law and options that returns the theoretical strength [unit]; NaN without one.
         measured: function of the result that returns the measured value [unit].
         unit: unit of measured value and theory.
         curve: function of the result that returns both columns of its curve.
@@ -128,18 +108,18 @@ class FailureTest:
     yields: bool = False
     uniform: bool = False
     bonded: bool = True
-    theory: Callable[[Softening, Mapping[str, float]], float] = no_theory
-    measured: Callable[[Any], float] = peak_of
+    theory: Callable[[Softening, Mapping[str, float]], float] = lambda softening, asked: math.nan
+    measured: Callable[[Any], float] = lambda result: float(result.peak)
     unit: str = "Pa"
-    curve: Callable[[Any], Curve] = curve_of
-    more: Callable[[Any], Mapping[str, Any]] = nothing_of
-    details: Callable[[Any], Mapping[str, float | None]] = nothing_of
-    energy: Callable[[Any], Mapping[str, Floats]] = nothing_of
+    curve: Callable[[Any], Curve] = lambda result: (result.curve[:, 0], result.curve[:, 1])
+    more: Callable[[Any], Mapping[str, Any]] = _nothing
+    details: Callable[[Any], Mapping[str, float | None]] = _nothing
+    energy: Callable[[Any], Mapping[str, Floats]] = _nothing
     integrity: Callable[[Any], Floats] = lambda result: result.state.bond_integrity
-    cracking: Callable[[Any, Lattice, float], Cracking] = cracking_of
+    cracking: Callable[[Any, Lattice, float], Cracking] = lambda result, body, fracture_energy: result.cracking
 
     def figure_of(self, curves: Mapping[str, Any]) -> TestFigure:
-        """Return the style of the figures of a specimen; its curves have the key "plain" for an unnotched beam."""
+        """Return the style of the figures of a specimen from its `Outcome.curves`, with "plain" for a plain beam."""
         return replace(self.figure, strain=self.figure.plain) if "plain" in curves else self.figure
 
     def curves(self, result: Any, cracking: Cracking) -> dict[str, np.ndarray]:
@@ -149,7 +129,8 @@ class FailureTest:
         damage = np.zeros(len(body.particles))
         for end in body.pairs.T:
             np.maximum.at(damage, end, 1.0 - self.integrity(result))
-        found = {"strain": across, "stress": up} | {name: np.asarray(one) for name, one in self.more(result).items()}
-        found |= {"displacement": state.displacement, "orientation": state.orientation, "damage": damage,
-                  "slip": state.slipped}  # fmt: skip
-        return found | {"piece": cracking.fragments.label}
+        return {
+            "strain": across, "stress": up, **{name: np.asarray(one) for name, one in self.more(result).items()},
+            "displacement": state.displacement, "orientation": state.orientation, "damage": damage,
+            "slip": state.slipped, "piece": cracking.fragments.label,
+        }  # fmt: skip

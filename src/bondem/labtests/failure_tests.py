@@ -29,14 +29,10 @@ from bondem.labtests.failure.triaxial import triaxial
 from bondem.labtests.failure.uniaxial_compression import uniaxial_compression
 from bondem.labtests.failure_record import Curve, FailureTest, TestFigure, TestOption
 from bondem.labtests.outcome import Outcome
-from bondem.labtests.quasi_static_rig import StrengthTest, softening_of
+from bondem.labtests.quasi_static_rig import softening_of
 from bondem.labtests.requirements import BALLS, BEAM, BORED, DISC
 from bondem.specimen.lattice import Lattice
 from bondem.statics.quasistatic.quasistatic_run import QuasistaticResult
-
-
-def _tensile(softening: Softening, asked: Mapping[str, float]) -> float:
-    return softening.tension
 
 
 def _compressive(softening: Softening, asked: Mapping[str, float]) -> float:
@@ -49,9 +45,7 @@ def _worked(test: AnyTest) -> dict[str, float]:
     return {"work": test.work, "E": test.E}
 
 
-def _bend(
-    body: Lattice, law: AnyLaw, failure: FailureAssignment, *, density: float, **asked: Any
-) -> BendingTest:
+def _bend(body: Lattice, law: AnyLaw, failure: FailureAssignment, *, density: float, **asked: Any) -> BendingTest:
     """Run `three_point_bending`; density is left out for cells, whose path of equilibria does not depend on it."""
     if not is_cells(body, law):
         asked["density"] = density
@@ -98,10 +92,9 @@ def _parted(result: Any, body: Lattice, fracture_energy: float) -> Cracking:
     """Evaluate the cracks of a run in which fragments fly apart, so that only facets of integrity 0 count."""
     energy = result.run.history.energy
     elastic = np.sum([energy[name] for name in ("normal", "shear", "bending", "twisting")], axis=0)
-    dissipated, slipped, crushed = dissipated_in(result.run.history)
     return Cracking(
-        body=body, state=result.state, integrity=0.0, dissipated=dissipated, slipped=slipped, crushed=crushed,
-        stored=float(elastic.max()), fracture_energy=fracture_energy,
+        body=body, state=result.state, integrity=0.0, stored=float(elastic.max()), fracture_energy=fracture_energy,
+        **dissipated_in(result.run.history),
     )  # fmt: skip
 
 
@@ -114,14 +107,6 @@ def _bent(test: BendingTest) -> dict[str, float | None]:
     }  # fmt: skip
 
 
-def _pulled(test: StrengthTest) -> dict[str, float | None]:
-    return {"work per section [J/m²]": test.work}
-
-
-def _bending(test: BendingTest) -> dict[str, float]:
-    return _worked(test) | ({"plain": 1.0} if test.cmod is None else {})
-
-
 def _load_curve(test: BendingTest) -> Curve:
     """Return the CMOD, or the deflection of a plain beam [m], and the load [N], (k,) each."""
     return (test.deflection if test.cmod is None else test.cmod), test.load
@@ -131,8 +116,8 @@ _PULSE = {"pressure": "Pa", "rise": "s", "fall": "s"}
 _PLATENS = {"platen_friction": TestOption("-")}
 _RECORDS = (
     FailureTest(
-        name="direct_tension", perform=direct_tension, theory=_tensile, more=_worked, energy=energy_ledger,
-        details=_pulled,
+        name="direct_tension", perform=direct_tension, theory=lambda softening, asked: softening.tension,
+        more=_worked, energy=energy_ledger, details=lambda test: {"work per section [J/m²]": test.work},
         figure=TestFigure("Direct tension", quantity="tensile strength"),
     ),
     FailureTest(
@@ -141,7 +126,7 @@ _RECORDS = (
     ),
     FailureTest(
         name="brazilian", perform=brazilian, requirements=DISC, options={"half_angle": TestOption("rad"), **_PLATENS},
-        theory=_tensile, more=_worked, energy=energy_ledger,
+        theory=lambda softening, asked: softening.tension, more=_worked, energy=energy_ledger,
         figure=TestFigure(
             "Brazilian test", strain="closing / D", stress="2 P / (π D t)", azimuth=math.radians(62.0),
             elevation=math.radians(14.0), quantity="Brazilian strength 2 P / (π D t)",
@@ -156,8 +141,9 @@ _RECORDS = (
     ),
     FailureTest(
         name="three_point_bending", perform=_bend, requirements=BEAM,
-        options={"span": TestOption("m"), "until": TestOption("-")}, more=_bending, energy=energy_ledger,
-        integrity=_bent_integrity, curve=_load_curve, details=_bent,
+        options={"span": TestOption("m"), "until": TestOption("-")}, energy=energy_ledger, integrity=_bent_integrity,
+        more=lambda test: _worked(test) | ({"plain": 1.0} if test.cmod is None else {}), curve=_load_curve,
+        details=_bent,
         figure=TestFigure(
             "Three-point bending", strain="CMOD", plain="deflection", stress="load", across=(1e6, "µm"),
             up=(1e-3, "kN"), line=False, azimuth=math.radians(25.0), elevation=math.radians(56.0),
@@ -192,7 +178,8 @@ _RECORDS = (
     FailureTest(
         name="spall", perform=spall, uniform=True, bonded=False,
         options={key: TestOption(unit, needed=True) for key, unit in _PULSE.items()},
-        theory=_tensile, curve=lambda test: (test.time, test.velocity), details=_spalled, cracking=_parted,
+        theory=lambda softening, asked: softening.tension, curve=lambda test: (test.time, test.velocity),
+        details=_spalled, cracking=_parted,
         figure=TestFigure(
             "Spalling", strain="time", stress="velocity of the free end", across=(1e6, "µs"), up=(1.0, "m/s"),
             line=False, quantity="spall strength",
@@ -236,36 +223,27 @@ def failure_outcome(
     """
     asked, test = dict(options or {}), FAILURE_TESTS.get(name)
     if test is not None and test.bonded and not is_cells(body, law):
-        return _bonded_outcome(test, body, law, failure, density, asked, progress)
+        # no closed form relates the strength of bonded spheres to that of their bonds
+        result = test.perform(body, law, failure, density=density, progress=progress, **asked)
+        cracking = test.cracking(result, body, math.nan)
+        broken = {"broken bonds [%]": 100.0 * cracking.broken / len(body.pairs)}
+        return _outcome(test, result, cracking, math.nan, broken)
     softening = softening_of(name, failure, "a criterion with its fracture_energy")
     if test is None or (test.yields and not softening.slips):
         raise InputError(
-            f"labtests: test = {name}: not a test to failure of this material; give one of"
-            f" {', '.join(FAILURE_TESTS)}"
+            f"labtests: test = {name}: not a test to failure of this material; give one of {', '.join(FAILURE_TESTS)}"
         )
     if test.uniform and (isinstance(law, Mapping) or isinstance(failure, Mapping)):
         raise InputError(f"labtests.{name}: law or failure is given by region; give one law and one criterion")
     result = test.perform(body, law, failure, density=density, progress=progress, **asked)
-    cracking = test.cracking(result, body, softening.fracture_energy)
-    return Outcome(
-        name=name, measured=test.measured(result), unit=test.unit,
-        theory=math.nan if isinstance(failure, Mapping) else test.theory(softening, asked),
-        curves=test.curves(result, cracking), cracking=cracking, energy=test.energy(result),
-        axes=test.figure.axes,
-        told={key: value for key, value in test.details(result).items() if value is not None},
-    )  # fmt: skip
+    theory = math.nan if isinstance(failure, Mapping) else test.theory(softening, asked)
+    return _outcome(test, result, test.cracking(result, body, softening.fracture_energy), theory, {})
 
 
-def _bonded_outcome(
-    test: FailureTest, body: Lattice, law: AnyLaw, failure: FailureAssignment, density: float,
-    asked: Mapping[str, Any], progress: Callable[[float], None] | None,
-) -> Outcome:  # fmt: skip
-    """Run a test of bonded spheres; theory is NaN, as no closed form relates their strength to that of the bonds."""
-    result = test.perform(body, law, failure, density=density, progress=progress, **asked)
-    cracking = test.cracking(result, body, math.nan)
-    details = {"broken bonds [%]": 100.0 * cracking.broken / len(body.pairs), **test.details(result)}
+def _outcome(test: FailureTest, result: Any, cracking: Cracking, theory: float, more: Mapping[str, float]) -> Outcome:
+    """Evaluate a test, with its theoretical value in the unit of the test and further numbers by name and unit."""
     return Outcome(
-        name=test.name, measured=test.measured(result), unit=test.unit, theory=math.nan,
+        name=test.name, measured=test.measured(result), unit=test.unit, theory=theory,
         curves=test.curves(result, cracking), cracking=cracking, energy=test.energy(result), axes=test.figure.axes,
-        told={key: value for key, value in details.items() if value is not None},
+        told={key: value for key, value in {**more, **test.details(result)}.items() if value is not None},
     )  # fmt: skip

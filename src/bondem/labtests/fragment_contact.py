@@ -12,7 +12,7 @@ _FRICTION = 0.4
 
 
 def fragment_contact(stiffness: float, radius: Floats) -> ContactLaw:
-    """Return a contact law whose wall contacts are as stiff as the median bond, with a friction of 0.4.
+    """Return a contact law with a friction of 0.4, by which contacts with walls are as stiff as the median bond.
 
     Args:
         stiffness: k_n of the median bond or facet [N/m].

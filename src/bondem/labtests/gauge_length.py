@@ -29,7 +29,10 @@ class AffineField:
 
     @classmethod
     def fit(cls, position: PerElement3, displacement: PerElement3) -> "AffineField":
-        """Fit the field to all points with equal weights; `shift` and `spin` are the rigid motion of the points."""
+        """Fit the field to points and their displacements [m], (n, 3), with equal weights.
+
+        `shift` and `spin` of the result are the rigid motion of the points.
+        """
         centre, shift = position.mean(axis=0), displacement.mean(axis=0)
         gradient = np.linalg.lstsq(position - centre, displacement - shift, rcond=None)[0].T
         return cls(centre, shift, gradient)
@@ -46,7 +49,7 @@ class AffineField:
         return np.array([W[2, 1], W[0, 2], W[1, 0]])
 
     def without_rigid_motion(self, position: PerElement3, displacement: PerElement3) -> PerElement3:
-        """Displacements less the shift and the spin of the field [m], (n, 3)."""
+        """Return displacements of points [m], (n, 3), less the shift and the spin of the field."""
         return displacement - self.shift - np.cross(self.spin, position - self.centre)
 
 
@@ -122,8 +125,8 @@ def profile(position: PerElement3, displacement: PerElement3, *, slices: int = 2
     """Compute the rigid motion of slices along x from positions and displacements [m], (n, 3).
 
     Returns:
-        Mean x of the k slices with at least six points [m], (k,), and their mean displacements and rotations about x,
-        y and z [m, rad], (k, 6).
+        Mean x of the k slices with at least six points [m], (k,), and the mean displacement and the rotation about x,
+        y and z of each [m, rad], (k, 6).
     """
     x = position[:, 0]
     edges = np.linspace(x.min(), x.max(), slices + 1)

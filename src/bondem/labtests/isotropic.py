@@ -57,7 +57,7 @@ class StiffnessResult(Plotted):
 
     @property
     def table(self) -> dict[str, Floats]:
-        """Stiffness matrix by name and unit, a row for each stress."""
+        """Stiffness matrix as columns by name and unit, (6,) each, with a row for each stress."""
         names = ["xyz"[a] + "xyz"[b] for a, b in VOIGT]
         return {"row [-]": np.arange(1.0, 7.0)} | columns_of("stiffness {} [Pa]", names, self.stiffness)
 

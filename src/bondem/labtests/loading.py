@@ -39,12 +39,7 @@ class Loading:
 
 
 def load_to_failure(
-    test: str,
-    body: Lattice,
-    law: CellAssignment,
-    failure: FailureAssignment,
-    loading: Loading,
-    options: RunOptions,
+    test: str, body: Lattice, law: CellAssignment, failure: FailureAssignment, loading: Loading, options: RunOptions
 ) -> StrengthTest:
     """Load a specimen of cells slowly between platens at x_min and x_max until it has failed.
 
@@ -55,9 +50,7 @@ def load_to_failure(
     """
     options.check_traverses(test)
     moduli = Moduli.of(test, body, law, options.density)
-    lower, upper = body.particles.envelope.bounds
-    length = float(upper[0] - lower[0])
-    section = body.particles.envelope.section()
+    length, section = body.particles.envelope.extent, body.particles.envelope.section()
 
     def pressed(speed: float, begin: float) -> Model:
         platens = _platens(body, loading, speed, begin)

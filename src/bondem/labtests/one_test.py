@@ -11,9 +11,29 @@ from bondem.model.state import State
 
 @dataclass(frozen=True, eq=False)
 class OfOneTest(PlottedState):
-    """Result whose curve, cracks and state are those of `test`, the result of a test to failure."""
+    """Result that extends `test`, the result of a test to failure; both have the same numbers, cracks and state."""
 
     test: StrengthTest
+
+    @property
+    def peak(self) -> float:
+        """Largest stress of the curve [Pa]."""
+        return self.test.peak
+
+    @property
+    def E(self) -> float:
+        """Slope of the stress over the strain from 0.1 to 0.5 of the peak [Pa]; see `StrengthTest.E`."""
+        return self.test.E
+
+    @property
+    def curve(self) -> Floats:
+        """Strain [-] and stress [Pa] of each record, positive along the load, (k, 2)."""
+        return self.test.curve
+
+    @property
+    def work(self) -> float:
+        """Work of platens and loads until the end, per area of the broken section [J/m²]."""
+        return self.test.work
 
     @property
     def table(self) -> dict[str, Floats]:

@@ -9,8 +9,7 @@ from typing import cast
 import numpy as np
 
 from bondem._checks import instance, number
-from bondem._drawing import PlottedState
-from bondem._types import Floats, Ints
+from bondem._types import Floats
 from bondem.boundary.gauges import AnyGauge, StrainGauge, WallGauge
 from bondem.damage.cohesive_softening import Softening
 from bondem.damage.criteria.criterion import Criterion
@@ -25,9 +24,8 @@ from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.interactions.law_catalogue import kind_of
 from bondem.labtests.arguments import check
 from bondem.labtests.cracking import CRACKED, Cracking, dissipated_in
-from bondem.labtests.recorded_run import run_test, step_of
+from bondem.labtests.recorded_run import OfOneRun, run_test, step_of
 from bondem.model.model import Model
-from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material, constant
 
@@ -44,7 +42,7 @@ _BEGIN = 0.2
 
 
 @dataclass(frozen=True, eq=False)
-class StrengthTest(PlottedState):
+class StrengthTest(OfOneRun):
     """Result of a test to failure.
 
     Attributes:
@@ -55,7 +53,7 @@ class StrengthTest(PlottedState):
         work: work of platens and loads until the end, per area of the broken section [J/m²].
         asymmetry: largest difference of the forces on both platens until the peak, over the peak [-].
         unbalance: root mean square of that difference until the peak, over the peak [-], near 0 for quasi-static
-            loading. Single breaks of brittle bonds raise `asymmetry` at any speed, but hardly this.
+            loading. Single breaks of brittle bonds increase `asymmetry` at any speed, but hardly `unbalance`.
         kinetic: largest kinetic energy up to the peak over the elastic energy at the peak [-].
         residual: error of the energy balance over its largest term [-].
         cracking: cracks and pieces, and the dissipated energy; `cracking.single` is True if one crack dissipated it.
@@ -72,11 +70,6 @@ class StrengthTest(PlottedState):
     residual: float
     cracking: Cracking
     run: ExplicitResult
-
-    @property
-    def state(self) -> State:
-        """State of the broken specimen."""
-        return self.run.state
 
     @property
     def table(self) -> dict[str, Floats]:
@@ -171,7 +164,7 @@ def softening_of(test: str, failure: object, wanted: str) -> Softening:
     Raises:
         InputError: no criterion, or one without a required fracture energy.
     """
-    found = instance(f"labtests.{test}", "failure", _first(failure), Criterion, wanted).softening
+    found = instance(f"labtests.{test}", "failure", matrix_of(failure), Criterion, wanted).softening
     if found is None:
         raise InputError(
             f"labtests.{test}: failure has no softening law, so that strengths are unknown; give {wanted}"
@@ -259,25 +252,20 @@ def require_cells(test: str, body: Lattice, law: object, density: float = DENSIT
         InputError: a lattice without cells, another law, or a density that is not positive.
     """
     check(test, body, density=density)
-    matrix = _first(law)
+    matrix = matrix_of(law)
     refusal = f"labtests.{test}: the lattice or its law is not of cells; connect with method='laguerre' and give"
     body.elements.require_cells(f"{refusal} bd.CellBond")
     kind_of(matrix).require_facets(f"{refusal} bd.CellBond")
     return cast(CellBond, matrix)
 
 
-def _first(given: object) -> object:
-    """First value of a mapping by region, or the argument itself if it is not a mapping."""
+def matrix_of(given: object) -> object:
+    """Return the first value of a mapping by region, that of the matrix; other arguments unchanged."""
     return next(iter(given.values()), None) if isinstance(given, Mapping) else given
 
 
 def run_to_failure(
-    test: str,
-    body: Lattice,
-    law: CellAssignment,
-    failure: FailureAssignment,
-    rig: Rig,
-    options: RunOptions,
+    test: str, body: Lattice, law: CellAssignment, failure: FailureAssignment, rig: Rig, options: RunOptions
 ) -> StrengthTest:
     """Load a body of cells slowly until it has failed, with mass damping; errors as for `run_test`."""
     sound = math.sqrt(Moduli.of(test, body, law, options.density).sound / options.density)
@@ -287,14 +275,7 @@ def run_to_failure(
 
 
 def load_rig(
-    test: str,
-    body: Lattice,
-    rig: Rig,
-    *,
-    sound: float,
-    damping: AnyDamping,
-    G: float,
-    options: RunOptions,
+    test: str, body: Lattice, rig: Rig, *, sound: float, damping: AnyDamping, G: float, options: RunOptions
 ) -> StrengthTest:
     """Load a specimen in a rig until it has failed; errors as for `run_test`.
 
@@ -322,11 +303,15 @@ def load_rig(
     return found
 
 
-def straight_part(load: Floats) -> Ints:
-    """Return the indices of the records before the peak with a load between a tenth and half of it, (k,)."""
+def initial_slope(motion: Floats, load: Floats) -> float:
+    """Fit the slope of a load over a motion, (k,) each, between a tenth and half of the peak, in their units.
+
+    Only records before the peak count. The result is NaN for fewer than three of them.
+    """
     top = int(np.argmax(load))
     low, high = (share * load[top] for share in _STRAIGHT)
-    return np.flatnonzero((np.arange(len(load)) < top) & (load > low) & (load < high))
+    straight = np.flatnonzero((np.arange(len(load)) < top) & (load > low) & (load < high))
+    return float(np.polyfit(motion[straight], load[straight], 1)[0]) if len(straight) > 2 else math.nan
 
 
 def _read(run: ExplicitResult, body: Lattice, rig: Rig, speed: float, begin: float, G: float) -> StrengthTest:
@@ -338,20 +323,15 @@ def _read(run: ExplicitResult, body: Lattice, rig: Rig, speed: float, begin: flo
     top = int(np.argmax(stress))
     peak = float(stress[top])
     strain = moved / rig.length if rig.gauge is None else rig.strain(history["strain"])
-    straight = straight_part(stress)
-    E = np.polyfit(strain[straight], stress[straight], 1)[0] if len(straight) > 2 else math.nan
-    energy = history.energy
-    kinetic = energy["translation"] + energy["rotation"]
-    elastic = np.sum([energy[name] for name in ("normal", "shear", "bending", "twisting", "contact")], axis=0)
+    energy = history.parts
+    kinetic, elastic = energy["kinetic"], energy["elastic"]
     both = np.abs(far + near)[: top + 1] / rig.section
-    dissipated, slipped, crushed = dissipated_in(history)
     cracking = Cracking(
-        body=body, state=run.state, integrity=CRACKED, dissipated=dissipated, slipped=slipped, crushed=crushed,
-        stored=float(elastic[top]), fracture_energy=G,
-        section=rig.torn if rig.sign > 0.0 else math.nan, axis=rig.axis,
+        body=body, state=run.state, integrity=CRACKED, stored=float(elastic[top]), fracture_energy=G,
+        section=rig.torn if rig.sign > 0.0 else math.nan, axis=rig.axis, **dissipated_in(history),
     )  # fmt: skip
     return StrengthTest(
-        peak=peak, E=float(E), curve=np.column_stack([moved / rig.length, stress]),
+        peak=peak, E=initial_slope(strain, stress), curve=np.column_stack([moved / rig.length, stress]),
         work=float(energy["work"][-1]) / rig.torn, asymmetry=float(both.max() / peak),
         unbalance=float(np.sqrt(np.mean(both**2)) / peak),
         kinetic=float(kinetic[: top + 1].max() / elastic[top]), residual=run.residual, cracking=cracking, run=run,

@@ -3,16 +3,18 @@
 import math
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, Protocol, TypeVar
 
 import numpy as np
 
+from bondem._drawing import PlottedState
 from bondem.dynamics.damping import AnyDamping
 from bondem.dynamics.plan import ExplicitResult
 from bondem.dynamics.schemes import VelocityVerlet
 from bondem.dynamics.timestep import choose_step
 from bondem.errors import BondemError, RunInterrupted, UnstableRunError
 from bondem.model.model import Model
+from bondem.model.state import State
 from bondem.run import solve_explicit
 
 Result = TypeVar("Result")
@@ -21,6 +23,20 @@ Result = TypeVar("Result")
 _SAVES, _STEPS = 40, 20
 # Least number of records of a curve.
 _LEAST = 3
+
+
+class _WithRun(Protocol):
+    @property
+    def run(self) -> ExplicitResult: ...
+
+
+class OfOneRun(PlottedState):
+    """Base of results of a test with the explicit run `run`."""
+
+    @property
+    def state(self: _WithRun) -> State:
+        """State of the body at the end of the run."""
+        return self.run.state
 
 
 def step_of(model: Model, *, damping: AnyDamping | None = None, softening: float = 0.45) -> float:
@@ -58,8 +74,8 @@ def run_test(
 
     Raises:
         UnstableRunError: the run became unstable or lost its energy balance.
-        InputError: the file holds another run, or cannot be written.
-        RunInterrupted: Ctrl-C was pressed; the exception contains the result of the curve so far.
+        InputError: the file contains another run, or cannot be written.
+        RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far, None for a short run.
     """
     if dt is None:
         dt = step_of(model)

@@ -68,13 +68,7 @@ class Tension(Plotted):
 
 
 @staged("static tension")
-def static_tension(
-    lattice: Lattice,
-    law: AnyLaw,
-    *,
-    stress: float = 1e6,
-    depth: float = 0.02,
-) -> Tension:
+def static_tension(lattice: Lattice, law: AnyLaw, *, stress: float = 1e6, depth: float = 0.02) -> Tension:
     """Measure E and ν of a free specimen under equal and opposite forces along x on its faces x_min and x_max.
 
     The strain is that of the affine least-squares fit to the displacements of all connected elements in the middle
@@ -101,14 +95,16 @@ def static_tension(
             f"static_tension: the specimen is {length:.4g} m long along x and {max(widths):.4g} m wide; its ends"
             " govern E and ν, which differ from those of the packing; measure them on a longer specimen, or on a"
             " periodic cell with bd.bulk_moduli",
-            ShortSpecimenWarning,
-            stacklevel=users_line(),
-        )
+            ShortSpecimenWarning, stacklevel=users_line(),
+        )  # fmt: skip
     return tension_of(Statics(tension_model(lattice, law, stress=stress, depth=depth)), stress=stress, depth=depth)
 
 
 def tension_model(lattice: Lattice, law: AnyLaw, *, stress: float = 1e6, depth: float = 0.02) -> Model:
-    """Create the model of `static_tension`, a free specimen under two forces of a given stress [Pa] on its ends."""
+    """Create the model of `static_tension`, a free specimen with equal and opposite forces on its ends.
+
+    `stress` is the force over the section [Pa], `depth` the depth of the loaded layers in mean radii [-].
+    """
     force = stress * lattice.particles.envelope.section()
     pull = [(Face("x_max", depth), force), (Face("x_min", depth), -force)]
     loads = [Load(face, force=(along, 0.0, 0.0)) for face, along in pull]
@@ -118,7 +114,10 @@ def tension_model(lattice: Lattice, law: AnyLaw, *, stress: float = 1e6, depth: 
 def tension_of(
     statics: Statics, *, stress: float = 1e6, depth: float = 0.02, guess: StaticResult | None = None
 ) -> Tension:
-    """Solve and evaluate the tension test of a `tension_model` with a given stress [Pa], from an initial `guess`."""
+    """Solve and evaluate a tension test, from the solution `guess` of a similar one if it is given.
+
+    `stress` [Pa] and `depth` [-] are those of `tension_model`, which creates the model of `statics`.
+    """
     model = statics.model
     lattice = model.lattice
     solution = statics.equilibrium(guess=guess)
@@ -128,15 +127,9 @@ def tension_of(
     axial, *lateral = np.diag(field.strain)
     E_paper, nu_paper = _paper_moduli(model, solution, field, stress * lattice.particles.envelope.section(), depth)
     return Tension(
-        E=stress / axial,
-        nu=-0.5 * sum(lateral) / axial,
-        E_paper=E_paper,
-        nu_paper=nu_paper,
-        stress=stress,
-        strain=field.strain,
-        gyration=force_gyration(model, solution),
-        solution=solution,
-    )
+        E=stress / axial, nu=-0.5 * sum(lateral) / axial, E_paper=E_paper, nu_paper=nu_paper, stress=stress,
+        strain=field.strain, gyration=force_gyration(model, solution), solution=solution,
+    )  # fmt: skip
 
 
 def force_gyration(model: Model, solution: StaticResult) -> Floats:
@@ -170,7 +163,7 @@ def _stress_gyration(model: Model, solution: StaticResult) -> Floats:
 
 
 def static_bond_forces(model: Model, solution: StaticResult) -> Floats:
-    """Forces of the bonds on their elements i in a linear equilibrium [N], (m, 3); in tension they point to j."""
+    """Return the forces of bonds on their elements i in a linear equilibrium [N], (m, 3), in tension towards j."""
     k = model.stiffness
     return BondStrain.of(model.lattice, k.lever, solution.displacement, solution.rotation).forces(k)
 
@@ -180,7 +173,7 @@ def _paper_moduli(
 ) -> tuple[float, float | None]:
     """Compute E_M [Pa] and ν_M [-] of eqs (12)-(15) of André et al. (2012), from motions less the rigid motion.
 
-    For cells they follow from the motion of the surface. ν_M is None for a shape without a face "side".
+    For cells both follow from the motion of the surface. ν_M is None for a shape without a face "side".
     """
     lattice = model.lattice
     faces = specimen_faces(lattice, depth)

@@ -39,7 +39,11 @@ class UniformStress(StiffnessResult):
         return np.asarray(np.linalg.inv(self.compliance), dtype=float)
 
     def along(self, axis: Axis) -> tuple[float, float]:
-        """Return Young's modulus [Pa] and Poisson's ratio [-] in uniaxial tension along "x", "y" or "z"."""
+        """Return Young's modulus [Pa] and Poisson's ratio [-] in uniaxial tension along "x", "y" or "z".
+
+        Raises:
+            InputError: another axis.
+        """
         k = "xyz".index(choice("along", "axis", axis, Axis))
         S = self.compliance
         return 1.0 / S[k, k], -0.5 * (S[:3, k].sum() - S[k, k]) / S[k, k]
@@ -65,7 +69,7 @@ def uniform_stress(lattice: Lattice, law: AnyLaw, *, depth: float = 0.02) -> Uni
         depth: depth of the loaded face regions, in mean radii [-].
 
     Raises:
-        InputError: a periodic cell, or a shape whose faces cannot be divided into patches.
+        InputError: a periodic cell, a shape whose faces cannot be divided into patches, or a value out of range.
         EmptyRegionError: a face has no connected element.
     """
     check("uniform_stress", lattice, depth=depth)

@@ -14,6 +14,7 @@ from bondem.boundary.gauges import Gauge
 from bondem.boundary.schedules import Constant, Schedule
 from bondem.dynamics.plan import ExplicitResult
 from bondem.errors import UnstableRunError
+from bondem.geometry.rotations import turned_further
 from bondem.interactions.law_catalogue import AnyLaw
 from bondem.labtests.arguments import check
 from bondem.labtests.beam_tests import CrossSection
@@ -79,6 +80,9 @@ class FreeVibration(Plotted):
 
         Args:
             kind: name of the signal, "tension", "bending" or "torsion".
+
+        Raises:
+            InputError: fewer than 16 records after release, or a constant signal.
         """
         return dominant_frequency(self.time[self.free], self.signal[kind][self.free])
 
@@ -118,6 +122,8 @@ def free_vibration(
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
+        EmptyRegionError: a face has no connected element.
+        InputError: a specimen that is neither a Cylinder nor a Box, or a value out of range.
         UnstableRunError: the run became unstable or lost its energy balance.
         RunInterrupted: Ctrl-C was pressed; its `.result` is the motion so far.
     """
@@ -130,9 +136,8 @@ def free_vibration(
     model = Model(lattice, law, density=density, boundary=[clamp])
     start = solve_static(model.with_boundary([clamp, combined_load(bar.section, stress=stress, depth=depth)]))
     state = State(model)
-    state.set_pose(
-        position=state.position + start.displacement, orientation=_quaternions(start.rotation)
-    )
+    turned = turned_further(state.orientation, start.rotation)
+    state.set_pose(position=state.position + start.displacement, orientation=turned)
     return run_test(
         "free_vibration", model, lambda run: recorded_vibration(run, 0.0, start.energy.total),
         duration=periods / bar.bending_frequency_timoshenko, every=RECORD_INTERVAL, out=out, state=state,
@@ -140,9 +145,7 @@ def free_vibration(
     )  # fmt: skip
 
 
-def combined_load(
-    section: CrossSection, *, stress: float, depth: float, schedule: Schedule = _AT_ONCE
-) -> Load:
+def combined_load(section: CrossSection, *, stress: float, depth: float, schedule: Schedule = _AT_ONCE) -> Load:
     """Create a load of the face x_max: an axial force, a transverse force and a moment about x.
 
     Each gives a largest stress of about `stress` [Pa] in a bar eight radii long. `depth` is in mean radii [-].
@@ -175,14 +178,5 @@ def recorded_vibration(run: ExplicitResult, released: float, energy: float) -> F
         time=history.time[whole],
         signal={"tension": shift[:, 0], "bending": shift[:, 1], "torsion": turn[:, 0]},
         energy={name: values[whole] for name, values in ledger.items()},
-        energy_error=float(np.abs(ledger["balance"]).max() / energy),
-        dt=run.dt,
-        steps=run.steps,
-        released=released,
-    )
-
-
-def _quaternions(rotation: Floats) -> Floats:
-    """Unit quaternions (w, x, y, z) of rotation vectors (n, 3) [rad], shape (n, 4)."""
-    half = 0.5 * np.linalg.norm(rotation, axis=1, keepdims=True)
-    return np.hstack([np.cos(half), 0.5 * rotation * np.sinc(half / np.pi)])
+        energy_error=float(np.abs(ledger["balance"]).max() / energy), dt=run.dt, steps=run.steps, released=released,
+    )  # fmt: skip

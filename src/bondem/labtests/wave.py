@@ -107,13 +107,10 @@ def strike(
 
     def read(run: ExplicitResult) -> Wave:
         return Wave(
-            time=run.history.time,
-            near=-run.history["near"][:, 0],
-            far=-run.history["far"][:, 0],
-            place=0.5 * (edges[1:] + edges[:-1]),
+            time=run.history.time, near=-run.history["near"][:, 0], far=-run.history["far"][:, 0],
+            place=0.5 * (edges[1:] + edges[:-1]), snapshots=tuple(snapshots),
             sections=np.array(sections) if slices else np.zeros((len(run.history), 0)),
-            snapshots=tuple(snapshots),
-        )
+        )  # fmt: skip
 
     return run_test(
         "impact", model, read, duration=duration, every=1, out=out, state=state, progress=progress,

@@ -14,7 +14,7 @@ from bondem.packing.sizes import Sieve
 from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.regions import Everything
 from bondem.study.failure import read_failure
-from bondem.study.toml_table import TomlTable
+from bondem.study.toml_table import TomlTable, made
 
 # Default gap between two aggregates over the size of a cell, so that at least one layer of matrix fits in.
 _GAP = 1.2
@@ -52,8 +52,7 @@ class AggregatePlan:
         if count < least:
             raise StudyError(
                 f"'specimen.count' = {count}: the smallest aggregates, of {smallest:g} m, need at least {least}"
-                " cells;"
-                " give a larger count, or leave out smaller aggregates in 'aggregates.diameters'"
+                " cells; give a larger count, or leave out smaller aggregates in 'aggregates.diameters'"
             )
         try:
             radii_with_room(shape, self.sieve, self.fraction, self._gap(shape, count))
@@ -108,16 +107,8 @@ def read_aggregates(table: TomlTable) -> AggregatePlan:
     """
     with table:
         diameters, passing = table.numbers("diameters"), table.numbers("mass_passing")
-        try:
-            sieve = Sieve(diameters, passing)
-        except InputError as error:
-            raise StudyError(f"'{table.name('diameters')}': {error}") from None
-        return AggregatePlan(
-            sieve=sieve,
-            fraction=table.number("fraction"),
-            E=table.number("E"),
-            nu=table.number("nu"),
-            gap=table.number("gap", default=None),
-            failure=read_failure(table.section("failure")) if table.has("failure") else None,
-            interface=read_failure(table.section("interface")) if table.has("interface") else None,
-        )
+        sieve = made(table.name("diameters"), lambda: Sieve(diameters, passing))
+        fraction, E, nu = (table.number(key) for key in ("fraction", "E", "nu"))
+        gap = table.number("gap", default=None)
+        own, between = (table.optional(key, read_failure) for key in ("failure", "interface"))
+        return AggregatePlan(sieve=sieve, fraction=fraction, E=E, nu=nu, gap=gap, failure=own, interface=between)

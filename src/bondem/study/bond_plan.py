@@ -88,15 +88,15 @@ class BondPlan:
         ]
 
     def require_calibrated(self) -> None:
-        """Raise StudyError for a law without calibration, so that [calibration] must not be given."""
+        """Check that the law is calibrated, so that [calibration] applies; a cell law raises StudyError."""
 
     def require_criterion(self, failure: Criterion, tests: list[str]) -> None:
         """Raise StudyError for a criterion or a test to failure that bonds of spheres do not support."""
         if not isinstance(failure, BondCriterion):
+            own = [name for name, kind in CRITERIA.items() if issubclass(kind, BondCriterion)]
             raise StudyError(
                 f'\'failure.criterion\' = "{type(failure).__name__}" is one of cells; set law = "CellBond" in [bond],'
-                " or a criterion of"
-                f" bonds: {', '.join(name for name, kind in CRITERIA.items() if issubclass(kind, BondCriterion))}"
+                f" or a criterion of bonds: {', '.join(own)}"
             )
         only = [one for one in tests if not FAILURE_TESTS[one].bonded]
         if only:

@@ -92,6 +92,7 @@ def run_calibration(
 
     Raises:
         InputError: the folder cannot be written to, or the plan is not feasible.
+        PackingError: a packing did not reach its target.
         UnreachableTargetError: the law cannot give the material's Poisson's ratio.
     """
     if out is not None:
@@ -132,26 +133,20 @@ def _summary(plan: CalibrationPlan, fit: Calibration, lattices: list[Lattice]) -
     for name in ("E", "nu", "E_mu", "value"):
         sample = fit.sample(name)
         quantities[name] = {
-            "mean": sample.mean,
-            "std": sample.std if several else None,
+            "mean": sample.mean, "std": sample.std if several else None,
             "confidence_95": sample.interval() if several else None,
             "prediction_95": sample.interval(kind="prediction") if several else None,
-        }
+        }  # fmt: skip
     slopes = {name: fit.sensitivity(name) for name in dict.fromkeys((fit.parameter, "nu"))}
     material = fit.material
     return {
         "material": {"name": material.name, "E": material.E, "nu": material.nu, "rho": material.rho},
         "specimen": {
-            "shape": plan.shape,
-            "elements": plan.count,
-            "packings": plan.packings,
-            "seeds": [plan.seed + k for k in range(plan.packings)],
-            "spread": plan.spread,
+            "shape": plan.shape, "elements": plan.count, "packings": plan.packings,
+            "seeds": [plan.seed + k for k in range(plan.packings)], "spread": plan.spread,
             "coordination_number": [2.0 * len(one.pairs) / len(one.particles) for one in lattices],
         },
-        "law": type(fit.law).__name__,
-        "reason": fit.reason,
-        "parameter": fit.parameter,
+        "law": type(fit.law).__name__, "reason": fit.reason, "parameter": fit.parameter,
         "micro": {"E_mu": fit.law.E, "nu_mu": fit.law.nu, fit.parameter: fit.value,
                   "r_mu_ratio": fit.law.radius_ratio, "rho_mu": fit.density},
         "quantities": quantities,

@@ -10,7 +10,7 @@ Schema = dict[str, Any]
 
 @dataclass(frozen=True)
 class Key:
-    """Key of a table, whose value is described by `words`."""
+    """Key of a table; `words` describe its value."""
 
     words: str = ""
 
@@ -26,7 +26,7 @@ class Number(Key):
     Attributes:
         unit: SI unit.
         above, below: limits, both excluded.
-        quantity: name in `bondem._plausibility`, which warns when a value looks like a unit error; "" for no check.
+        quantity: name in `bondem._plausibility`, by which a probable unit error gives a warning; "" for no check.
     """
 
     unit: str = "-"

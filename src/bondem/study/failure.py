@@ -8,9 +8,9 @@ from bondem.damage.bilinear import Bilinear
 from bondem.damage.criteria.criterion import Criterion
 from bondem.damage.criteria.criterion_catalogue import CRITERIA as EVERY
 from bondem.damage.criteria.stress_criterion import StressCriterion
-from bondem.errors import InputError, StudyError
+from bondem.errors import StudyError
 from bondem.labtests.failure_tests import FAILURE_TESTS
-from bondem.study.toml_table import TomlTable
+from bondem.study.toml_table import NEEDED, TomlTable, made
 
 #: Criteria of studies by name: all but `StressCriterion`, which is a Python function.
 CRITERIA = {name: kind for name, kind in EVERY.items() if kind is not StressCriterion}
@@ -29,10 +29,7 @@ def read_failure(table: TomlTable) -> Criterion:
     with table:
         kind = CRITERIA[table.text("criterion")]
         given = {one.name: _argument(table, kind, one) for one in fields(kind) if one.name not in _LEFT_OUT}
-        try:
-            return kind(**given)
-        except InputError as error:
-            raise StudyError(f"'{table.name('criterion')}': {error}") from None
+        return made(table.name("criterion"), lambda: kind(**given))
 
 
 def _argument(table: TomlTable, kind: type[Criterion], argument: Field[Any]) -> Any:
@@ -40,8 +37,8 @@ def _argument(table: TomlTable, kind: type[Criterion], argument: Field[Any]) -> 
     if argument.name == "curve":
         return _curve(table)
     name = f"{kind.__name__}.{argument.name}"
-    default = {} if argument.default is MISSING else {"default": argument.default}
-    return table.number(_KEYS.get(name, argument.name), unit=_UNITS.get(name), **default)
+    default = NEEDED if argument.default is MISSING else argument.default
+    return table.number(_KEYS.get(name, argument.name), unit=_UNITS.get(name), default=default)
 
 
 def _curve(table: TomlTable) -> Bilinear | None:
@@ -50,16 +47,15 @@ def _curve(table: TomlTable) -> Bilinear | None:
         return None
     usual = Bilinear()
     kink = {one: table.number(f"kink_{one}", default=getattr(usual, one)) for one in ("stress", "opening")}
-    try:
-        return Bilinear(**kink)
-    except InputError as error:
-        raise StudyError(f"'{table.name('curve')}': {error}") from None
+    return made(table.name("curve"), lambda: Bilinear(**kink))
 
 
 def require_strength(
     tests: tuple[str, ...], failure: Criterion | None, require: Callable[[Criterion, list[str]], None]
 ) -> None:
-    """Check that tests to failure and a criterion are given together; `require` checks them against the bonds.
+    """Check that tests to failure and a criterion are given together and that the bonds support both.
+
+    `require` is the check of the bonds, a function of the criterion and the names of the tests to failure.
 
     Raises:
         StudyError: tests to failure or the criterion are missing, or the bonds of the study do not support them.

@@ -4,6 +4,7 @@ The reader (`TomlTable`) checks values by them, and `schema()` is their JSON sch
 strict than `bondem check`, which also knows how keys depend on each other.
 """
 
+from functools import partial
 from typing import get_args
 
 from bondem.interactions.beams.bond_law import RadiusRule
@@ -36,25 +37,12 @@ _DRAFT = "https://json-schema.org/draft/2020-12/schema"
 _ZERO = -1e-300
 
 
-def _poisson(words: str) -> Number:
-    return Number(words, "-", above=-1.0, below=0.5)
-
-
-def _stress(words: str) -> Number:
-    return Number(words, "Pa", above=0.0)
-
-
-def _strength(words: str) -> Number:
-    return Number(words, "Pa", above=0.0, quantity="tension")
-
-
-def _energy(words: str) -> Number:
-    return Number(words, "J/m²", above=0.0, quantity="fracture_energy")
-
-
-def _length(words: str) -> Number:
-    return Number(words, "m", above=0.0)
-
+# Declarations of numbers by their descriptions.
+_poisson = partial(Number, unit="-", above=-1.0, below=0.5)
+_stress = partial(Number, unit="Pa", above=0.0)
+_strength = partial(Number, unit="Pa", above=0.0, quantity="tension")
+_energy = partial(Number, unit="J/m²", above=0.0, quantity="fracture_energy")
+_length = partial(Number, unit="m", above=0.0)
 
 MATERIAL = KeyTable("material of the specimen", {
     "name": Text("name of the material"), "preset": Text("material of the library", tuple(materials.names())),

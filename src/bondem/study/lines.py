@@ -59,7 +59,7 @@ def _places(text: str) -> dict[str, int]:
                 places.setdefault(table, number)
             for name, last in lists.items():
                 if table == name or table.startswith(f"{name}."):
-                    table = f"{name}[{last}]{table[len(name):]}"
+                    table = f"{name}[{last}]{table[len(name) :]}"
                     break
             places.setdefault(table, number)
             continue

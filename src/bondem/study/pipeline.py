@@ -9,6 +9,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any, cast
 
+import numpy as np
+
 from bondem._progress import reported
 from bondem.calibration.elastic import Calibration, Trial
 from bondem.damage.criteria.criterion import Criterion
@@ -34,11 +36,11 @@ from bondem.report.curve_files import write_curves
 from bondem.report.findings import Bonding, Examined, Findings
 from bondem.report.page import write_report
 from bondem.specimen.aggregates import Aggregates
-from bondem.specimen.fabric import Fabric, fabric
+from bondem.specimen.fabric import fabric
 from bondem.specimen.lattice import Lattice
 from bondem.study.results import collect
 from bondem.study.specimen_step import SpecimenPlan
-from bondem.study.study_file import Study
+from bondem.study.study_file import Reference, Study
 
 #: Function of the name of a stage and its completed share, 0 … 1.
 Progress = Callable[[str, float], None]
@@ -59,6 +61,7 @@ def run_study(study: Study, out: str | Path, *, progress: Progress | None = None
         InputError: the folder cannot be written to, or another process writes to it (both are checked before any
             work), or the study is not feasible.
         PackingError: a packing did not reach its target.
+        UnstableRunError: the run of a test became unstable or lost its energy balance.
         UnreachableTargetError: neither the bond law nor any recommended law gives the material's Poisson's ratio.
     """
     with only_writer(Path(out), "output folder"), reported(progress) as on_stage:
@@ -68,32 +71,26 @@ def run_study(study: Study, out: str | Path, *, progress: Progress | None = None
 def _carry_out(study: Study, out: Path, on_stage: Progress) -> dict[str, Any]:
     if study.material is not None:
         study.bond.require_law(study.material)
-    watch = _Watch()
+    marks = [time.perf_counter()]
     bodies = tuple(packed(study, k, on_stage) for k in range(study.packings))
     lattices = tuple(body.lattice for body in bodies)
-    watch.lap("pack_s")
+    marks.append(time.perf_counter())
     bonds = None
     if study.material is not None:
         bonds = study.bond.of_material(study.material, lattices[: study.calibrating], on_stage)
     fit = bonds.fit if bonds is not None else None
-    watch.lap("calibrate_s")
+    marks.append(time.perf_counter())
     specimens = tuple(examined(study, k, body, bonds, on_stage) for k, body in enumerate(bodies))
-    watch.lap("tests_s")
-    results = collect(study, bonds, specimens, watch.laps)
+    marks.append(time.perf_counter())
+    timing = zip(("pack_s", "calibrate_s", "tests_s"), np.diff(marks).round(3).tolist(), strict=True)
+    results = collect(study, bonds, specimens, dict(timing))
+    known = study.reference or Reference(citation="")
     findings = Findings(
-        title=study.name,
-        material=study.material,
-        bonds=bonds,
+        title=study.name, material=study.material, bonds=bonds, calibrating=study.calibrating, specimens=specimens,
         chart=calibration_chart(lattices[0], fit) if study.figures and fit is not None else (),
-        calibrating=study.calibrating,
-        specimens=specimens,
-        results=results,
-        citation=study.reference.citation if study.reference else "",
-        published=study.reference.errors if study.reference else {},
-        peaks=study.reference.peaks if study.reference else {},
-        failures=study.failures,
-        source=study.source,
-    )
+        results=results, citation=known.citation, published=known.errors, peaks=known.peaks,
+        failures=study.failures, source=study.source,
+    )  # fmt: skip
     make_folder(out)
     results["curves"] = write_curves(findings, out)
     write_text(out / "results.json", json.dumps(results, indent=2, allow_nan=False) + "\n")
@@ -165,8 +162,9 @@ def examined(study: Study, k: int, body: _Body, bonds: Bonding | None, on_stage:
     lattice = body.lattice
     stage = f"test {k + 1} of {study.packings}"
     on_stage(stage, 0.0)
+    quality = fabric(lattice) if lattice.cells is None else None  # cells do not keep their original packing
+    specimen = Examined(seed=study.seed + k, lattice=lattice, quality=quality)
     if bonds is None:
-        specimen = Examined(seed=study.seed + k, lattice=lattice, quality=_quality(lattice))
         on_stage(stage, 1.0)
         return specimen
     law, density = _law(study, bonds, body), bonds.density
@@ -175,38 +173,22 @@ def examined(study: Study, k: int, body: _Body, bonds: Bonding | None, on_stage:
     tension = None if not whole else known[k] if k < len(known) else static_tension(lattice, law)
     mass = density * lattice.element_volume[lattice.connected].sum()
     rho = float(mass / lattice.particles.envelope.volume)
-    specimen = Examined(
-        seed=study.seed + k,
-        lattice=lattice,
-        quality=_quality(lattice),
-        tension=tension,
-        rho=rho,
-        law=law,
-        aggregates=body.aggregates,
-    )
-    outcomes: dict[str, Outcome] = {}
-    if tension is None:  # a ball, or a specimen with a notch or borings, is broken only
-        for name in study.tests:
-            outcomes[name] = to_failure(name, study, body, bonds, partial(on_stage, f"{name}, {stage}"))
-        on_stage(stage, 1.0)
-        return replace(specimen, outcomes=outcomes)
-    bar = ElasticBar(lattice, law, tension, density, rho)
-    if any(name in ELASTIC_TESTS and ELASTIC_TESTS[name].vibrates for name in study.tests):
+    specimen = replace(specimen, tension=tension, rho=rho, law=law, aggregates=body.aggregates)
+    # a ball, or a specimen with a notch or borings, is broken only
+    bar = None if tension is None else ElasticBar(lattice, law, tension, density, rho)
+    if bar is not None and any(name in ELASTIC_TESTS and ELASTIC_TESTS[name].vibrates for name in study.tests):
         specimen = replace(specimen, frequencies=bar.frequencies)
         on_stage(stage, 0.3)
+    outcomes: dict[str, Outcome] = {}
     for done, name in enumerate(study.tests):
-        on_stage(stage, 0.6 + 0.4 * done / len(study.tests))
-        if name in FAILURE_TESTS:
+        if bar is not None:
+            on_stage(stage, 0.6 + 0.4 * done / len(study.tests))
+        if bar is None or name in FAILURE_TESTS:
             outcomes[name] = to_failure(name, study, body, bonds, partial(on_stage, f"{name}, {stage}"))
         else:
             outcomes[name] = ELASTIC_TESTS[name].perform(bar)
     on_stage(stage, 1.0)
     return replace(specimen, outcomes=outcomes)
-
-
-def _quality(lattice: Lattice) -> Fabric | None:
-    """Evaluate the fabric of a packing of spheres; None for cells, which do not keep their original packing."""
-    return fabric(lattice) if lattice.cells is None else None
 
 
 def _law(study: Study, bonds: Bonding, body: _Body) -> AnyLaw:
@@ -216,9 +198,7 @@ def _law(study: Study, bonds: Bonding, body: _Body) -> AnyLaw:
     return study.aggregates.laws(cast(CellBond, bonds.law), body.aggregates)
 
 
-def to_failure(
-    name: str, study: Study, body: _Body, bonds: Bonding, progress: Callable[[float], None]
-) -> Outcome:
+def to_failure(name: str, study: Study, body: _Body, bonds: Bonding, progress: Callable[[float], None]) -> Outcome:
     """Run the named test to failure on a body, with the law, criterion and options of the study."""
     law, failure = _law(study, bonds, body), cast(Criterion, study.failure)
     if study.aggregates is not None and body.aggregates is not None:
@@ -230,9 +210,9 @@ def to_failure(
 
 
 def pulled(specimen: Examined) -> dict[str, Any]:
-    """Collect fields of cells for ParaView: displacement [m] and stress [Pa] in the tension test, aggregates as 1.
+    """Collect fields of a body of cells for ParaView, without those that the specimen does not have.
 
-    Fields that a specimen does not have are left out.
+    The fields are displacement [m], (n, 3), and stress [Pa] in the tension test, and 1 for cells of aggregates, (n,).
     """
     tension, lattice, balls = specimen.tension, specimen.lattice, specimen.aggregates
     parts = {} if balls is None else {"aggregate": balls.mask(lattice).astype(float)}
@@ -258,16 +238,3 @@ def keep_specimen(path: Path, lattice: Lattice, law: AnyLaw | None, density: flo
     model = Model(lattice, law, density=density)
     with RunFile(path, model, settled(model, Plan(duration=0.0))) as file:
         file.checkpoint(State(model), History.empty(()))
-
-
-class _Watch:
-    """Stopwatch of the wall time between laps [s]."""
-
-    def __init__(self) -> None:
-        self.laps: dict[str, float] = {}
-        self._since = time.perf_counter()
-
-    def lap(self, name: str) -> None:
-        now = time.perf_counter()
-        self.laps[name] = round(now - self._since, 3)
-        self._since = now

@@ -64,12 +64,11 @@ class Programme:
             if one.folder in folders[:k]:
                 raise StudyError(
                     f"[[specimens]] has two with the name '{one.name}' (case, spaces and hyphens do not distinguish"
-                    " names);"
-                    " give each its own name"
+                    " names); give each its own name"
                 )
 
     def changed(self, *, packings: int | None = None, seed: int | None = None) -> "Programme":
-        """Return a copy with another number of packings or first seed of all specimens; None keeps a value."""
+        """Return a copy with another number of packings or first seed of all specimens; None for no change."""
         series = tuple(
             dataclasses.replace(one, study=one.study.changed(packings=packings, seed=seed)) for one in self.series
         )
@@ -197,10 +196,9 @@ def _series(
         study = parse_study(document, folder=folder)
     except StudyError as error:
         raise StudyError(f"specimen '{name}': {error}") from None
-    own = _targets(where.section("targets"), tests)
-    wanted = {**targets, **own}
+    wanted = {**targets, **_targets(where.section("targets"), tests)}
     found = {test: wanted[test] for test in tests if test in wanted}
-    return Series(name=name, study=study, targets=found, inputs=_hash(document, folder))
+    return Series(name=name, study=study, targets=found, inputs=document_hash(document, folder))
 
 
 def _targets(table: TomlTable, tests: Sequence[str]) -> dict[str, float]:
@@ -210,8 +208,8 @@ def _targets(table: TomlTable, tests: Sequence[str]) -> dict[str, float]:
     return {test: value for test, value in found.items() if value is not None}
 
 
-def _hash(document: Mapping[str, Any], folder: Path) -> str:
-    """Compute the hash of all inputs of a specimen: the document and the files that it names."""
+def document_hash(document: Mapping[str, Any], folder: Path) -> str:
+    """Compute the hash of a study as a TOML document, and of the files in `folder` that it names."""
     digest = hashlib.sha256(json.dumps(document, sort_keys=True, default=str).encode())
     for key in ("particles", "file"):
         if key in document["specimen"]:

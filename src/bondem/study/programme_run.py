@@ -67,10 +67,12 @@ def _carry_out(programme: Programme, out: Path, fresh: bool, progress: Progress)
 
 
 def _results(series: Series, folder: Path, fresh: bool, progress: Progress) -> dict[str, Any]:
-    """Return the results of a specimen: stored ones with equal inputs and code, or those of a new run."""
-    inputs = _inputs(series)
-    if not fresh and _read(folder / _FINISHED) == {"inputs": inputs}:
-        known = _read(folder / "results.json")
+    """Return the stored results of a specimen if inputs and code are equal, or else those of a new run."""
+    study = series.study
+    made_of = f"{series.inputs} {study.packings} {study.seed} {code_hash()}"  # file, command line and code
+    inputs = hashlib.sha256(made_of.encode()).hexdigest()
+    if not fresh and read_json(folder / _FINISHED) == {"inputs": inputs}:
+        known = read_json(folder / "results.json")
         if known is not None and (folder / "report.html").exists():
             return known
     (folder / _FINISHED).unlink(missing_ok=True)
@@ -78,17 +80,10 @@ def _results(series: Series, folder: Path, fresh: bool, progress: Progress) -> d
     def on_stage(stage: str, share: float) -> None:
         progress(f"{series.name}: {stage}", share)
 
-    run_study(series.study, folder, progress=on_stage)
+    run_study(study, folder, progress=on_stage)
     write_text(folder / _FINISHED, json.dumps({"inputs": inputs}) + "\n")
     # read from the file, so that new and stored results are equal
     return json.loads((folder / "results.json").read_text(encoding="utf-8"))
-
-
-def _inputs(series: Series) -> str:
-    """Compute the hash of all inputs of a specimen: the file, the command line and the code."""
-    digest = hashlib.sha256(f"{series.inputs} {series.study.packings} {series.study.seed}".encode())
-    digest.update(code_hash().encode())
-    return digest.hexdigest()
 
 
 def code_hash() -> str:
@@ -100,7 +95,7 @@ def code_hash() -> str:
     return digest.hexdigest()
 
 
-def _read(path: Path) -> dict[str, Any] | None:
+def read_json(path: Path) -> dict[str, Any] | None:
     """Read a JSON file; None if it is missing or damaged."""
     try:
         return json.loads(path.read_text(encoding="utf-8"))
@@ -111,12 +106,10 @@ def _read(path: Path) -> dict[str, Any] | None:
 def _chapter(series: Series, results: Mapping[str, Any]) -> Chapter:
     shape = series.study.specimen.shape
     return Chapter(
-        name=series.name,
-        folder=series.folder,
+        name=series.name, folder=series.folder, results=results,
         shape=measures(shape) if shape is not None else "particles as they were read",
-        results=results,
         labels={test: _label(series.study, test) for test in results["tests"]},
-    )
+    )  # fmt: skip
 
 
 def _rows(series: Series, results: Mapping[str, Any]) -> list[dict[str, Any]]:

@@ -18,7 +18,7 @@ _LENGTH = 1.13
 
 
 class _StartedError(Exception):
-    """Signal that the run of a test would begin, which ends the rehearsal of the test."""
+    """Signal to end the rehearsal of a test, as its run would begin."""
 
 
 def rehearse(study: Study) -> str:

@@ -17,6 +17,10 @@ from bondem.study.provenance import provenance
 from bondem.study.study_file import Study
 
 _COMMON = {item.name for item in fields(BondLaw)}
+# Attributes of the outcome of a test that the results have under equal names.
+_NUMBERS = (
+    "measured", "theory", "theory_timoshenko", "theory_refined", "error", "error_timoshenko", "error_refined", "unit",
+)  # fmt: skip
 
 
 def collect(
@@ -53,7 +57,7 @@ def _micro(bonds: Bonding) -> dict[str, Any]:
 
 
 def _macro(bonds: Bonding, specimens: Sequence[Examined]) -> dict[str, Any]:
-    """Collect calibrated E and ν or, for cells, those measured on the first packing, with density and scatter.
+    """Collect E and ν with their scatter, and the density; for cells E and ν are measured on the first packing.
 
     E and ν are None for balls and for specimens with a notch or borings, which have no tension test.
     """
@@ -80,7 +84,7 @@ def _interval(values: Sequence[float]) -> list[float] | None:
 
 
 def _unseen(specimens: Sequence[Examined]) -> dict[str, Any] | None:
-    """Collect mean E and ν, with 95 % intervals, of the packings not used for calibration; None without such ones."""
+    """Collect mean E and ν, with 95 % intervals, of packings that were not used for calibration; None if empty."""
     tensions = [one.tension for one in specimens if one.tension is not None]
     if not tensions:
         return None
@@ -92,7 +96,7 @@ def _unseen(specimens: Sequence[Examined]) -> dict[str, Any] | None:
 
 
 def _specimen(one: Examined) -> dict[str, Any]:
-    """Collect numbers of a specimen; those of a packing of spheres are None for cells, which fill their shape."""
+    """Collect numbers of a specimen; volume fraction and isotropy error are None for cells, which fill the shape."""
     return _aggregates(one) | {
         "elements": len(one.lattice.particles),
         "bonds": len(one.lattice.pairs),
@@ -134,28 +138,17 @@ def _test(name: str, specimens: Sequence[Examined]) -> dict[str, Any]:
 
 
 def _packing(one: Examined, calibrating: bool) -> dict[str, Any]:
-    tension = one.tension
     return {
         "seed": one.seed,
         "calibrating": calibrating,
         **_specimen(one),
         **(_fabric(one.quality) if one.quality is not None else {}),
         "fabric_reasons": [] if one.quality is None else list(one.quality.reasons),
-        "E": tension.E if tension is not None else None,
-        "nu": tension.nu if tension is not None else None,
-        "E_paper": tension.E_paper if tension is not None else None,
-        "nu_paper": tension.nu_paper if tension is not None else None,
+        **{name: getattr(one.tension, name, None) for name in ("E", "nu", "E_paper", "nu_paper")},
         "rho": one.rho,
         "tests": {
             name: {
-                "measured": outcome.measured,
-                "theory": outcome.theory,
-                "theory_timoshenko": outcome.theory_timoshenko,
-                "theory_refined": outcome.theory_refined,
-                "error": outcome.error,
-                "error_timoshenko": outcome.error_timoshenko,
-                "error_refined": outcome.error_refined,
-                "unit": outcome.unit,
+                **{number: getattr(outcome, number) for number in _NUMBERS},
                 "free_vibration": outcome.curves.get("free_vibration"),
                 **({"told": dict(outcome.told)} if outcome.told else {}),
                 "failure": _failure(one, outcome),

@@ -4,10 +4,10 @@ import warnings
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any
 
 from bondem._plausibility import is_long
-from bondem.errors import InputError, StudyError, UnitWarning
+from bondem.errors import StudyError, UnitWarning
 from bondem.geometry.elementary_shapes import Ball, Box, Cell, Cylinder, Shape
 from bondem.geometry.surface import Surface
 from bondem.io.importing import read_particles
@@ -16,13 +16,11 @@ from bondem.packing import EVEN, METHOD, Method, pack
 from bondem.packing.sizes import SPREAD, Lognormal, Sieve, SizeLaw, Uniform
 from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.particles import Particles
-from bondem.study.toml_table import TomlTable
+from bondem.study.toml_table import TomlTable, made
 
 SHAPES = ("cylinder", "box", "ball", "cell", "surface", "punch")
 SIZE_LAWS = ("uniform", "lognormal", "sieve")
 TARGETS = ("coordination_number", "volume_fraction", "jamming")
-
-_Made = TypeVar("_Made")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -43,9 +41,7 @@ class SpecimenPlan:
     method: Method = METHOD
     target: Mapping[str, Any] = field(default_factory=dict)
 
-    def particles(
-        self, seed: int, progress: Callable[[float], None], around: Aggregates | None = None
-    ) -> Particles:
+    def particles(self, seed: int, progress: Callable[[float], None], around: Aggregates | None = None) -> Particles:
         """Pack the shape with a seed; with aggregates, the cells end on their surfaces."""
         return pack(
             self.shape, count=self.count, sizes=self.sizes, method=self.method, seed=seed, progress=progress,
@@ -67,11 +63,9 @@ class ImportPlan:
     unit: float | None = None
     shape: Shape | None = None
 
-    def particles(
-        self, seed: int, progress: Callable[[float], None], around: Aggregates | None = None
-    ) -> Particles:
+    def particles(self, seed: int, progress: Callable[[float], None], around: Aggregates | None = None) -> Particles:
         """Read the particles of the file; `seed` and `around` have no effect."""
-        particles = _made("specimen.particles", lambda: read_particles(self.file, unit=self.unit, shape=self.shape))
+        particles = made("specimen.particles", lambda: read_particles(self.file, unit=self.unit, shape=self.shape))
         progress(1.0)
         return particles
 
@@ -104,8 +98,7 @@ def _refuse_sizes(table: TomlTable) -> None:
         if table.has(key):
             raise StudyError(
                 f"'{table.name(key)}' is an option of other methods, as '{EVEN}' makes equal spheres that hardly"
-                " touch;"
-                " leave it out"
+                " touch; leave it out"
             )
 
 
@@ -113,7 +106,7 @@ def _shape(table: TomlTable, folder: Path) -> Shape:
     kind = table.text("shape")
     if kind == "surface":
         file, unit = table.file("file", folder), table.unit("unit")
-        return _made(table.name("file"), lambda: Surface(file, unit=unit))
+        return made(table.name("file"), lambda: Surface(file, unit=unit))
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", UnitWarning)  # the one below names the key
         shape = _plain(kind, table)
@@ -130,31 +123,30 @@ def _shape(table: TomlTable, folder: Path) -> Shape:
 def _plain(kind: str, table: TomlTable) -> Shape:
     match kind:
         case "cylinder":
-            radius = table.number("radius")
-            length = table.number("length")
-            return _made(table.name("radius"), lambda: Cylinder(radius=radius, length=length))
+            radius, length = table.number("radius"), table.number("length")
+            return made(table.name("radius"), lambda: Cylinder(radius=radius, length=length))
         case "ball":
             ball = table.number("radius")
-            return _made(table.name("radius"), lambda: Ball(radius=ball))
+            return made(table.name("radius"), lambda: Ball(radius=ball))
         case "punch":
             keys = ("diameter", "height", "ring", "width", "depth")
             given = {key: table.number(key, default=None) for key in keys}
             chosen = {key: value for key, value in given.items() if value is not None}
-            return _made(table.name("shape"), lambda: punch_specimen(**chosen))
+            return made(table.name("shape"), lambda: punch_specimen(**chosen))
     size = table.lengths("size")
     if kind == "box" and table.has("notch"):
         return _notched(table, size)
-    return _made(table.name("size"), lambda: Box(size) if kind == "box" else Cell(size))
+    return made(table.name("size"), lambda: Box(size) if kind == "box" else Cell(size))
 
 
 def _notched(table: TomlTable, size: tuple[float, float, float]) -> Shape:
-    """Create a box along x with a notch from below at mid-length, through its whole width along z."""
+    """Create a box along x with a notch from below at mid-length, over its full width along z."""
     length, height, thick = size
     with table.section("notch") as notch:
         width = notch.number("width", below=length)
         depth = notch.number("depth", below=height)
     slot = Box((width, 2.0 * depth, 3.0 * thick)).moved((0.5 * (length - width), -depth, -thick))
-    return _made(table.name("notch"), lambda: Box(size).cut(slot, name="notch"))
+    return made(table.name("notch"), lambda: Box(size).cut(slot, name="notch"))
 
 
 def _sizes(table: TomlTable) -> SizeLaw:
@@ -170,27 +162,17 @@ def _sizes(table: TomlTable) -> SizeLaw:
                 return Uniform(sizes.number("spread"))
             case "lognormal":
                 cv, cut = sizes.number("cv"), sizes.number("cut", default=Lognormal.cut)
-                return _made(table.name("sizes"), lambda: Lognormal(cv, cut))
+                return made(table.name("sizes"), lambda: Lognormal(cv, cut))
         diameters, passing = sizes.numbers("diameters"), sizes.numbers("mass_passing")
-        return _made(table.name("sizes"), lambda: Sieve(diameters, passing))
+        return made(table.name("sizes"), lambda: Sieve(diameters, passing))
 
 
 def _target(table: TomlTable) -> dict[str, Any]:
-    z = table.number("coordination_number", default=None)
-    fraction = table.number("volume_fraction", default=None)
-    jamming = table.flag("jamming", default=False) or None
-    values = zip(TARGETS, (z, fraction, jamming), strict=True)
-    given = {name: value for name, value in values if value is not None}
+    found = {name: table.number(name, default=None) for name in ("coordination_number", "volume_fraction")}
+    found["jamming"] = table.flag("jamming", default=False) or None
+    given = {name: value for name, value in found.items() if value is not None}
     if len(given) > 1:
         raise StudyError(
             f"several targets are given: {' and '.join(repr(table.name(name)) for name in given)}; give only one"
         )
     return given
-
-
-def _made(key: str, make: Callable[[], _Made]) -> _Made:
-    """Return the result of `make`, and raise its InputError as a StudyError that names the key."""
-    try:
-        return make()
-    except InputError as error:
-        raise StudyError(f"'{key}': {error}") from error

@@ -4,7 +4,7 @@ from bondem.errors import StudyError
 from bondem.geometry.shape import Shape
 from bondem.labtests.failure_tests import FAILURE_TESTS, OF_BALLS
 from bondem.labtests.requirements import BALL, broken_only, cut_as
-from bondem.study.toml_table import TomlTable
+from bondem.study.toml_table import NEEDED, TomlTable
 
 
 def read_options(top: TomlTable, tests: tuple[str, ...]) -> dict[str, dict[str, float]]:
@@ -17,19 +17,15 @@ def read_options(top: TomlTable, tests: tuple[str, ...]) -> dict[str, dict[str, 
     for name, test in FAILURE_TESTS.items():
         if not test.options:
             continue
-        given = top.has(name)
-        if given and name not in tests:
+        if top.has(name) and name not in tests:
             raise StudyError(
                 f"[{name}] is given, but 'tests' does not contain {name}; add it there, or leave out [{name}]"
             )
-        if name not in tests:
-            continue
-        with top.section(name) as table:
-            asked = {
-                key: table.number(key) if one.needed else table.number(key, default=None)
-                for key, one in test.options.items()
-            }
-        found[name] = {key: value for key, value in asked.items() if value is not None}
+        if name in tests:
+            with top.section(name) as table:
+                usual = {key: NEEDED if one.needed else None for key, one in test.options.items()}
+                asked = {key: table.number(key, default=default) for key, default in usual.items()}
+            found[name] = {key: value for key, value in asked.items() if value is not None}
     return found
 
 
@@ -45,8 +41,6 @@ def require_specimen(tests: tuple[str, ...], shape: Shape) -> None:
         if required is not None and not required.fits(shape):
             raise StudyError(f"'tests' contains {name}, which does not suit this specimen; use {required.advice}")
         if cut is not None and required is None:
-            raise StudyError(
-                f"'tests' contains {name}, but the specimen has a {cut}; write a study for each"
-            )
+            raise StudyError(f"'tests' contains {name}, but the specimen has a {cut}; write a study for each")
         if reason == BALL and name not in OF_BALLS:
             raise StudyError(f"'tests' contains {name}, which needs a bar; tests of a ball are {', '.join(OF_BALLS)}")

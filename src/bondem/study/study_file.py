@@ -7,7 +7,7 @@ import tomllib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, TypedDict, TypeVar
+from typing import Any, TypeVar
 
 from bondem.damage.criteria.criterion import Criterion
 from bondem.errors import StudyError
@@ -26,7 +26,7 @@ from bondem.study.keys import STUDY
 from bondem.study.lines import located
 from bondem.study.specimen_step import ImportPlan, SpecimenPlan, read_specimen
 from bondem.study.strength_tests import read_options, require_specimen
-from bondem.study.toml_table import TomlTable
+from bondem.study.toml_table import NEEDED, TomlTable
 
 Read = TypeVar("Read")
 # Quotation marks that word processors substitute for the straight ones of TOML.
@@ -145,8 +145,7 @@ class Study:
         if self.tests and not _is_bar(shape):
             raise StudyError(
                 f"'tests' contains {self.tests[0]}, but a {type(shape).__name__} is not a bar along x; set tests ="
-                " [],"
-                " or use a cylinder or box as 'specimen.shape'"
+                " [], or use a cylinder or box as 'specimen.shape'"
             )
         require_specimen(self.tests, shape)
 
@@ -161,7 +160,7 @@ class Study:
         return {"Matrix": self.failure, "Aggregates": own or self.failure, "Interface": between or self.failure}
 
     def changed(self, *, packings: int | None = None, seed: int | None = None) -> "Study":
-        """Return a copy with another number of packings or first seed; None keeps a value."""
+        """Return a copy with another number of packings or first seed; None for no change."""
         given = {"packings": packings, "seed": seed}
         return dataclasses.replace(self, **{key: value for key, value in given.items() if value is not None})
 
@@ -239,48 +238,32 @@ def parse_study(data: Mapping[str, Any], *, folder: Path = Path()) -> Study:
     with TomlTable(data, STUDY) as top:
         name = top.text("name")
         specimen = read_specimen(top.section("specimen"), folder)
-        material = _material(top.section("material")) if top.has("material") else None
+        material = top.optional("material", _material)
         bond = read_bond(top.section("bond"))
         bar = specimen.shape is None or _is_bar(specimen.shape)
         tests = top.texts("tests", default=TESTS if material is not None and bar else ())
         return Study(
-            name=name,
+            name=name, material=material, specimen=specimen, bond=bond, tests=tests,
             seed=top.count("seed", default=Study.seed),
             packings=top.count("packings", default=1 if isinstance(specimen, ImportPlan) else Study.packings),
-            material=material,
-            specimen=specimen,
-            bond=bond,
-            failure=read_failure(top.section("failure")) if top.has("failure") else None,
-            calibrating=_calibrating(top, bond),
-            tests=tests,
-            options=read_options(top, tests),
-            **_output(top.section("output")),
-            reference=_reference(top.section("reference")) if top.has("reference") else None,
-            aggregates=read_aggregates(top.section("aggregates")) if top.has("aggregates") else None,
-        )
+            failure=top.optional("failure", read_failure), calibrating=_calibrating(top, bond),
+            options=read_options(top, tests), **_output(top.section("output")),
+            reference=top.optional("reference", _reference), aggregates=top.optional("aggregates", read_aggregates),
+        )  # fmt: skip
 
 
 def _material(table: TomlTable) -> Material:
     """Read the material, from all its values or from the library with overridden values."""
     with table:
-        if not table.has("preset"):
-            return Material(
-                table.text("name"),
-                E=table.number("E"),
-                nu=table.number("nu"),
-                rho=table.number("rho"),
-                source=table.text("source", default=""),
-            )
-        known = materials.get(table.text("preset"))
-        own = [key for key in ("E", "nu", "rho") if table.has(key)]
-        remark = f"; {', '.join(own)} overruled by the study" if own else ""
-        return Material(
-            table.text("name", default=known.name),
-            E=table.number("E", default=known.E),
-            nu=table.number("nu", default=known.nu),
-            rho=table.number("rho", default=known.rho),
-            source=table.text("source", default=known.source + remark),
-        )
+        usual: dict[str, Any] = {"source": ""}
+        if table.has("preset"):
+            known = materials.get(table.text("preset"))
+            own = [key for key in ("E", "nu", "rho") if table.has(key)]
+            remark = f"; {', '.join(own)} overruled by the study" if own else ""
+            usual = {**vars(known), "source": known.source + remark}
+        name = table.text("name", default=usual.get("name", NEEDED))
+        E, nu, rho = (table.number(key, default=usual.get(key, NEEDED)) for key in ("E", "nu", "rho"))
+        return Material(name, E=E, nu=nu, rho=rho, source=table.text("source", default=usual["source"]))
 
 
 def _calibrating(top: TomlTable, bond: BondPlan) -> int:
@@ -290,20 +273,11 @@ def _calibrating(top: TomlTable, bond: BondPlan) -> int:
         return table.count("packings", default=Study.calibrating)
 
 
-class _Output(TypedDict):
-    figures: bool
-    vtk: bool
-    run_files: bool
-    packing_files: bool
-
-
-def _output(table: TomlTable) -> _Output:
+def _output(table: TomlTable) -> dict[str, Any]:
+    """Read which files to write, by the names of attributes of `Study`."""
     with table:
-        return _Output(
-            figures=table.flag("figures", default=Study.figures), vtk=table.flag("vtk", default=Study.vtk),
-            run_files=table.flag("run_files", default=Study.run_files),
-            packing_files=table.flag("packing_files", default=Study.packing_files),
-        )  # fmt: skip
+        names = ("figures", "vtk", "run_files", "packing_files")
+        return {name: table.flag(name, default=getattr(Study, name)) for name in names}
 
 
 def _range(table: TomlTable, name: str) -> tuple[float, float]:
@@ -320,14 +294,10 @@ def _range(table: TomlTable, name: str) -> tuple[float, float]:
 
 def _reference(table: TomlTable) -> Reference:
     with table:
+        citation = table.text("citation")
         with table.section("errors") as errors:
             published = {name: errors.number(name) for name in TESTS if errors.has(name)}
         with table.section("peaks") as peaks:
             ranges = {name: _range(peaks, name) for name in FAILURE_TESTS if peaks.has(name)}
-        return Reference(
-            peaks=ranges,
-            citation=table.text("citation"),
-            E_mu=table.number("E_mu", default=None),
-            r_mu_ratio=table.number("r_mu_ratio", default=None),
-            errors=published,
-        )
+        E_mu, ratio = (table.number(key, default=None) for key in ("E_mu", "r_mu_ratio"))
+        return Reference(citation=citation, E_mu=E_mu, r_mu_ratio=ratio, errors=published, peaks=ranges)

@@ -7,7 +7,8 @@ is declared (`bondem.study.keys`).
 import difflib
 import math
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -18,11 +19,13 @@ from bondem.errors import InputError, StudyError
 from bondem.study.declared import Count, Key, KeyTable, Number, Numbers, Text, Texts
 
 _Kind = TypeVar("_Kind", bound=Key)
+_Read = TypeVar("_Read")
 
-_NEEDED = object()
+#: Default of a key that must be given.
+NEEDED = object()
 # Largest number, and inverse of the smallest: beyond all physical values, while products remain finite.
 _LARGEST = 1e60
-# Largest whole number.
+# Limit of whole numbers, excluded.
 _MOST = 1 << 62
 
 
@@ -63,12 +66,19 @@ class TomlTable:
         self._asked.append(key)
         if key in self._data:
             return self._data[key]
-        if default is _NEEDED:
+        if default is NEEDED:
             misspelt = difflib.get_close_matches(key, [name for name in self._data if name not in self._asked], n=1)
             if misspelt:
                 raise StudyError(f"unknown key '{self.name(misspelt[0])}'; did you mean '{self.name(key)}'?")
             raise StudyError(f"key '{self.name(key)}' is missing; give {wanted}")
         return default
+
+    def _right(self, key: str, default: Any, wanted: str, right: Callable[[Any], bool]) -> Any:
+        """Read a value for which `right` returns True, or its default; `wanted` describes it in messages."""
+        value = self._get(key, default, wanted)
+        if value is not default and not right(value):
+            raise StudyError(f"'{self.name(key)}' = {shown(value)}; give {wanted}")
+        return value
 
     def _declared(self, key: str, kind: type[_Kind]) -> _Kind:
         """Return the declaration of a key, which must be of a given kind."""
@@ -90,10 +100,12 @@ class TomlTable:
             )
         return TomlTable(value, self._declared(key, KeyTable), self.name(key))
 
-    def number(
-        self, key: str, *, default: Any = _NEEDED, unit: str | None = None, below: float | None = None
-    ) -> Any:
-        """Read a number or a text with a unit, as a float in SI; `unit` and `below` replace those declared."""
+    def optional(self, key: str, read: Callable[["TomlTable"], _Read]) -> _Read | None:
+        """Read a subtable by the function `read`; None if the key is not given."""
+        return read(self.section(key)) if self.has(key) else None
+
+    def number(self, key: str, *, default: Any = NEEDED, unit: str | None = None, below: float | None = None) -> Any:
+        """Read a number or a text with a unit, as a float in SI; `unit` and `below` replace the declared ones."""
         known = self._declared(key, Number)
         above, below, unit = known.above, known.below if below is None else below, unit or known.unit
         wanted = f"a number {_range(above, below)}[{unit}]"
@@ -121,28 +133,22 @@ class TomlTable:
         return float(found)
 
     def has_text(self, *keys: str) -> bool:
-        """Return True if all given keys among `keys` have texts as values, and thus units."""
+        """Return True if the values of all given keys among `keys` are texts, which include units."""
         given = [self._data[key] for key in keys if key in self._data]
         return all(isinstance(one, str) for item in given for one in (item if isinstance(item, list) else [item]))
 
-    def count(self, key: str, *, default: Any = _NEEDED) -> int:
+    def count(self, key: str, *, default: Any = NEEDED) -> int:
         """Read a whole number that is not below the declared minimum."""
         least = self._declared(key, Count).least
-        wanted = f"a whole number of at least {least}"
-        value = self._get(key, default, wanted)
-        if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= _MOST:
-            raise StudyError(f"'{self.name(key)}' = {shown(value)}; give {wanted}")
-        return value
+        return self._right(key, default, f"a whole number of at least {least}", partial(_is_whole, least=least))
 
-    def text(self, key: str, *, default: Any = _NEEDED) -> Any:
+    def text(self, key: str, *, default: Any = NEEDED) -> Any:
         """Read a text, one of the declared choices if there are any."""
         choices = self._declared(key, Text).choices
         wanted = f"one of {', '.join(choices)}" if choices else "a text"
         value = self._get(key, default, wanted)
         if not isinstance(value, str) or (choices and value not in choices):
-            near = difflib.get_close_matches(str(value), choices, n=1)
-            hint = f"did you mean '{near[0]}'?" if near else f"give {wanted}"
-            raise StudyError(f"'{self.name(key)}' = {shown(value)}; {hint}")
+            raise StudyError(f"'{self.name(key)}' = {shown(value)}; {_hint(value, choices, f'give {wanted}')}")
         return value
 
     def file(self, key: str, folder: Path) -> Path:
@@ -155,21 +161,16 @@ class TomlTable:
 
     def flag(self, key: str, *, default: bool) -> bool:
         """Read a Boolean value."""
-        value = self._get(key, default, "true or false")
-        if not isinstance(value, bool):
-            raise StudyError(f"'{self.name(key)}' = {shown(value)}; give true or false")
-        return value
+        return self._right(key, default, "true or false", lambda value: isinstance(value, bool))
 
     def texts(self, key: str, *, default: tuple[str, ...]) -> tuple[str, ...]:
         """Read a list of different texts, all from the declared choices."""
         choices = self._declared(key, Texts).choices
-        values = self._get(key, default, "a list")
-        if not isinstance(values, list | tuple):
-            raise StudyError(f"'{self.name(key)}' = {shown(values)}; give a list of {', '.join(choices)}")
+        known = ", ".join(choices)
+        values = self._right(key, default, f"a list of {known}", _is_list)
         for value in values:
             if value not in choices:
-                near = difflib.get_close_matches(str(value), choices, n=1)
-                hint = f"did you mean '{near[0]}'?" if near else f"choose from {', '.join(choices)}"
+                hint = _hint(value, choices, f"choose from {known}")
                 raise StudyError(f"'{self.name(key)}' contains {shown(value)}; {hint}")
         if len(set(values)) < len(values):
             raise StudyError(f"'{self.name(key)}' contains an entry twice; remove one")
@@ -179,42 +180,32 @@ class TomlTable:
         """Read a list of numbers in the declared SI unit, each of which may be a text with a unit."""
         unit = self._declared(key, Numbers).unit
         wanted = f"a list of numbers [{unit}]"
-        values = self._get(key, _NEEDED, wanted)
-        if not isinstance(values, list | tuple):
-            raise StudyError(f"'{self.name(key)}' = {shown(values)}; give {wanted}")
-        return tuple(
-            self._number(f"{self.name(key)}[{k}]", value, unit, wanted) for k, value in enumerate(values)
-        )
+        values = self._right(key, NEEDED, wanted, _is_list)
+        return tuple(self._number(f"{self.name(key)}[{k}]", one, unit, wanted) for k, one in enumerate(values))
 
     def whole_numbers(self, key: str) -> int | tuple[int, ...]:
         """Read a count of at least 1, or a list of whole numbers of zero or more."""
         wanted = "how many, or a list of whole numbers of zero or more"
-        value = self._get(key, _NEEDED, wanted)
-        values = value if isinstance(value, list) else [value]
-        least = 0 if isinstance(value, list) else 1
-        right = [isinstance(one, int) and not isinstance(one, bool) and least <= one < 1 << 62 for one in values]
-        if not values or not all(right):
-            raise StudyError(f"'{self.name(key)}' = {shown(value)}; give {wanted}")
-        return tuple(values) if isinstance(value, list) else value
+        value = self._right(key, NEEDED, wanted, lambda value: (
+            bool(value) and all(map(_is_whole, value)) if isinstance(value, list) else _is_whole(value, least=1)
+        ))  # fmt: skip
+        return tuple(value) if isinstance(value, list) else value
 
     def lines(self, key: str) -> tuple[str, ...]:
         """Read a list of texts of one line each; an empty one if the key is not given."""
-        values = self._get(key, [], "a list of texts")
-        if not isinstance(values, list) or not all(isinstance(one, str) and one.isprintable() for one in values):
-            raise StudyError(f"'{self.name(key)}' = {shown(values)}; give a list of texts of one line each")
-        return tuple(values)
+        return tuple(self._right(key, [], "a list of texts of one line each", lambda values: (
+            isinstance(values, list) and all(isinstance(one, str) and one.isprintable() for one in values)
+        )))  # fmt: skip
 
     def all(self) -> Mapping[str, Any]:
-        """Return all contents of a table with arbitrary keys; they count as requested."""
+        """Return all contents of a table with arbitrary keys, which then count as requested."""
         self._asked.extend(self._data)
         return self._data
 
     def lengths(self, key: str) -> tuple[float, float, float]:
         """Read a list of three positive lengths [m]."""
         wanted = 'three positive lengths [m], such as [0.01, 0.01, 0.04] or ["10 mm", "10 mm", "40 mm"]'
-        values = self._get(key, _NEEDED, wanted)
-        if not isinstance(values, list) or len(values) != 3:
-            raise StudyError(f"'{self.name(key)}' = {shown(values)}; give {wanted}")
+        values = self._right(key, NEEDED, wanted, lambda values: isinstance(values, list) and len(values) == 3)
         a, b, c = (
             self._number(f"{self.name(key)}[{k}]", value, "m", wanted, above=0.0) for k, value in enumerate(values)
         )
@@ -225,10 +216,29 @@ class TomlTable:
         value = self._get(key, None, "a unit of length")
         if value is None:
             return None
-        try:
-            return length_unit(f"'{self._path}'", value)
-        except InputError as error:
-            raise StudyError(f"'{self.name(key)}': {error}") from None
+        return made(self.name(key), lambda: length_unit(f"'{self._path}'", value))
+
+
+def made(key: str, make: Callable[[], _Read]) -> _Read:
+    """Return the result of `make`, and raise its InputError as a StudyError that names the key."""
+    try:
+        return make()
+    except InputError as error:
+        raise StudyError(f"'{key}': {error}") from error
+
+
+def _is_list(value: object) -> bool:
+    return isinstance(value, list | tuple)
+
+
+def _is_whole(value: object, least: int = 0) -> bool:
+    return isinstance(value, int) and not isinstance(value, bool) and least <= value < _MOST
+
+
+def _hint(value: object, choices: tuple[str, ...], otherwise: str) -> str:
+    """Return a question with the choice that is similar to a value, or the text `otherwise` if there is none."""
+    near = difflib.get_close_matches(str(value), choices, n=1)
+    return f"did you mean '{near[0]}'?" if near else otherwise
 
 
 def _range(above: float, below: float) -> str:

@@ -22,6 +22,7 @@ from bondem.interactions.law_catalogue import AnyLaw
 from bondem.labtests.bonded_platens import BondedSpecimen, as_cells, is_cells
 from bondem.labtests.bonded_splitting import split_bonded
 from bondem.labtests.disc import WIDEST, Disc, centre_stress, flattened, middle_of_disc, require_disc, stamped
+from bondem.labtests.faces import means_on_face
 from bondem.labtests.one_test import OfOneTest
 from bondem.labtests.quasi_static_rig import DENSITY, Rig, RunOptions, require_cells, run_to_failure, softenings_of
 from bondem.model.model import Model
@@ -43,7 +44,8 @@ class BrazilianTest(OfOneTest):
 
     Attributes:
         test: result of the test to failure. Its curve has the approach of the platens over D [-] and 2 P / (π D t)
-            [Pa]; its work is per area D t.
+            [Pa]. The peak is the Brazilian strength, which assumes a line load. E follows from the strains of the
+            middle, for cells with the ν of the law. The work is that of the platens per area D t.
         centre: elastic stress across the loaded diameter at the centre over 2 P / (π D t) [-], to compare with
             `factor`; NaN for the non-local law.
         factor: theoretical value of `centre`, for platens that press on flats or strips [-].
@@ -55,29 +57,9 @@ class BrazilianTest(OfOneTest):
     half_angle: float
 
     @property
-    def peak(self) -> float:
-        """Brazilian strength 2 P / (π D t) [Pa], which assumes a line load."""
-        return self.test.peak
-
-    @property
     def tension(self) -> float:
         """Elastic tensile stress at the centre at the peak, factor · 2 P / (π D t) [Pa]."""
-        return self.factor * self.test.peak
-
-    @property
-    def E(self) -> float:
-        """Young's modulus from the strains of the middle [Pa], for cells with the ν of the law."""
-        return self.test.E
-
-    @property
-    def curve(self) -> Floats:
-        """Approach of the platens over the diameter [-] and 2 P / (π D t) [Pa], (k, 2)."""
-        return self.test.curve
-
-    @property
-    def work(self) -> float:
-        """Work of the platens until the end, per area D t of the section [J/m²]."""
-        return self.test.work
+        return self.factor * self.peak
 
 
 @staged("brazilian")
@@ -98,9 +80,11 @@ def brazilian(
     """Compress a cylinder along x across a diameter along y between rigid platens, until the load has dropped.
 
     The platens of a plain `bd.Cylinder` constrain the free facets in two strips of its side along y only. The stress
-    across the diameter at the centre is then below that of a line load. The factor is the mean of cos β (1 - 4 sin²
-    β) over the pressure under a smooth rigid stamp, ∝ 1 / √(sin² α - sin² β): 0.983 at α = 5°, 0.932 at 10°. It
-    superposes chords after Timoshenko and Goodier §41; a uniform traction along y would give 0.989 and 0.955.
+    across the diameter at the centre is then below that of a line load, by a factor of 0.983 at α = 5° and 0.932 at
+    10°. The factor is the mean of cos β (1 - 4 sin² β) over the pressure ∝ 1 / √(sin² α - sin² β) under a smooth
+    rigid stamp. This superposes chords after Timoshenko and Goodier §41; a uniform traction along y would give 0.989
+    and 0.955.
+
     For a disc whose shape has flats "top" and "bottom", the platens constrain the flats, and the factor is that of
     Wang et al. (2004), 0.960 at 10°.
 
@@ -108,9 +92,9 @@ def brazilian(
     below 15° may lose single spheres before the disc splits.
 
     `.peak` is 2 P / (π D t) without the factor, `.tension` includes it. E follows from Hooke's law and the strains
-    within half the radius, where the mean of σ_yy + σ_zz equals its value at the centre, -4 P / (π D t). With the ν
-    of a cell law it holds for discs of any thickness. E of bonded spheres is -4 P / (π D t) over ε_yy + ε_zz - ε_xx,
-    that of a disc without axial stress; in the middle of a long cylinder it is up to 1/((1 + ν)(1 - 2ν)) times E.
+    within half the radius. There the mean of σ_yy + σ_zz equals its value at the centre, -4 P / (π D t). With the ν
+    of a cell law E is valid for discs of any thickness. E of bonded spheres assumes a disc without axial stress, as
+    -4 P / (π D t) over ε_yy + ε_zz - ε_xx; in the middle of a long cylinder it is up to 1/((1 + ν)(1 - 2ν)) times E.
 
     Args:
         body: cells or bonded spheres of a cylinder along x, or of one with flats "top" and "bottom" across y.
@@ -233,19 +217,15 @@ class _Jaws:
 
 def _strip(body: Lattice, middle: Floats, sign: float, half_angle: float) -> Region:
     """Select the cells of the side whose mean facet position is within a half angle [rad] of sign · y."""
-    free, on = body.elements.require_cells().cells.free, body.on_face("side")
-    cell, area, count = free.cell[on], free.area[on], len(body.particles)
-    total = np.bincount(cell, weights=area, minlength=count)
-    y, z = (
-        np.bincount(cell, weights=area * (free.centroid[on, axis] - middle[axis]), minlength=count) for axis in (1, 2)
-    )
-    chosen = (total > 0.0) & (np.abs(np.arctan2(z, sign * y)) < half_angle)
-    if not chosen.any():
+    cells, y = means_on_face(body, "side", lambda place: place[:, 1] - middle[1])
+    _, z = means_on_face(body, "side", lambda place: place[:, 2] - middle[2])
+    chosen = cells[np.abs(np.arctan2(z, sign * y)) < half_angle]
+    if not chosen.size:
         raise InputError(
             f"labtests.brazilian: half_angle = {half_angle:.3g} rad contains no cell; give a larger"
             " half_angle or finer cells"
         )
-    return Face("side") & Index(np.flatnonzero(chosen))
+    return Face("side") & Index(chosen)
 
 
 def _elastic(body: Lattice, law: CellAssignment, jaws: _Jaws) -> tuple[float, float]:

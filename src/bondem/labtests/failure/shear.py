@@ -10,7 +10,7 @@ import numpy as np
 
 from bondem._checks import number
 from bondem._progress import staged
-from bondem._types import Floats, Ints
+from bondem._types import Floats
 from bondem.boundary.conditions import Drive, Fix
 from bondem.boundary.gauges import Gauge
 from bondem.boundary.schedules import Ramp
@@ -23,6 +23,7 @@ from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.interactions.contact.contact_law import ContactLaw
 from bondem.interactions.law_catalogue import AnyLaw
 from bondem.labtests.bonded_platens import LEAST, REACH, RECORDS, BondedSpecimen, Side, as_cells, is_cells
+from bondem.labtests.faces import means_on_face
 from bondem.labtests.line_probe import walls_along
 from bondem.labtests.quasi_static_rig import (
     DENSITY,
@@ -212,8 +213,7 @@ class _Core:
         below, above = (_boring(shape, lower, upper, end) for end in (lower[0], upper[0]))
         if abs(below[0] - above[0]) + abs(below[1] - above[1]) > 1e-6 * float(upper[1] - lower[1]):
             raise InputError("labtests.shear: the ring borings of both ends differ; give both the same radii")
-        height = float(upper[0] - lower[0]) - below[2] - above[2]
-        return cls(above[0], below[1], below[0] + below[1], height)
+        return cls(above[0], below[1], below[0] + below[1], shape.extent - below[2] - above[2])
 
     def loaded(self, body: Lattice) -> tuple[Region, Region]:
         """Select the cells on the plate, and those under the piston.
@@ -221,9 +221,9 @@ class _Core:
         Raises:
             InputError: one of both selections is empty.
         """
-        regions = []
+        middle, regions = 0.5 * np.add(*body.particles.envelope.bounds), []
         for name, keep_core, radius in (("x_min", False, self.outside), ("x_max", True, self.inside)):
-            cells, distance = _on_face(body, name)
+            cells, distance = means_on_face(body, name, lambda place: np.hypot(*(place - middle)[:, 1:].T))
             chosen = cells[(distance < radius) == keep_core]
             if not len(chosen):
                 raise _no_borings()
@@ -233,7 +233,7 @@ class _Core:
 
 def _boring(shape: Shape, lower: Floats, upper: Floats, end: float) -> tuple[float, float, float]:
     """Measure inner and outer radius and depth [m] of the ring boring at x = `end` [m]; InputError if missing."""
-    middle, length = 0.5 * (lower + upper), float(upper[0] - lower[0])
+    middle, length = 0.5 * (lower + upper), shape.extent
     way = 1.0 if end == lower[0] else -1.0
     start = np.array([end + way * 1e-6 * length, middle[1], middle[2]])
     inside, walls = walls_along(shape, start, start + np.array([0.0, 0.999 * (upper[1] - middle[1]), 0.0]))
@@ -252,18 +252,6 @@ def _no_borings() -> InputError:
         "labtests.shear: the body has no ring boring about the axis x in each end; create it from"
         " bd.labtests.punch_specimen"
     )
-
-
-def _on_face(body: Lattice, name: str) -> tuple[Ints, Floats]:
-    """Return the indices of the cells of an end face, (k,), and their distances from the axis [m], (k,)."""
-    lower, upper = body.particles.envelope.bounds
-    free, on = body.elements.require_cells().cells.free, body.on_face(name)
-    y, z = (free.centroid[on, axis] - 0.5 * (lower + upper)[axis] for axis in (1, 2))
-    count = len(body.particles)
-    area = np.bincount(free.cell[on], weights=free.area[on], minlength=count)
-    radius = np.bincount(free.cell[on], weights=free.area[on] * np.hypot(y, z), minlength=count)
-    cells = np.flatnonzero(area > 0.0)
-    return cells, radius[cells] / area[cells]
 
 
 def _expected(softening: Softening) -> float:

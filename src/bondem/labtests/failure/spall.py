@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 
 from bondem._checks import count, number
-from bondem._drawing import PlottedState
 from bondem._progress import staged
 from bondem._types import Floats
 from bondem.boundary.gauges import Gauge
@@ -20,7 +19,7 @@ from bondem.errors import InputError
 from bondem.fracture.fragments import Fragments, fragments
 from bondem.interactions.cells.cell_bond import CellBond
 from bondem.labtests.quasi_static_rig import require_cells
-from bondem.labtests.recorded_run import run_test
+from bondem.labtests.recorded_run import OfOneRun, run_test
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
@@ -83,7 +82,7 @@ class ThinBar:
 
 
 @dataclass(frozen=True, eq=False)
-class SpallTest(PlottedState):
+class SpallTest(OfOneRun):
     """Result of a spall test.
 
     Attributes:
@@ -92,8 +91,8 @@ class SpallTest(PlottedState):
         highest: largest velocity of the free end [m/s].
         pull_back: drop of the velocity from its maximum until it rises again, Δu [m/s]; None if it does not rise.
         first: time of the first failure of a facet [s]; None without failure.
-        lengths: lengths of the fragments by their mass, in the order from the free end [m], (f,); those of at most
-            1 % of the mass are left out.
+        lengths: lengths of the fragments, mass over mass per length of the bar, in the order from the free end [m],
+            (f,); fragments of at most 1 % of the total mass are left out.
         edges, profile: edges of bins from the free end [m], (b + 1,), and broken area per bin, projected along x,
             over the section [-], (b,).
         residual: error of the energy balance over its largest term [-].
@@ -126,11 +125,6 @@ class SpallTest(PlottedState):
     def table(self) -> dict[str, Floats]:
         """Velocity of the free end in time, by name and unit, (k,) each."""
         return {"time [s]": self.time, "velocity of the free end [m/s]": self.velocity}
-
-    @property
-    def state(self) -> State:
-        """State of the bar at the end of the run."""
-        return self.run.state
 
 
 @staged("spall")
@@ -187,7 +181,10 @@ def spall(
     if parts is not None and parts > _MOST_BINS:
         raise InputError(f"{owner}: bins = {parts}: too many; give at most {_MOST_BINS}")
     thin = ThinBar(law.E, density, pressure, rise, fall)
-    length, section = _measures(bar)
+    shape = bar.particles.envelope
+    if not {"x_min", "x_max"} <= set(shape.faces):
+        raise InputError(f"{owner}: a {type(shape).__name__} has no ends x_min and x_max; use a bar along x")
+    length, section = shape.extent, shape.section()
     way = length / thin.celerity
     if rise + fall > 2.0 * way:
         raise InputError(
@@ -229,28 +226,17 @@ def pulled_back(velocity: Floats, rebound: float) -> tuple[float, float | None]:
 
 
 def lengths(pieces: Fragments, mass: float) -> Floats:
-    """Return the lengths of the fragments of a bar along x by their mass, in the order from x_max [m], (f,).
+    """Compute the lengths of the fragments of a bar along x from their masses, in the order from x_max [m], (f,).
 
-    `mass` is that per length [kg/m]. Fragments of at most 1 % of the total mass are left out.
+    `mass` is the mass of the bar per length [kg/m]. Fragments of at most 1 % of the total mass are left out.
     """
     whole = pieces.mass > _CRUMB * pieces.mass.sum()
     order = np.argsort(-pieces.position[whole, 0])
     return pieces.mass[whole][order] / mass
 
 
-def _measures(bar: Lattice) -> tuple[float, float]:
-    """Return the length [m] and the section [m²] of a bar.
-
-    Raises:
-        InputError: the shape is not a bar along x.
-    """
-    shape = bar.particles.envelope
-    if not {"x_min", "x_max"} <= set(shape.faces):
-        raise InputError(f"labtests.spall: a {type(shape).__name__} has no ends x_min and x_max; use a bar along x")
-    return shape.extent, shape.section()
-
-
 def _profile(bar: Lattice, state: State, length: float, section: float, bins: int | None) -> tuple[Floats, Floats]:
+    """Compute `edges` and `profile` of a `SpallTest` from the length [m] and the section [m²] of the bar."""
     facets = bar.elements.require_cells().facets
     if bins is None:
         bins = max(1, round(length / (_BIN * float(np.cbrt(bar.element_volume.mean())))))

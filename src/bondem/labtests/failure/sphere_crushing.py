@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 
 from bondem._checks import number
-from bondem._drawing import PlottedState
 from bondem._progress import staged
 from bondem._types import Floats
 from bondem.boundary.gauges import WallGauge
@@ -18,16 +17,14 @@ from bondem.boundary.walls import PlaneWall
 from bondem.damage.failure_assignment import FailureAssignment
 from bondem.dynamics.damping import MassDamping
 from bondem.dynamics.events import LoadDrop
-from bondem.dynamics.history import History
 from bondem.dynamics.plan import ExplicitResult
 from bondem.errors import InputError
 from bondem.interactions.contact.contact_law import ContactLaw
 from bondem.interactions.law_catalogue import AnyLaw
 from bondem.labtests.arguments import check
 from bondem.labtests.ball import BallSpecimen, BrokenBall
-from bondem.labtests.recorded_run import run_test, step_of
+from bondem.labtests.recorded_run import OfOneRun, run_test, step_of
 from bondem.model.model import Model
-from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material, constant
 
@@ -46,7 +43,7 @@ _SURE = 0.3
 
 
 @dataclass(frozen=True, eq=False)
-class SphereCrushing(PlottedState):
+class SphereCrushing(OfOneRun):
     """Result of a crushing test.
 
     Attributes:
@@ -86,11 +83,6 @@ class SphereCrushing(PlottedState):
         """Curve, with time and energies of its records, by name and unit, (k,) each."""
         curve = {"approach over diameter [-]": self.curve[:, 0], "2.8 F / (π D²) [Pa]": self.curve[:, 1]}
         return curve | dict(self.run.table)
-
-    @property
-    def state(self) -> State:
-        """State of the broken ball."""
-        return self.run.state
 
 
 @staged("sphere crushing")
@@ -169,26 +161,23 @@ def sphere_crushing(
     )  # fmt: skip
 
 
-def _force(history: History) -> Floats:
-    """Mean force of both plates at each record, positive in compression [N], (k,)."""
-    return 0.5 * (history["far"][:, 0] - history["near"][:, 0])
+def _plates(ball: BallSpecimen, speed: float, begin: float, friction: float) -> list[PlaneWall]:
+    """Create both plates, which touch the outermost elements at x_min and x_max and approach at 2 · speed [m/s].
 
-
-def _plates(ball: BallSpecimen, speed: float, begin: float, friction: float) -> tuple[PlaneWall, PlaneWall]:
-    """Create both plates, which touch the outermost elements at x_min and x_max and approach at 2 · speed [m/s]."""
-    _, y, z = ball.middle
-    axis = np.array([1.0, 0.0, 0.0])
-    below, above = PlaneWall((-ball.reach(-axis), y, z), (1.0, 0.0, 0.0), friction=friction), ball.reach(axis)
-    return (
-        PlaneWall(below.point, below.normal, Driven(vx=Ramp(0.0, speed, begin)), friction),
-        PlaneWall((above, y, z), (-1.0, 0.0, 0.0), Driven(vx=Ramp(0.0, -speed, begin)), friction),
-    )
+    Each plate reaches its speed at the time `begin` [s] and has a coefficient of `friction` [-].
+    """
+    _, y, z = ball.middle.tolist()
+    return [
+        PlaneWall((side * ball.reach(np.array([side, 0.0, 0.0])), y, z), (-side, 0.0, 0.0),
+                  Driven(vx=Ramp(0.0, -side * speed, begin)), friction)
+        for side in (-1.0, 1.0)
+    ]  # fmt: skip
 
 
 def _expected(model: Model, ball: BallSpecimen) -> tuple[float, float, float]:
     """Estimate the peak force [N], the approach of the plates at the peak [m] and the speed of sound [m/s].
 
-    They set the speed of the plates, the damping and the limits of the test only.
+    These estimates only set the speed of the plates, the damping and the limits of the test.
     """
     found = model.implied_fracture
     assert found is not None
@@ -205,17 +194,17 @@ def _expected(model: Model, ball: BallSpecimen) -> tuple[float, float, float]:
 
 def _read(run: ExplicitResult, ball: BallSpecimen, speed: float, begin: float, fine: float) -> SphereCrushing:
     history = run.history
-    t, force, energy = history.time, _force(history), history.energy
+    t, energy = history.time, history.parts
+    near, far = (history[side][:, 0] for side in ("near", "far"))
+    force = 0.5 * (far - near)  # positive in compression
     top = int(np.argmax(force))
     moved = np.where(t < begin, 0.5 * t**2 / begin, t - 0.5 * begin) * speed
-    both = np.abs(history["far"][: top + 1, 0] + history["near"][: top + 1, 0])
-    kinetic = energy["translation"] + energy["rotation"]
-    elastic = np.sum([energy[name] for name in ("normal", "shear", "bending", "twisting", "contact")], axis=0)
-    peak, stored = (max(float(one[top]), 1e-300) for one in (force, elastic))
+    peak, stored = (max(float(one[top]), 1e-300) for one in (force, energy["elastic"]))
     return SphereCrushing(
         force=float(force[top]), diameter=ball.diameter,
         curve=np.column_stack([moved / ball.diameter, TENSION * force / ball.diameter**2]),
         work=float(energy["work"][-1]), broken=ball.broken(run.state, fine),
-        asymmetry=float(both.max()) / peak, kinetic=float(kinetic[: top + 1].max()) / stored,
+        asymmetry=float(np.abs(far + near)[: top + 1].max()) / peak,
+        kinetic=float(energy["kinetic"][: top + 1].max()) / stored,
         residual=run.residual, run=run,
     )  # fmt: skip

@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 
 from bondem._checks import instance, number, vector
-from bondem._drawing import PlottedState
 from bondem._progress import staged
 from bondem._types import Floats, Triple
 from bondem.boundary.gauges import WallGauge
@@ -21,9 +20,8 @@ from bondem.interactions.contact.contact_law import ContactLaw
 from bondem.interactions.law_catalogue import AnyLaw
 from bondem.labtests.arguments import check
 from bondem.labtests.ball import BallSpecimen, BrokenBall
-from bondem.labtests.recorded_run import run_test
+from bondem.labtests.recorded_run import OfOneRun, run_test
 from bondem.model.model import Model
-from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material, constant
 
@@ -37,7 +35,7 @@ _TOUCH = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class SphereImpact(PlottedState):
+class SphereImpact(OfOneRun):
     """Result of an impact of a ball on a plane.
 
     Attributes:
@@ -76,11 +74,6 @@ class SphereImpact(PlottedState):
         """Force on the plane in time, by name and unit, (k,) each."""
         return {"time [s]": self.time, "force [N]": self.force}
 
-    @property
-    def state(self) -> State:
-        """State of the ball after the impact."""
-        return self.run.state
-
 
 @staged("sphere impact")
 def sphere_impact(
@@ -105,7 +98,7 @@ def sphere_impact(
         law: bond law, cell law or non-local law.
         failure: failure criterion, or criteria by region; None for an elastic ball.
         density: density of the elements, or of the material of cells [kg/m³], or a `bd.Material`.
-        velocity: speed towards the plane, or velocity vector towards it [m/s].
+        velocity: speed towards the plane, or velocity vector towards it, (3,) [m/s].
         wall: fixed plane; None for a plane across x that the ball touches on the side of x_min.
         friction: friction coefficient of the default plane [-].
         contact: contact law of fragments and plane; None for the stiffness of the median bond and a friction of 0.4
@@ -136,8 +129,10 @@ def sphere_impact(
     flight = _velocity(velocity, normal)
     fast = -float(np.dot(flight, normal))
     model = Model(ball, law, density, failure=failure, contact=specimen.contact(contact), walls=[plane])
-    sound = math.sqrt(_modulus(specimen) / _density(specimen))
-    quiet = _QUIET * specimen.diameter / sound
+    # for durations only: Young's modulus of a cubic lattice of equal bonds, and the mean density
+    E = specimen.stiffness / (2.0 * float(np.median(specimen.radius)))
+    rho = 6.0 * specimen.mass / (math.pi * specimen.diameter**3)
+    quiet = _QUIET * specimen.diameter / math.sqrt(E / rho)
     longest = gap / fast + _CONTACTS * math.pi * math.sqrt(specimen.mass / specimen.stiffness) + quiet
 
     state = model.state()
@@ -176,8 +171,7 @@ def _gap(ball: BallSpecimen, plane: PlaneWall) -> float:
     gap = -ball.reach(-normal) - float(np.dot(plane.point, normal))
     if gap < -_TOUCH * ball.diameter:
         raise InputError(
-            f"labtests.sphere_impact: wall is {-gap:.3g} m inside the ball; move it outwards, or leave out"
-            " wall="
+            f"labtests.sphere_impact: wall is {-gap:.3g} m inside the ball; move it outwards, or leave out wall="
         )
     if gap > ball.diameter:
         raise InputError(
@@ -201,15 +195,6 @@ def _velocity(velocity: object, normal: Floats) -> Floats:
     if not float(found @ normal) < 0.0:
         raise InputError(f"{owner}: velocity = {velocity}: points away from the plane; reverse its sign")
     return found
-
-
-def _modulus(ball: BallSpecimen) -> float:
-    """Estimate Young's modulus as that of a cubic lattice of equal bonds [Pa], for durations only."""
-    return ball.stiffness / (2.0 * float(np.median(ball.radius)))
-
-
-def _density(ball: BallSpecimen) -> float:
-    return 6.0 * ball.mass / (math.pi * ball.diameter**3)
 
 
 def _read(run: ExplicitResult, ball: BallSpecimen, flight: Floats, normal: Floats, fine: float) -> SphereImpact:

@@ -23,6 +23,7 @@ from bondem.interactions.law_catalogue import AnyLaw
 from bondem.labtests.bonded_bending import bend_bonded
 from bondem.labtests.bonded_platens import BondedSpecimen, as_cells, is_cells
 from bondem.labtests.cracking import CRACKED, Cracking
+from bondem.labtests.faces import means_on_face
 from bondem.labtests.line_probe import ligament_of
 from bondem.labtests.quasi_static_rig import DENSITY, RunOptions, require_cells, softening_of
 from bondem.model.model import Model
@@ -121,8 +122,8 @@ def three_point_bending(
 
     The deflection is the displacement of the middle of the section at mid-span (above a notch, of the ligament)
     relative to mid-depth over the supports. It excludes the indentation by the rollers. E follows from P / (E b)
-    ((L/D)³/4 + (0.6 + 0.375 ν) L/D - 0.21) (Timoshenko and Goodier §40). The last terms are the shear of beam theory
-    less the local effect of the roller, which is 4 % of the total at L = 3 D and ν = 0.2.
+    ((L/D)³/4 + (0.6 + 0.375 ν) L/D - 0.21) (Timoshenko and Goodier §40). The last terms are the shear of beam theory,
+    0.6 (1 + ν) L/D, less the local effect of the roller. This effect is 4 % of the total at L = 3 D and ν = 0.2.
 
     Bonded spheres have a run over time, between rigid rods along z that touch the outermost spheres; the one above
     mid-span moves. E uses the ν of the bond law, and `cmod` is None.
@@ -215,12 +216,7 @@ def three_point_bending(
 
 
 def _bend_bonded(
-    specimen: BondedSpecimen,
-    *,
-    span: float | None,
-    friction: float,
-    until: float,
-    options: RunOptions,
+    specimen: BondedSpecimen, *, span: float | None, friction: float, until: float, options: RunOptions
 ) -> BendingTest:
     """Bend bonded spheres between rods, over a span [m] or the default, until a share of the peak load [-]."""
     owner = "labtests.three_point_bending"
@@ -317,11 +313,8 @@ class _Beam:
 
     def _region(self, face: str, at: float) -> Region:
         """Select the cells of a face whose mean facet position is within half a strip of the line at x = `at` [m]."""
-        free, on = self.body.elements.require_cells().cells.free, self.body.on_face(face)
-        cell, area, count = free.cell[on], free.area[on], len(self.body.particles)
-        total = np.bincount(cell, weights=area, minlength=count)
-        away = np.bincount(cell, weights=area * (free.centroid[on, 0] - at), minlength=count)
-        chosen = np.flatnonzero((total > 0.0) & (np.abs(away) <= 0.5 * self.strip * total))
+        cells, away = means_on_face(self.body, face, lambda place: place[:, 0] - at)
+        chosen = cells[np.abs(away) <= 0.5 * self.strip]
         if not chosen.size:
             raise InputError(
                 f"labtests.three_point_bending: strip = {self.strip:.4g} m contains no cell at x = {at:.4g} m;"
@@ -349,7 +342,11 @@ class _Beam:
         return Load(region, force=(0.0, force, 0.0), moment=moment)
 
     def gauges(self) -> Mapping[str, tuple[Region, Region]]:
-        """Pairs of regions for gauges: supports with upper roller, at mid-depth with the ligament; notch edges."""
+        """Create pairs of regions by name of the gauge, whose relative displacements are recorded.
+
+        Pairs are each support and the upper roller, mid-depth above each support and the middle of the ligament, and
+        the edges of a notch.
+        """
         region = {name: self._region(face, at) for name, (face, at, _) in self._places().items()}
         x, y = float(self.middle[0]), float(self.middle[1])
         inside = self._about(x, float(self.upper[1]) - 0.5 * self.ligament)

@@ -6,7 +6,6 @@ from pathlib import Path
 
 from bondem._checks import number
 from bondem._progress import staged
-from bondem._types import Floats
 from bondem.damage.failure_assignment import FailureAssignment
 from bondem.interactions.contact.contact_law import ContactLaw
 from bondem.interactions.law_catalogue import AnyLaw
@@ -22,36 +21,18 @@ class TriaxialTest(OfOneTest):
     """Result of a triaxial test.
 
     Attributes:
-        test: result of the compression under the confining pressure.
+        test: result of the compression under the confining pressure. Its curve has the strain of the platens [-] and
+            the axial stress σ1 of rock mechanics [Pa], positive in compression. E of bonded spheres uses the strain
+            in the middle half. The work is that of platens and pressure.
         pressure: confining pressure on the sides, σ3 of rock mechanics, positive [Pa].
     """
 
     pressure: float
 
     @property
-    def peak(self) -> float:
-        """Largest axial stress, σ1 of rock mechanics, positive [Pa]."""
-        return self.test.peak
-
-    @property
     def deviator(self) -> float:
         """Largest deviator stress σ1 - σ3, axial stress less pressure [Pa]."""
-        return self.test.peak - self.pressure
-
-    @property
-    def E(self) -> float:
-        """Slope of stress over strain from 0.1 to 0.5 of the peak [Pa]; for bonded spheres in the middle half."""
-        return self.test.E
-
-    @property
-    def curve(self) -> Floats:
-        """Axial strain of the platens [-] and axial stress σ1 [Pa], positive in compression, (k, 2)."""
-        return self.test.curve
-
-    @property
-    def work(self) -> float:
-        """Work of platens and pressure until the end, per area of the section [J/m²]."""
-        return self.test.work
+        return self.peak - self.pressure
 
 
 @staged("triaxial")
