@@ -14,13 +14,13 @@ from bondem._tables.cell_tables import (
     FacetTractions,
     WallConstraints,
 )
-from bondem._tables.columns import BONDS_OF_PORTION, LogCount
+from bondem._tables.columns import BONDS_OF_PORTION
 from bondem._tables.crack_tables import CellSlack, CrackOnset, StressesOfCells
 from bondem._tables.step_tables import HistoryRows
 from bondem._types import Floats
 from bondem.damage.cohesive_tables import facet_forces, keep_cracks, new_cohesive_cracks, new_crack_lists, yielding_of
 from bondem.damage.crack_columns import FACET
-from bondem.damage.damage_part import CrackJoints, new_event_log
+from bondem.damage.damage_part import CrackJoints, keep_events, new_event_log
 from bondem.damage.failing_state import FailingState, StepTables
 from bondem.damage.softening_table import SofteningTable
 from bondem.damage.stress_onset import OnsetByStress
@@ -212,7 +212,4 @@ class CrackingBody:
         if self.by_stress is not None:
             self.by_stress.passes.check()
         keep_cracks(self.cracks, self.stored, self.state)
-        count = int(self.log.written[LogCount.EVENTS])
-        if count:
-            self.state.broken = np.concatenate([self.state.broken, self.log.event[:count]])
-            self.log.written[:] = 0
+        keep_events(self.log, self.state)

@@ -1,20 +1,12 @@
-"""Coefficients of criteria in the layout of the core, and failure indices of facets under given tractions.
-
-`core/tables/damage_tables.hpp` declares types and shapes.
-"""
+"""Failure indices of facets under given tractions."""
 
 import numpy as np
 
 from bondem._core import run_pass
 from bondem._passes import calls
-from bondem._tables.damage_tables import FailureIndices, LoadedTractions, Strengths
+from bondem._tables.damage_tables import FailureIndices, LoadedTractions
 from bondem._types import PerBond, PerBond3
 from bondem.damage.failure_table import FailureTable
-
-
-def strengths_of(table: FailureTable) -> Strengths:
-    """Return the coefficients of a table in the layout of the core."""
-    return Strengths(np.ascontiguousarray(table.coefficient), np.ascontiguousarray(table.station, dtype=float))
 
 
 def traction_indices(normal: PerBond3, traction: PerBond3, area: PerBond, table: FailureTable) -> PerBond:
@@ -24,5 +16,5 @@ def traction_indices(normal: PerBond3, traction: PerBond3, area: PerBond, table:
     """
     found = np.zeros(len(area))
     loaded = LoadedTractions(normal, traction, area)
-    run_pass(calls.INDEX_TRACTIONS_BY[table.kind](loaded, strengths_of(table), FailureIndices(found)))
+    run_pass(calls.INDEX_TRACTIONS_BY[table.kind](loaded, table.strengths, FailureIndices(found)))
     return found

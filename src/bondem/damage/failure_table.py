@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._tables.damage_tables import Strengths
 from bondem._types import Floats, PerBond
 from bondem.damage.criteria.criterion import COEFFICIENTS, BondCriterion, Criterion, Joint
 from bondem.damage.criteria.mohr_coulomb import MohrCoulomb
@@ -43,12 +44,13 @@ class FailureTable:
     of_force: float
     of_moment: float
 
+    @property
+    def strengths(self) -> Strengths:
+        """Coefficients of the criterion in the layout of the core (`core/tables/damage_tables.hpp`)."""
+        return Strengths(np.ascontiguousarray(self.coefficient), np.ascontiguousarray(self.station, dtype=float))
+
     @classmethod
-    def of(
-        cls,
-        law: Interaction,
-        parts: tuple[FailurePart, ...],
-    ) -> "FailureTable":
+    def of(cls, law: Interaction, parts: tuple[FailurePart, ...]) -> "FailureTable":
         """Return the table of criteria for the bonds of a law.
 
         Args:

@@ -190,15 +190,16 @@ class SofteningTable:
             )[part.bonds]
             strength[own], friction[own] = soft.tension * factor, soft.friction
             plane[own] = part.plane
-            slips = soft.slips if part.plane else ()
+            # ends of softening as tractions: those of an uncracked facet with this slip or opening
+            stiff, slips = cells.k[own] / area[own], soft.slips if part.plane else ()
             for slip in slips:
                 cohesion[own] = slip.cohesion * factor
-                last_slip[own] = _last_slip(cells.k[own] / area[own], cohesion[own], slip.fracture_energy)
+                end = stiff * 2.0 * slip.fracture_energy / cohesion[own]
+                last_slip[own] = np.maximum(end, SNAP * cohesion[own])
             if soft.fracture_energy > 0.0:
                 absorbed[own] = max([soft.fracture_energy, *(slip.fracture_energy for slip in slips)]) * area[own]
-                require_short(facets.span[part.bonds], _modulus(cells, layout.i[own]), soft)
-                # the last opening as a traction: that of an uncracked facet with this opening
-                end = cells.k[own] / area[own] * soft.last * soft.fracture_energy / strength[own]
+                require_short(facets.span[part.bonds], cells.modulus[layout.i[own]], soft)
+                end = stiff * soft.last * soft.fracture_energy / strength[own]
                 last[own] = np.maximum(end, SNAP * strength[own] / soft.steep)
         depth = np.where(layout.flipped, facets.depth_j[order], facets.depth_i[order])
         other = np.where(layout.flipped, facets.depth_i[order], facets.depth_j[order])
@@ -212,22 +213,6 @@ class SofteningTable:
             friction=friction, plane=plane, cohesion=cohesion, last_slip=last_slip,
             yielding=SlipTable.of(body, layout, cells.volume, parts),
         )  # fmt: skip
-
-
-def _last_slip(stiffness: PerBond, cohesion: PerBond, energy: float) -> PerBond:
-    """Return k u / A of facets at the slip that exhausts the cohesion [Pa], (c,).
-
-    Args:
-        stiffness: k / A [Pa/m], (c,).
-        cohesion: cohesion [Pa], (c,).
-        energy: G_II [J/m²]; inf for a constant cohesion.
-    """
-    return np.maximum(stiffness * 2.0 * energy / cohesion, SNAP * cohesion)
-
-
-def _modulus(cells: CellConstants, i: Ints) -> PerBond:
-    """Return Young's modulus of the cells `i` [Pa], (c,)."""
-    return cells.G[i] * (3.0 * cells.lame[i] + 2.0 * cells.G[i]) / (cells.lame[i] + cells.G[i])
 
 
 def require_short(span: PerBond, E: PerBond, softening: Softening) -> None:

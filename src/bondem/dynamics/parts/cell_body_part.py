@@ -8,7 +8,7 @@ from bondem.boundary.conditions import Load
 from bondem.boundary.loads import Pressure, is_face
 from bondem.damage.breakage_part import facet_breakage
 from bondem.damage.crack_part import CrackingBody
-from bondem.damage.damage_part import BondParts, Joints, damage_of
+from bondem.damage.damage_part import BondParts, DamageTables, Joints
 from bondem.dynamics.parts.cell_part import BodyOfCells, cells
 from bondem.dynamics.parts.mass_part import mass_of_waves
 from bondem.dynamics.parts.shared_tables import SharedTables, apart
@@ -37,7 +37,7 @@ def body_of_cells(
         return BondParts(cracking.parts(elastic), Joints.of_cracks(apart(model, state), state, cracking.joints))
     left = constants.damaged(state.integrity, layout.i, layout.j)
     body = BodyOfCells.of(model, left, state, shared, dashpots)
-    damage = damage_of(model.breaking, state, shared.blocks, len(body.facets.i))
+    damage = DamageTables.of(model.breaking, state, shared.blocks, len(body.facets.i))
     forces = cells(shared, model, state, body, damage=damage)
     parts = [forces, *mass_of_waves(model, shared, body)]
     if damage is not None:

@@ -139,6 +139,11 @@ class CellConstants:
             slack=partial(_slack, body, G),
         )  # fmt: skip
 
+    @property
+    def modulus(self) -> PerElement:
+        """Young's modulus of each cell [Pa], (n,)."""
+        return self.G * (3.0 * self.lame + 2.0 * self.G) / (self.lame + self.G)
+
     def stress_of(self, swelling: PerElement) -> PerElement:
         """Return σ_p = ∂U/∂θ_p / V_p of each cell [Pa], (n,), for V θ without the openings of free facets [m³], (n,).
 
