@@ -94,7 +94,7 @@ def _refuse_jumps(model: Model, state: State, before: Sequence[object]) -> None:
             s += 1
             if rate or condition in before:
                 continue
-            elements = constraints.element[constraints.drive_row[constraints.drive_schedule == s]]
+            elements = constraints.element[constraints.drives.row[constraints.drives.schedule == s]]
             _refuse_jump(f"Drive({_DOF[dof]}=)", schedule, state.time, shift[elements, dof], float(slack[dof]))
     for k, wall in enumerate(model.walls):
         if not isinstance(wall.motion, Driven) or wall in before:

@@ -39,7 +39,7 @@ def parts_of(
         contacts = [touching.part()]
         moments = [] if bonds.stresses is None else [touching.moments(bonds.stresses)]
     parts = [
-        boundary(shared),
+        boundary(model.constraints, shared),
         *contacts,
         *bonds.parts,
         *moments,
