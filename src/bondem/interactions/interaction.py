@@ -31,17 +31,18 @@ from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.interactions.beams.bond_strain import BondStrain
 from bondem.interactions.beams.bond_table import BondTable
 from bondem.interactions.energy_parts import EnergyParts
+from bondem.interactions.row_sums import row_sums
 from bondem.interactions.step_part import Part, Passes
 from bondem.interactions.stiffness import Stiffness
 from bondem.interactions.stiffness_product import Product, loads_in, product_by
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.ordering import Layout
 
-#: #: Arrays of a state that belong to a law, by name, with the integrity of its bonds.
+#: Arrays of a state that belong to a law, by name, with the integrity of its bonds.
 Arrays = Mapping[str, np.ndarray]
 #: Boundary conditions of a model.
 Boundary = Sequence[BoundaryCondition]
-#: #: Quantity that a criterion evaluates: forces of beams, tractions of facets, or the mean stress of two elements.
+#: Quantity that a criterion evaluates: forces of beams, tractions of facets, or the mean stress of two elements.
 Evaluated = Literal["force", "traction", "stress"]
 
 
@@ -300,9 +301,7 @@ class Interaction(ABC):
         layout, bonds = self.layout, self.table
         push = bonds.kn * bonds.length * strain * bonds.direction
         load = np.zeros((len(layout.order), 6))
-        for d in range(3):
-            load[:, d] = np.bincount(layout.j, weights=push[d], minlength=len(load))
-            load[:, d] -= np.bincount(layout.i, weights=push[d], minlength=len(load))
+        load[:, :3] = row_sums(layout.j, push.T, len(load)) - row_sums(layout.i, push.T, len(load))
         return load
 
     def swelling_load(self, pressed: PerElement) -> PerElement6:

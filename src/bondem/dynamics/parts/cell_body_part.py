@@ -15,6 +15,7 @@ from bondem.dynamics.parts.shared_tables import SharedTables, apart
 from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_interaction import CellInteraction
 from bondem.interactions.cells.cell_tables import facet_release
+from bondem.interactions.row_sums import row_sums, symmetric_products
 from bondem.model.model import Model
 from bondem.model.state import State
 
@@ -53,10 +54,8 @@ def _pressed_moments(model: Model) -> Floats:
     for condition in model.boundary:
         if isinstance(condition, Load | Pressure) and is_face(condition.region):
             numbers, force = condition.on_facets(model.lattice)
-            cell, moment = free.cell[numbers], np.zeros((len(cells.volume), 6))
+            cell = free.cell[numbers]
             arm = free.centroid[numbers] - cells.centroid[cell]
-            for column, (a, b) in enumerate(((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))):
-                part = 0.5 * (arm[:, a] * force[:, b] + arm[:, b] * force[:, a])
-                moment[:, column] = np.bincount(cell, part, len(moment))
+            moment = row_sums(cell, symmetric_products(arm, force), len(cells.volume))
             found.append(moment[model.layout.order])
     return np.array(found).reshape(len(found), len(cells.volume), 6)

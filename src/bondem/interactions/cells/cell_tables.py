@@ -9,15 +9,12 @@ from bondem._core import run_pass
 from bondem._passes import calls
 from bondem._tables.cell_tables import (
     CellDilatation,
-    CellEnergies,
-    CellPoses,
     DilatationGradients,
     ElasticFacets,
     FacetRelease,
     WallConstraints,
     WallTime,
 )
-from bondem._tables.step_tables import BeamSums
 from bondem._types import Floats, Ints, PerBond
 from bondem.geometry.rotations import turned_vectors
 from bondem.interactions.beams.bond_table import with_twins, with_zeros
@@ -111,25 +108,6 @@ def facet_release(
     )  # fmt: skip
     run_pass(calls.weigh_cells(facets, release))
     return release
-
-
-def load_body(
-    all_cells: CellPoses, facets: ElasticFacets, cells: CellDilatation, gradients: DilatationGradients,
-    walls: WallConstraints, sums: Floats,
-) -> None:  # fmt: skip
-    """Store the stresses of cells in their poses, and add the loads of facets and walls to `sums`, (n, 8)."""
-    run_pass(calls.load_body(all_cells, facets, cells, gradients, walls, BeamSums(facets.i, facets.j, sums)))
-
-
-def body_energies(
-    all_cells: CellPoses, facets: ElasticFacets, cells: CellDilatation, gradients: DilatationGradients,
-    walls: WallConstraints,
-) -> tuple[float, float, float, float]:  # fmt: skip
-    """Return normal (with dilatation), shear, bending and twisting energy of facets, cells and walls [J]."""
-    found = np.empty(4)
-    run_pass(calls.measure_cell_energies(all_cells, facets, cells, gradients, walls, CellEnergies(found)))
-    normal, shear, bending, twisting = found.tolist()
-    return normal, shear, bending, twisting
 
 
 def place_supports(walls: WallConstraints, time: float) -> None:

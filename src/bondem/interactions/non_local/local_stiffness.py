@@ -5,6 +5,7 @@ from scipy.sparse import bsr_array
 
 from bondem._types import Floats
 from bondem.interactions.non_local.non_local_constants import NonLocalConstants
+from bondem.interactions.row_sums import row_sums
 from bondem.specimen.ordering import Layout
 
 
@@ -23,9 +24,7 @@ def local_stiffness(constants: NonLocalConstants, layout: Layout) -> bsr_array:
     diagonal = np.zeros((n, 6, 6))
     for end in range(2):
         own = np.swapaxes(B[end], 1, 2) @ PB[end]
-        for r in range(6):
-            for c in range(6):
-                diagonal[:, r, c] += np.bincount(ends[end], weights=own[:, r, c], minlength=n)
+        diagonal += row_sums(ends[end], own.reshape(m, 36), n).reshape(n, 6, 6)
     beside = np.swapaxes(B[0], 1, 2) @ PB[1]
     row = np.concatenate([np.arange(n), ends[0], ends[1]])
     column = np.concatenate([np.arange(n), ends[1], ends[0]])
