@@ -9,6 +9,7 @@ from bondem._types import Floats, PerElement
 from bondem.damage.crack_columns import FACET, STATUS
 from bondem.damage.damage_part import CrackJoints
 from bondem.damage.failing_state import FailingState
+from bondem.specimen.ordering import starts
 
 
 class CrackedFaces:
@@ -51,11 +52,10 @@ class CrackedFaces:
             portions: number of portions of elements.
         """
         facets, strengths, c = self._joints.facets, self._joints.strengths, len(whole)
-        earlier = np.concatenate([[0], np.cumsum(np.bincount(pairs.first, minlength=len(self._faced)))])
         return FacePairs(
             *self._joints.of_cells, facets.lever_i, facets.lever_j, facets.pitch, facets.normal, facets.j, facets.k,
             strengths.area, self._joints.cracks.listed, strengths.plane, self._open, self._faced, self.outer,
-            earlier.astype(np.int64), np.argsort(pairs.first, kind="stable").astype(np.uint32), chosen, whole,
-            np.zeros(c, dtype=np.uint32), np.zeros((c, 12)), np.zeros(c), exact_sums(),
+            starts(pairs.first, len(self._faced)), np.argsort(pairs.first, kind="stable").astype(np.uint32), chosen,
+            whole, np.zeros(c, dtype=np.uint32), np.zeros((c, 12)), np.zeros(c), exact_sums(),
             np.zeros(portions, dtype=np.int64),
         )  # fmt: skip

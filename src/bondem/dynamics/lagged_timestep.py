@@ -84,10 +84,15 @@ def _of_springs(
     limit = math.inf
     for frequency, delay in motions:
         omega = raised * math.hypot(springs, frequency)
-        zeta = 0.5 * raised**2 * (decay + delay * frequency**2) / omega if omega > 0.0 else 0.0
         if omega > 0.0:
-            limit = min(limit, scheme.critical / omega * (math.sqrt(1.0 + zeta * zeta) - zeta))
+            limit = min(limit, damped_limit(scheme, omega, raised**2 * (decay + delay * frequency**2)))
     return scheme.critical / fastest, limit
+
+
+def damped_limit(scheme: Scheme, omega: float, decay: float) -> float:
+    """Return the critical step of motions of at most the frequency ω [rad/s] and the decay λ of M⁻¹ C [1/s]."""
+    zeta = 0.5 * decay / omega
+    return scheme.critical / omega * (math.sqrt(1.0 + zeta * zeta) - zeta)
 
 
 def _fastest_decay(model: Model, law: LaggedInteraction, kn: PerBond, beta: PerBond, soft: PerBond) -> float:

@@ -10,7 +10,7 @@ from bondem._names import users_line
 from bondem._types import PerBond
 from bondem.dynamics.damping import AnyDamping, DampingTerms
 from bondem.dynamics.dashpot_rate import fastest_decay
-from bondem.dynamics.lagged_timestep import lagged_limits
+from bondem.dynamics.lagged_timestep import damped_limit, lagged_limits
 from bondem.dynamics.schemes import Scheme
 from bondem.errors import StepWarning, UnstableStepError
 from bondem.interactions.lagged_interaction import LaggedInteraction
@@ -73,15 +73,9 @@ def _limits(
         omega = raised * math.hypot(bonds, frequency)
         if omega > 0.0:
             lost = raised**2 * (decay + delay * frequency**2)
-            limit = min(limit, _damped_limit(scheme, omega, lost + raised**2 * damped))
-            free = min(free, _damped_limit(scheme, omega, lost))
+            limit = min(limit, damped_limit(scheme, omega, lost + raised**2 * damped))
+            free = min(free, damped_limit(scheme, omega, lost))
     return limit, free
-
-
-def _damped_limit(scheme: Scheme, omega: float, decay: float) -> float:
-    """Return the critical step of motions of at most the frequency ω [rad/s] and the decay λ of M⁻¹ C [1/s]."""
-    zeta = 0.5 * decay / omega
-    return scheme.critical / omega * (math.sqrt(1.0 + zeta * zeta) - zeta)
 
 
 def _with_broken(model: Model, highest: float) -> tuple[float, float]:

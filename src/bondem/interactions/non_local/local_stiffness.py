@@ -6,7 +6,7 @@ from scipy.sparse import bsr_array
 from bondem._types import Floats
 from bondem.interactions.non_local.non_local_constants import NonLocalConstants
 from bondem.interactions.row_sums import row_sums
-from bondem.specimen.ordering import Layout
+from bondem.specimen.ordering import Layout, starts
 
 
 def local_stiffness(constants: NonLocalConstants, layout: Layout) -> bsr_array:
@@ -30,8 +30,8 @@ def local_stiffness(constants: NonLocalConstants, layout: Layout) -> bsr_array:
     column = np.concatenate([np.arange(n), ends[1], ends[0]])
     blocks = np.concatenate([diagonal, beside, np.swapaxes(beside, 1, 2)])
     order = np.lexsort((column, row))
-    indptr = np.concatenate([[0], np.cumsum(np.bincount(row, minlength=n))]).astype(np.int32)
-    return bsr_array((blocks[order], column[order].astype(np.int32), indptr), shape=(6 * n, 6 * n))
+    indptr, indices = starts(row, n).astype(np.int32), column[order].astype(np.int32)
+    return bsr_array((blocks[order], indices, indptr), shape=(6 * n, 6 * n))
 
 
 def _crossing(lever: Floats) -> Floats:
