@@ -52,18 +52,13 @@ def _changing_strain(model: Model, state: State) -> Strain | None:
         return None
     bond = np.flatnonzero((constraints.strain_part != 0.0).any(axis=0))
     return Strain(
-        schedule=constraints.strain_schedule,
-        bond=bond.astype(np.uint32),
+        schedule=constraints.strain_schedule, bond=bond.astype(np.uint32),
         part=np.ascontiguousarray(constraints.strain_part[:, bond]),
         still=1.0 + (state.eigenstrain[bond] if state.eigenstrain.size else np.zeros(len(bond))),
-        length=plain.length[bond],
-        shear=plain.ks[bond],
-        lever=plain.lever[bond],
-        factor=np.zeros((4, len(constraints.strain_part))),
-        power=exact_sums(len(constraints.strain_part)),
-        due=np.zeros(2, dtype=np.uint8),
-        place=constraints.works[1],
-    )
+        length=plain.length[bond], shear=plain.ks[bond], lever=plain.lever[bond],
+        factor=np.zeros((4, len(constraints.strain_part))), power=exact_sums(len(constraints.strain_part)),
+        due=np.zeros(2, dtype=np.uint8), place=constraints.works[1],
+    )  # fmt: skip
 
 
 def _loads(

@@ -275,9 +275,7 @@ def _materials(body: Lattice, bond: CellAssignment) -> tuple[Floats, Floats, str
         return np.full(n, bond.G), np.full(n, bond.lame), bond.facet_rotation
     G, lame = np.full(n, np.nan), np.full(n, np.nan)
     for where, law in bond.items():
-        if not isinstance(where, Region) and not isinstance(where, tuple):
-            as_region("bond=", where)
-        if not isinstance(where, Region):
+        if isinstance(where, tuple):
             raise InputError("CellBond applies to cells; give {region: law}, not laws between two regions")
         chosen = as_region("bond=", where).select(body)
         G[chosen], lame[chosen] = law.G, law.lame
