@@ -109,7 +109,10 @@ class CrackingBody:
         return [Part({"prepare": self._onset()}), elastic, self._cracks(self.straining()[2])]
 
     def straining(self) -> tuple[Passes, Passes, Passes]:
-        """Return passes of changing strains: those of levers, and those of ∂U/∂factor at the start and per step."""
+        """Return the passes by which strains that change in time act on cracks.
+
+        These change the levers, compute the power of each strain as a run begins, and compute it in each step.
+        """
         body, stretch = self.body, []
         for strains in body.strains:
             whole = strains, body.facets, self.of_cells, body.walls

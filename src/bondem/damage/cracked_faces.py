@@ -20,7 +20,8 @@ class CrackedFaces:
         state: state of the run.
 
     Attributes:
-        outer: reach of the faces of each cell [m], (n,): two cells may touch by faces within the sum of both.
+        outer: reach of the faces of each cell [m], (n,): two cells can touch by faces only if the distance of their
+            centres is less than the sum of both.
     """
 
     def __init__(self, joints: CrackJoints, state: FailingState) -> None:

@@ -1,4 +1,7 @@
-"""Damage pipeline of a run: the common part of beams, facets of cells and bonds of the non-local law."""
+"""Damage pipeline of a run: the passes that find failing bonds, remove them and write events.
+
+Here is what beams, facets of cells and bonds of the non-local law have in common.
+"""
 
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -76,7 +79,7 @@ class DamageTables:
         return self.table.strengths
 
     def part(self, shared: StepTables, judge: Passes, remove: Passes, dashpots: Dashpots | None) -> Part:
-        """Return the part of the pipeline, given the passes that depend on the kind of bonds.
+        """Return the part of a step by which bonds fail, given the passes that depend on the kind of bonds.
 
         Args:
             shared: tables of the run.

@@ -80,7 +80,7 @@ class SlipTable:
         return (cls(cone, strength, slope, dilation, width * fade, near_start, near),)
 
     def spent(self, slipped: PerElement) -> PerElement:
-        """Return the share of its cohesion that each cell has lost by slips (n,) [-], internal order, (n,)."""
+        """Return the share of its cohesion that each cell has lost [-], (n,), by the slips of all cells [-], (n,)."""
         count = np.diff(self.near_start)
         own = np.repeat(np.arange(len(count)), count)
         mean = np.bincount(own, weights=slipped[self.near], minlength=len(count)) / np.maximum(count, 1)
@@ -216,7 +216,9 @@ class SofteningTable:
 
 
 def require_short(span: PerBond, E: PerBond, softening: Softening) -> None:
-    """Reject elements that snap back, because they stretch more at their strength than the first line opens.
+    """Reject elements that snap back, because their stretch at the strength exceeds the opening of a steep crack.
+
+    That opening is where the first line of the softening curve would reach zero.
 
     Args:
         span: lengths across the facets of a material [m], (c,).

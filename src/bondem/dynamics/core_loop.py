@@ -101,7 +101,9 @@ class CoreLoop:
     ) -> tuple[str, list[int]]:
         """Take steps, or record the present state, in one call of the core.
 
-        Returns why the call ended, and counts: steps, records, bonds turned far, and unbroken bonds turned too far.
+        Returns:
+            The reason for the end of the call, and the numbers of steps, of records, of bonds turned far, and of
+            unbroken bonds turned too far.
         """
         state, t, done = self.state, self._tables, np.zeros(4, dtype=np.int64)
         stale = records_present and state.stale
@@ -146,6 +148,9 @@ class CoreLoop:
 
 
 def noticeable(model: Model, dt: float) -> float:
-    """Return the energy that guards ignore [J]: that of negligible motion plus the most that adhesion may release."""
+    """Return the energy below which checks of the energy ignore changes [J].
+
+    This is the energy of negligible motion plus the most that adhesion may release.
+    """
     rest = 0.5 * float(model.mass.sum()) * (_STILL * model.lattice.particles.mean_radius / dt) ** 2
     return rest + model.contact_laws.released(model.contact_radius)

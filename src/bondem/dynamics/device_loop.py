@@ -173,7 +173,10 @@ class DeviceLoop:
         return size
 
     def _stopped(self) -> int | None:
-        """Return the last completed step if an out-of-date list of contacts has halted the launches, else None."""
+        """Return the number of the last completed step if an outdated list of contacts has halted the launches.
+
+        The result is None if the launches continue.
+        """
         span = self._run.span
         self._tables.fetch(span.halted)
         if span.halted[0] == 0:
@@ -202,7 +205,10 @@ class DeviceLoop:
         self.state.time = self._scheme.origin + step * self._scheme.dt
 
     def _guard(self) -> tuple[int, int, int]:
-        """Return the counts of bonds turned too far and lost, and the ending by `judge_energy` (0: sound)."""
+        """Return the number of bonds turned far, the number turned too far, and the verdict on the energy.
+
+        The verdict is FINE, NOT_FINITE or RUNAWAY.
+        """
         _run(self._guarding)
         found = self._ledger.found
         self._tables.fetch(found)
@@ -237,7 +243,7 @@ class _Records:
         self.prepare()
 
     def prepare(self) -> None:
-        """Prepare the launches that write a row, of the present parts."""
+        """Prepare the launches by which the present parts write a row."""
         self.row = self._loop._tables.prepared(self._loop._recording(self._rows))
 
     def finished(self, steps: Sequence[int]) -> np.ndarray:

@@ -28,7 +28,7 @@ class FoundContacts:
     Attributes:
         pairs: pairs of elements.
         whole: distance at which pairs touch as spheres [m], (c,).
-        least: distance at which each pair touches [m], (c,): `whole`, or less where faces brought a pair nearer.
+        least: distance at which each pair touches [m], (c,): `whole`, or the smaller one at which its faces parted.
         faces: faces by which pairs touch, as one number, 0 for none, (c,).
         own: normal stiffness of the pairs of bonds, or 0 [N/m], (c,).
         of_bond: place of the pair of each bond in the list, or -1, (m,).
@@ -68,7 +68,8 @@ class ContactSearch:
             contacts: contacts of the model.
             state: state with the pose of the elements.
             joints: `Joints.integrity` and `Joints.apart` of the damage pipeline; passes write both arrays.
-            outer: reach of the faces of each cell [m], (n,): cells may touch by faces within their sum; None without.
+            outer: reach of the faces of each cell [m], (n,): two cells can touch by faces only if their centres are
+                closer than the sum of both. None if cells do not touch by faces.
         """
         self._size = contacts.radius if outer is None else np.maximum(contacts.radius, outer)
         self._contacts = contacts

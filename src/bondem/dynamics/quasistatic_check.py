@@ -82,7 +82,7 @@ def _force_gauges(plan: Plan) -> list[str]:
 def _share_of_a_step(model: Model) -> float:
     """Return the mean diameter of an element over the largest extent of the specimen [-].
 
-    A wave passes less than one element per step, so that this bounds its way per step.
+    A wave passes less than one element per step, so that this share of the extent bounds its travel per step.
     """
     lower, upper = model.lattice.particles.envelope.bounds
     extent = float(np.max(np.asarray(upper) - np.asarray(lower)))

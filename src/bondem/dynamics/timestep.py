@@ -37,10 +37,11 @@ def critical_step(
 ) -> float:
     """Return the largest stable time step of a scheme on a model [s]; infinite without bonds and contacts.
 
-    The step also holds for contacts that form later, because every element counts with the largest number of contacts
-    that it can have. Local damping multiplies a decelerating force by 1 + γ, and with it the effective stiffness and
-    dashpots. Dashpots multiply the step by √(1 + ζ²) - ζ, with 2 ζ ω the largest eigenvalue of M⁻¹ C. Mass damping
-    and absorbing boundaries do not. Trial steps find that of a law that lags (`bondem.dynamics.lagged_timestep`).
+    The step is also stable for contacts that form later, because every element is assumed to have as many contacts as
+    possible. Local damping multiplies a decelerating force by 1 + γ, and so the effective stiffness and dashpots.
+    Dashpots multiply the step by √(1 + ζ²) - ζ, with 2 ζ ω the largest eigenvalue of M⁻¹ C. Mass damping and
+    absorbing boundaries do not change it. That of a law that lags follows from trials
+    (`bondem.dynamics.lagged_timestep`).
 
     Args:
         model: model that will move.
@@ -79,10 +80,10 @@ def _limits(
 
 
 def _with_broken(model: Model, highest: float) -> tuple[float, float]:
-    """Return ω_max [rad/s] and a bound of M⁻¹ C of contacts [1/s] that hold whichever bonds are broken.
+    """Return bounds of ω_max [rad/s] and of M⁻¹ C of contacts [1/s], valid whichever bonds are broken.
 
-    A contact of a broken bond is at most as stiff as the bond along the normal; across, the stiffer of both counts.
-    Its lever arms are assumed to be those of the bond.
+    `highest` is ω_max of the intact bonds. A contact of a broken bond is at most as stiff as the bond along the
+    normal. Across it the stiffer of both determines the bound, with the lever arms of the bond.
     """
     contacts = model.contacts
     if contacts.own is None or not len(contacts.own):

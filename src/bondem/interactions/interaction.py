@@ -216,7 +216,10 @@ class Interaction(ABC):
         return Supports.none()
 
     def strained(self, strain: PerBond, base: Floats, motion: Floats, pressed: PerElement) -> Self:
-        """Return the law with strains ε* [-], (m,), or (0,) for none, and a `SurfaceState`, in internal order."""
+        """Return the law with strains ε* [-], (m,), or (0,) for none, and the arrays of a `SurfaceState`.
+
+        All are in internal order.
+        """
         twin = copy(self)
         twin.__dict__["table"] = self.table.stretched(strain)
         return twin
@@ -305,7 +308,10 @@ class Interaction(ABC):
         return load
 
     def swelling_load(self, pressed: PerElement) -> PerElement6:
-        """Return forces on elements at rest with volume changes V θ [m³], (n,): [N, N·m], user's order, (n, 6)."""
+        """Return forces and torques on elements at rest [N, N·m], (n, 6), by volume changes V θ `pressed` [m³], (n,).
+
+        Both are in user's order.
+        """
         return np.zeros((len(pressed), 6))
 
     def of_walls(
@@ -367,7 +373,10 @@ class Interaction(ABC):
         return product_by(len(pose), lambda by: calls.multiply_beams(Poses(pose), by, beams))
 
     def gradient(self, pose: Floats) -> tuple[PerElement6, PerElement6]:
-        """Return the energy of intact bonds derived by displacements and spins, and wall loads [N, N·m], (n, 6)."""
+        """Return the derivative of the energy of intact bonds by displacements and spins, and the loads of walls.
+
+        Both are in N and N·m, (n, 6), internal order.
+        """
         beams, sums = self._beams(np.zeros(0), np.ones(len(self.layout.i))), lines(len(pose))
         load_beams(pose, beams, BeamSums(beams.i, beams.j, sums))
         return -loads_in(sums), np.zeros((len(pose), 6))

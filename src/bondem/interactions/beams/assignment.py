@@ -28,6 +28,7 @@ def bond_stiffness(lattice: Lattice, bond: BondAssignment | None) -> tuple[BondS
 
     Raises:
         InputError: A bond follows no law, an entry is no bond law, a key is no region, or formulations differ.
+        EmptyRegionError: A region has no elements.
     """
     if bond is None:
         if len(lattice.pairs):

@@ -206,7 +206,7 @@ class CellConstants:
         return _rows(self.bend[NINE]).reshape(-1, 3, 3)
 
     def stretched(self, strain: PerBond, layout: Layout) -> "CellConstants":
-        """Return the constants with levers longer by stress-free strains ε*; see `strain`.
+        """Return the constants with levers multiplied by 1 + ε* of stress-free strains ε*.
 
         The levers to walls grow by the mean strain of the facets of their cell.
 

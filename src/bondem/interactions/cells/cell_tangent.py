@@ -54,7 +54,10 @@ class BodyTables:
     def of(
         cls, law: "CellsAtAnyPose", constants: CellConstants, integrity: PerBond, surface: SurfaceState | None = None
     ) -> "BodyTables":
-        """Return the tables of a body with facets of a given integrity [-], (m,); `surface` is that of `energy`."""
+        """Return the tables of a body with facets of a given integrity [-], (m,).
+
+        Walls and tractions on facets are those of `surface`, or of the constants if it is None.
+        """
         layout = law.layout
         base, motion, pressed = surface or (None, constants.supports.motion, constants.pressed)
         walls = constants.supports.table(layout, np.zeros(len(layout.order), dtype=np.int64), base)
