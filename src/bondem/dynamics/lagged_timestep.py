@@ -111,8 +111,8 @@ def _fastest_decay(model: Model, law: LaggedInteraction, kn: PerBond, beta: PerB
 def growth(model: Model, law: LaggedInteraction, dt: float, terms: DampingTerms) -> float:
     """Return the growth of small motions in trial steps [-], the ratio of two values of Σ m v².
 
-    They are the largest ones in the last and in the second quarter of the steps. The result is infinite if the motions overflow. Local and bond damping act. The motions start from a fixed random
-    field, and no element is constrained.
+    They are the largest ones in the last and in the second quarter of the steps. The ratio is infinite if the motions
+    overflow. Local and bond damping act. The motions start from a fixed random field, and no element is constrained.
     """
     weight = np.repeat(np.column_stack([model.mass, model.inertia]), 3, axis=1)
     speed = np.random.default_rng(0).standard_normal(weight.shape) / np.sqrt(weight)
