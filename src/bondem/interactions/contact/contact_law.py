@@ -243,19 +243,16 @@ class LinearContact(ContactLaw):
 
     @property
     def parameters(self) -> Floats:
-        """Parameters of the law that the compiled core reads; see `ContactLaw.parameters`."""
         own = [self.E, 1.0 / self.kappa, self.friction, self.damping, self.rolling, self.twisting, 0.0]
         return np.array([*own, *numbers_of(self.adhesion)])
 
     def stiffest(self, radius: Floats, mass: Floats, platens: Floats) -> tuple[tuple[float, float], ...]:
-        """Return bounds of the fastest motions of spheres in contact; arguments as for `ContactLaw.stiffest`."""
         kn = 0.5 * math.pi * self.E * radius
         delay = 2.0 * self.damping * float(np.sqrt(0.5 * mass / kn).max())
         return fastest(kn, self.kappa, delay, mass, platens, rough=self.friction > 0.0, rolls=self.rolls)
 
     @property
     def deepest(self) -> float:
-        """Overlap over the smaller radius up to which the law describes a contact [-]."""
         return _DEEPEST
 
     def shortest(self, radius: Floats, mass: Floats, platens: Floats, *, walled: bool) -> float:
