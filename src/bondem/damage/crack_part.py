@@ -61,7 +61,7 @@ class CrackingBody:
         constants: constants of the cells, internal order.
         layout: internal order of cells and facets.
         state: state of the run; its arrays are shared.
-        shared: tables of all parts.
+        shared: tables that all parts of a step use.
         dt: time step [s].
         touches: True if cells touch after their facets have parted.
         pressed: contributions of loads on free facets to V σ at full load [J], (l, n, 6).

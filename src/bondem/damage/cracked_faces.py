@@ -50,7 +50,7 @@ class CrackedFaces:
             pairs: pairs of cells that may touch.
             chosen: code of the faces by which each pair touches, a column of `State.stretch`, (c,).
             whole: distance at which pairs touch as spheres [m], (c,).
-            portions: number of portions of elements.
+            portions: number of groups of ELEMENTS_OF_PORTION elements.
         """
         facets, strengths, c = self._joints.facets, self._joints.strengths, len(whole)
         return FacePairs(

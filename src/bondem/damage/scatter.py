@@ -59,7 +59,11 @@ class Weibull:
     def factors(
         self, volume: PerBond, place: PerBond3 | None = None, period: Floats | None = None, body: float | None = None
     ) -> PerBond:
-        """Return the strength of each bond over s₀ [-], user's order, (m,); see `Criterion.factors`."""
+        """Return the strength of each bond over s₀ [-], user's order, (m,), for the arguments of `Criterion.factors`.
+
+        Raises:
+            InputError: Strengths are correlated, and no places are given.
+        """
         if self.correlation is None:
             rate = -np.log(uniform_by_counter(self.seed, len(volume))) / volume
         else:
@@ -98,7 +102,11 @@ class Normal:
     def factors(
         self, volume: PerBond, place: PerBond3 | None = None, period: Floats | None = None, body: float | None = None
     ) -> PerBond:
-        """Return the strength of each bond over s₀ [-], user's order, (m,); see `Criterion.factors`."""
+        """Return the strength of each bond over s₀ [-], user's order, (m,), for the arguments of `Criterion.factors`.
+
+        Raises:
+            InputError: Strengths are correlated, and no places are given.
+        """
         low = 0.5 * math.erfc(3.0 / math.sqrt(2.0))
         if self.correlation is None:
             u = uniform_by_counter(self.seed, len(volume))

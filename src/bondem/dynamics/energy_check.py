@@ -50,7 +50,9 @@ class EnergyCheck:
         self.remark = ""
 
     def examine(self, records: Floats) -> str:
-        """Examine further records; return a text about a balance beyond the second limit, else an empty text.
+        """Examine further records, (s, columns), and return a text about a balance beyond the second limit.
+
+        The text is empty for a balance within this limit.
 
         Warns:
             ImbalanceWarning: The balance is beyond the first limit, but not the second; given once.

@@ -17,7 +17,9 @@ _ENERGIES = (*STORED_ENERGIES, "work", "loss", "friction", "non-local work", "re
 
 @dataclass(frozen=True, eq=False)
 class History:
-    """Records of a run over time; `history["name"]` returns the records of a gauge, (s, 3).
+    """Records of a run over time.
+
+    `history["name"]` returns the records of a gauge, (s, 3). An unknown name raises InputError.
 
     Attributes:
         records: columns time [s], fourteen energies [J], three components per gauge, shape (s, 15 + 3 g). The last

@@ -42,7 +42,7 @@ class Plan:
         scheme: time integration scheme.
         damping: damping of elements or bonds, one kind or several in a tuple, or None.
         gauges: quantities to record, by name.
-        every: steps between records; a further record is that of the end of the run; 0 for none.
+        every: steps between records, 0 for none; the end of the run is recorded, too.
         save_every: steps between checkpoints; 0 for the last one only.
         snapshot_every: steps between snapshots for ParaView; 0 for none.
         until: one event or several that end the run.

@@ -138,7 +138,9 @@ def choose_step(
     safety: float,
     damping: AnyDamping | tuple[AnyDamping, ...] | None = None,
 ) -> Step:
-    """Return the given step after a check, or for None `safety` times the critical one, less for short collisions.
+    """Return a time step: the given dt [s] after a check, or a chosen one if dt is None.
+
+    The chosen step is the share `safety` [-] of the critical one, or less to resolve short collisions.
 
     Raises:
         UnstableStepError: dt is not positive or exceeds the critical step, or the lattice has no stiffness.

@@ -216,10 +216,7 @@ class Interaction(ABC):
         return Supports.none()
 
     def strained(self, strain: PerBond, base: Floats, motion: Floats, pressed: PerElement) -> Self:
-        """Return the law with strains ε* [-], (m,), or (0,) for none, and the arrays of a `SurfaceState`.
-
-        All are in internal order.
-        """
+        """Return the law with strains ε* [-], (m,) or (0,), and the arrays of a `SurfaceState`, in internal order."""
         twin = copy(self)
         twin.__dict__["table"] = self.table.stretched(strain)
         return twin
@@ -308,10 +305,7 @@ class Interaction(ABC):
         return load
 
     def swelling_load(self, pressed: PerElement) -> PerElement6:
-        """Return forces and torques on elements at rest [N, N·m], (n, 6), by volume changes V θ `pressed` [m³], (n,).
-
-        Both are in user's order.
-        """
+        """Return loads on elements at rest [N, N·m], (n, 6), by volume changes V θ [m³], (n,); user's order."""
         return np.zeros((len(pressed), 6))
 
     def of_walls(

@@ -11,7 +11,7 @@ _A, _B = [0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]
 
 
 def row_sums(owner: Ints | Uint32s, rows: Floats, n: int) -> Floats:
-    """Return the sum of the rows (k, c) of each of n owners, (n, c), in the order of the rows."""
+    """Return the sums of rows (k, c) by owner, (n, c); `owner` is the number of the owner of each row, (k,)."""
     return np.stack([np.bincount(owner, weights=column, minlength=n) for column in rows.T], axis=1).astype(float)
 
 
