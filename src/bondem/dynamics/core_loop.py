@@ -62,16 +62,9 @@ class CoreLoop:
     def _make_lists(self) -> None:
         """Compose the lists of passes of the present parts."""
         self._compose = Composer(self._lasting)
-        self._lists = StepPasses(
-            present=self._list("present"),
-            opening=self._list("opening"),
-            travel=self._list("travel"),
-            forces=self._list(*FORCES),
-            resume=self._list("resume"),
-            reopening=self._list("reopening"),
-            guard=self._list("guard"),
-            record=self._compose([]),
-        )
+        stages = ("present", "opening", "travel", "resume", "reopening", "guard")
+        lists = {stage: self._list(stage) for stage in stages}
+        self._lists = StepPasses(**lists, forces=self._list(*FORCES), record=self._compose([]))
 
     def _begin(self) -> None:
         """Call the passes of the stage "begin" once, at the time of the state."""

@@ -23,8 +23,7 @@ from bondem._tables.device_tables import EarlierPairs, RowOrder
 from bondem.boundary.wall_rows import no_rows
 from bondem.dynamics.on_device import counts
 from bondem.dynamics.on_device.breakage_counterparts import MARKS
-from bondem.dynamics.on_device.device_tables import new_row_order
-from bondem.dynamics.on_device.translation import Counterpart, Made, Translation, in_order, over
+from bondem.dynamics.on_device.translation import Counterpart, Made, Translation, in_order, new_row_order, over
 from bondem.interactions.step_part import Passes
 
 

@@ -6,8 +6,7 @@ from bondem._passes import kernels
 from bondem._tables.cell_tables import FacetForces, WallConstraints
 from bondem._tables.device_tables import FacetArms, RowOrder
 from bondem.dynamics.on_device import counts
-from bondem.dynamics.on_device.device_tables import new_row_order
-from bondem.dynamics.on_device.translation import Counterpart, Made, Translation, in_order, over
+from bondem.dynamics.on_device.translation import Counterpart, Made, Translation, in_order, new_row_order, over
 
 
 def _arms(run: Translation, stored: FacetForces) -> FacetArms:

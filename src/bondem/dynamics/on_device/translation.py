@@ -12,8 +12,8 @@ from bondem._passes import Kernel
 from bondem._tables.damage_tables import EventLog
 from bondem._tables.device_tables import BondsOfElements, DeviceSpan, LoadsOfBonds, RowOrder
 from bondem._tables.step_tables import Ledger, StepBlocks
-from bondem.dynamics.on_device.device_tables import new_row_order
-from bondem.specimen.ordering import Layout
+from bondem._types import Ints, Uint32s
+from bondem.specimen.ordering import Layout, starts
 
 _T = TypeVar("_T")
 
@@ -83,6 +83,11 @@ class Translation:
     def order_of(self, row: np.ndarray) -> RowOrder:
         """Return the order of loads and walls that act on rows of the boundary."""
         return self.once(row, lambda: new_row_order(row, self._rows))
+
+
+def new_row_order(row: Ints | Uint32s, rows: int) -> RowOrder:
+    """Return the loads or walls sorted by the row on which each acts, given these rows and their number."""
+    return RowOrder(starts(row, rows), np.argsort(row, kind="stable").astype(np.int64))
 
 
 #: Function that returns a pass over an index, given its tables (`bondem._passes.kernels`).

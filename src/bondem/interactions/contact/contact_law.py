@@ -167,12 +167,7 @@ def passage(
 ) -> float:  # fmt: skip
     """Return the least duration π √(m̄ D / F_c) of motion within the reach D of adhesion [s]; inf without adhesion.
 
-    Args:
-        adhesion: adhesion of the law.
-        radius: radii of the spheres [m], (n,).
-        mass: masses of the spheres [kg], (n,).
-        platens: masses of the walls that a force moves [kg], (s,).
-        walled: True if there are walls.
+    Further arguments are those of `ContactLaw.shortest`.
     """
     if adhesion is None:
         return math.inf
