@@ -216,9 +216,10 @@ class SofteningTable:
 
 
 def require_short(span: PerBond, E: PerBond, softening: Softening) -> None:
-    """Reject elements that snap back, because their stretch at the strength exceeds the opening of a steep crack.
+    """Reject elements that snap back, because they release more energy than their crack absorbs at first.
 
-    That opening is where the first line of the softening curve would reach zero.
+    They stretch more at their strength than up to the opening at which the first line of the softening curve would
+    reach zero.
 
     Args:
         span: lengths across the facets of a material [m], (c,).

@@ -168,8 +168,7 @@ def _tractions(model: Model) -> tuple[FacetTractions, ...]:
     count = len(constraints.press_schedule)
     if count == 0:
         return ()
-    schedule, forces = constraints.press_schedule, np.zeros((2, count))
-    return (FacetTractions(constraints.press_value, schedule, *forces),)
+    return (FacetTractions(constraints.press_value, constraints.press_schedule, np.zeros(count), np.zeros(count)),)
 
 
 def _strains(model: Model, state: State) -> tuple[CellStrains, ...]:
