@@ -7,13 +7,12 @@ import pytest
 
 import bondem as bd
 from bondem._cache_lines import lines
-from bondem._tables.cell_tables import CellPoses
 from bondem.dynamics import core_loop
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.explicit import ExplicitResult, integrate
 from bondem.dynamics.plan import Plan
 from bondem.dynamics.timestep import critical_step
-from bondem.interactions.cells.cell_tables import STRESS, body_energies
+from bondem.interactions.cells.cell_tables import STRESS
 from bondem.interactions.cells.cell_tangent import BodyTables
 from bondem.model.state import State
 from tests.bits import assert_same_bits
@@ -91,9 +90,7 @@ def test_threads_and_pauses_change_no_bit(monkeypatch):
 
 
 def energy_at(tables: BodyTables, state: State, pose: np.ndarray) -> float:
-    return sum(
-        body_energies(CellPoses(pose, state.rest), tables.facets, tables.cells, tables.gradients, tables.walls)
-    )
+    return tables.energies(pose, state.rest).total
 
 
 def test_forces_are_the_gradient_of_the_energy():

@@ -32,8 +32,8 @@ from bondem.boundary.wall_rows import no_rows, wall_rows
 from bondem.dynamics import core_loop
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.device_loop import DeviceLoop
+from bondem.dynamics.parts.shared_tables import new_ledger
 from bondem.dynamics.plan import Plan
-from bondem.dynamics.step_tables import new_ledger
 from bondem.interactions.step_part import Passes
 from tests.core.tables import SOURCE
 from tests.core.test_device import Backwards

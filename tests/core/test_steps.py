@@ -10,8 +10,8 @@ from bondem._tables.step_tables import Moving, Rows
 from bondem.dynamics import core_loop
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.explicit import integrate
+from bondem.dynamics.parts.shared_tables import new_ledger
 from bondem.dynamics.plan import Plan
-from bondem.dynamics.step_tables import new_ledger
 from bondem.dynamics.timestep import critical_step
 from bondem.errors import InputError
 from bondem.model.state import State

@@ -43,7 +43,7 @@ def cone_index(stress: np.ndarray, slope: float, strength: float, pulled: float)
 )
 def test_criteria_of_the_core_are_closed_forms(name, parameters, index):
     some = stresses(50)
-    found = StressPasses.of_core(name, parameters).indices(some)
+    found = StressPasses.of(name, parameters).indices(some)
     np.testing.assert_allclose(found, index(some, *parameters), rtol=1e-14, atol=1e-15)
     if name == "cone" and parameters[2]:
         assert (found[np.trace(some, axis1=1, axis2=2) <= 0.0] == 0.0).all()
@@ -57,7 +57,7 @@ def test_a_function_of_python_sees_all_stresses_at_once():
         return largest(stress, tension)
 
     some = stresses(40)
-    found = StressPasses.of_function(watched, (2e6,)).indices(some)
+    found = StressPasses.of(watched, (2e6,)).indices(some)
     np.testing.assert_array_equal(found, largest(some, 2e6))
     assert calls == [(40, 3, 3)]
 
@@ -74,7 +74,7 @@ def test_a_c_function_is_called_by_its_address():
     some = stresses(10)
     address = ctypes.cast(trace, ctypes.c_void_p).value
     assert address is not None
-    found = StressPasses.of_function(address, (3.0,)).indices(some)
+    found = StressPasses.of(address, (3.0,)).indices(some)
     np.testing.assert_allclose(found, np.trace(some, axis1=1, axis2=2) / 3.0, rtol=1e-14)
     own = bd.StressCriterion(address, scale=3.0)
     assert own.parameters == {"scale": 3.0}
@@ -86,7 +86,7 @@ def test_errors_of_a_function_are_raised_once():
     def wrong(stress: np.ndarray) -> np.ndarray:
         raise ZeroDivisionError(f"{len(stress)} stresses")
 
-    passes = StressPasses.of_function(wrong, ())
+    passes = StressPasses.of(wrong, ())
     with pytest.raises(ZeroDivisionError, match="3 stresses"):
         passes.indices(stresses(3))
     passes.check()
@@ -94,7 +94,7 @@ def test_errors_of_a_function_are_raised_once():
 
 def test_a_function_of_another_shape_is_an_error():
     with pytest.raises(ValueError, match="broadcast"):
-        StressPasses.of_function(lambda stress: stress[:2, 0, 0], ()).indices(stresses(3))
+        StressPasses.of(lambda stress: stress[:2, 0, 0], ()).indices(stresses(3))
 
 
 def test_candidates_of_portions_are_moved_together():
@@ -111,7 +111,7 @@ def test_candidates_of_portions_are_moved_together():
         return stress[:, 0, 0]
 
     composer = Composer()
-    passes = StressPasses.of_function(index, ())
+    passes = StressPasses.of(index, ())
     entries = composer([passes.step_pass(candidates)])
     call_once(entries[0])
     assert calls == [4]

@@ -1,4 +1,4 @@
-"""Energies that softening beams absorb, internal order."""
+"""Energies that beams absorb as they soften."""
 
 from dataclasses import dataclass
 
@@ -17,7 +17,7 @@ from bondem.specimen.ordering import Layout
 
 @dataclass(frozen=True, eq=False)
 class BeamSoftening:
-    """Energies that beams absorb as they soften; internal order.
+    """Energies that beams absorb as they soften, in internal order.
 
     Attributes:
         tear: G_f A of opening [J], (m,).
@@ -79,7 +79,8 @@ class BeamSoftening:
 def _check_lengths(joint: Joint, criterion: BondCriterion, at_contact: bool) -> None:
     """Reject bonds that snap back, because they store more than their fracture energy at their strength.
 
-    In tension such bonds are longer than 2 E G_f / f_t². In shear they store Q² / 2 ks > G_II A. The median counts.
+    In tension such bonds are longer than 2 E G_f / f_t². In shear they store Q² / 2 ks > G_II A. The medians over the
+    bonds are compared.
     """
     assert criterion.energies is not None
     if not len(joint.length):

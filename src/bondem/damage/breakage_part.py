@@ -8,7 +8,6 @@ from bondem._tables.damage_tables import BeamIntegrity
 from bondem._tables.step_tables import Beams, Dashpots, UniformBeams
 from bondem.damage.damage_part import DamageTables
 from bondem.damage.failing_state import FailingState, StepTables
-from bondem.damage.failure_passes import strengths_of
 from bondem.interactions.step_part import Part, Passes
 
 
@@ -24,8 +23,7 @@ def breakage(
     moving, candidates, postponed = shared.moving, damage.candidates, damage.postponed
     per_length = np.zeros(0) if uniform is None else uniform.per_length
     integrity = BeamIntegrity(beams.integrity, per_length)
-    strengths = strengths_of(damage.table)
-    judge = [steps.JUDGE_BEAMS_BY[damage.table.kind](moving, beams, strengths, candidates, postponed)]
+    judge = [steps.JUDGE_BEAMS_BY[damage.table.kind](moving, beams, damage.strengths, candidates, postponed)]
     remove: Passes = []
     if dashpots is not None:
         remove.append(steps.withdraw_dashpots(moving, beams, dashpots, candidates, postponed))
@@ -45,13 +43,11 @@ def facet_breakage(
 ) -> Part:
     """Return the part by which facets break at once; `dashed` are dashpots with the beams that they act on."""
     moving, candidates, postponed = shared.moving, damage.candidates, damage.postponed
-    strengths = strengths_of(damage.table)
-    judge = steps.JUDGE_FACETS_BY[damage.table.kind](moving, facets, release, strengths, candidates, postponed)
+    by_kind = steps.JUDGE_FACETS_BY[damage.table.kind]
+    judge = by_kind(moving, facets, release, damage.strengths, candidates, postponed)
     exchanged = moving, facets, walls, release, candidates
-    remove: Passes = []
-    for dashpots, beams in dashed:
-        remove.append(steps.withdraw_dashpots(moving, beams, dashpots, candidates, postponed))
-    remove += [
+    remove: Passes = [
+        *(steps.withdraw_dashpots(moving, beams, dashpots, candidates, postponed) for dashpots, beams in dashed),
         steps.withdraw_facets(*exchanged, postponed),
         steps.break_facets(*exchanged, damage.log),
         steps.restore_facets(*exchanged, postponed),

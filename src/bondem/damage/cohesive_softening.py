@@ -86,9 +86,7 @@ class StressIndex:
     @property
     def passes(self) -> StressPasses:
         """Passes of the core that evaluate the criterion."""
-        if isinstance(self.function, str):
-            return StressPasses.of_core(self.function, self.values)
-        return StressPasses.of_function(self.function, self.values)
+        return StressPasses.of(self.function, self.values)
 
     def reached(self, directions: Floats) -> Floats:
         """Return the factors by which stresses (d, 3, 3) reach the criterion, with a relative error of 1e-6, (d,).

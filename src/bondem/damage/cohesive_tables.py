@@ -7,23 +7,7 @@ from bondem._tables.cell_tables import ElasticFacets, FacetForces, WallConstrain
 from bondem._tables.columns import CrackNumber, CrackStatus, PlasticColumn
 from bondem._tables.crack_tables import CohesiveCracks, CrackLists, YieldingCells
 from bondem._types import Floats
-from bondem.damage.crack_columns import (
-    AXES,
-    BEFORE,
-    CRACK_COLUMNS,
-    FACET,
-    FRESH,
-    KIND,
-    LEFT,
-    ONSET,
-    ONSET_STEP,
-    RATE,
-    RUB,
-    SLIP,
-    SPENT,
-    STATUS,
-    TOP,
-)
+from bondem.damage import crack_columns as at
 from bondem.damage.failing_state import FailingState
 from bondem.damage.softening_table import SofteningTable
 from bondem.interactions.beams.bond_table import with_zeros
@@ -46,7 +30,7 @@ def new_cohesive_cracks(state: FailingState, listed: np.ndarray, slide: float) -
         np.zeros((m, 8), np.int32), np.zeros(3),
         np.zeros(m, np.int64), listed, state.integrity, np.array([count, 1], dtype=np.int64), slide,
     )  # fmt: skip
-    facet = state.cracks[:, FACET].astype(np.int64)
+    facet = state.cracks[:, at.FACET].astype(np.int64)
     cracks.order[:count] = facet
     for column, table, of_row in _columns_of_cracks(cracks):
         table[facet, of_row] = state.cracks[:, column]
@@ -60,19 +44,20 @@ def _columns_of_cracks(cracks: CohesiveCracks) -> list[tuple[int | slice, Floats
         return slice(first, first + number)
 
     return [
-        (ONSET, cracks.softening, 7), (columns(AXES, 4), cracks.frame, columns(0, 4)),
-        (columns(LEFT, 4), cracks.frame, columns(4, 4)), (columns(RATE, 4), cracks.past, columns(4, 4)),
-        (columns(BEFORE, 4), cracks.past, columns(0, 4)), (columns(SLIP, 3), cracks.state, columns(0, 3)),
-        (columns(RUB, 3), cracks.state, columns(3, 3)), (STATUS, cracks.history, 0), (SPENT, cracks.history, 1),
-        (TOP, cracks.shape, 7), (FRESH, cracks.state, 6), (KIND, cracks.state, 7), (ONSET_STEP, cracks.history, 6),
+        (columns(at.AXES, 4), cracks.frame, columns(0, 4)), (columns(at.LEFT, 4), cracks.frame, columns(4, 4)),
+        (columns(at.BEFORE, 4), cracks.past, columns(0, 4)), (columns(at.RATE, 4), cracks.past, columns(4, 4)),
+        (columns(at.SLIP, 3), cracks.state, columns(0, 3)), (columns(at.RUB, 3), cracks.state, columns(3, 3)),
+        (at.FRESH, cracks.state, 6), (at.KIND, cracks.state, 7), (at.ONSET, cracks.softening, 7),
+        (at.TOP, cracks.shape, 7), (at.STATUS, cracks.history, 0), (at.SPENT, cracks.history, 1),
+        (at.ONSET_STEP, cracks.history, 6),
     ]  # fmt: skip
 
 
 def keep_cracks(cracks: CohesiveCracks, stored: FacetForces, state: FailingState) -> None:
     """Write the cracks and the forces of facets into a state."""
     facet = cracks.order[: cracks.size[CrackNumber.CRACKS]]
-    state.cracks = np.empty((len(facet), CRACK_COLUMNS))
-    state.cracks[:, FACET] = facet
+    state.cracks = np.empty((len(facet), at.CRACK_COLUMNS))
+    state.cracks[:, at.FACET] = facet
     rows: dict[int, Floats] = {}  # whole rows are copied several times faster than parts of them
     for column, table, of_row in _columns_of_cracks(cracks):
         if id(table) not in rows:
@@ -80,7 +65,7 @@ def keep_cracks(cracks: CohesiveCracks, stored: FacetForces, state: FailingState
         state.cracks[:, column] = rows[id(table)][:, of_row]
     state.facet_force[:] = stored.force[:, : state.facet_force.shape[1]]
     broken = facet[cracks.integrity[facet] == 0.0]
-    active = facet[state.cracks[:, STATUS] == CrackStatus.ACTIVE]
+    active = facet[state.cracks[:, at.STATUS] == CrackStatus.ACTIVE]
     pull = cracks.pull.take(active, axis=0)
     for axis, force in enumerate(state.facet_force):
         force[broken] = 0.0
@@ -108,8 +93,8 @@ def new_crack_lists(n: int, m: int) -> CrackLists:
 def facet_forces(state: FailingState, facets: ElasticFacets, area: Floats, rows: int) -> FacetForces:
     """Return the table of facet forces of a run: those of the state, zero on facets with active cracks."""
     force = with_zeros(state.facet_force).copy()
-    active = state.cracks[:, STATUS] == CrackStatus.ACTIVE
-    force[:, state.cracks[active, FACET].astype(np.int64)] = 0.0
+    active = state.cracks[:, at.STATUS] == CrackStatus.ACTIVE
+    force[:, state.cracks[active, at.FACET].astype(np.int64)] = 0.0
     bends = with_zeros(4.0 * facets.k[: len(area)] / area**2)
     return FacetForces(bends, force, np.zeros((len(state.pose), 7)), lines(rows))
 

@@ -14,13 +14,13 @@ from bondem._tables.cell_tables import (
     FacetTractions,
     WallConstraints,
 )
-from bondem._tables.columns import BONDS_OF_PORTION, LogCount
+from bondem._tables.columns import BONDS_OF_PORTION
 from bondem._tables.crack_tables import CellSlack, CrackOnset, StressesOfCells
 from bondem._tables.step_tables import HistoryRows
 from bondem._types import Floats
 from bondem.damage.cohesive_tables import facet_forces, keep_cracks, new_cohesive_cracks, new_crack_lists, yielding_of
 from bondem.damage.crack_columns import FACET
-from bondem.damage.damage_part import CrackJoints, new_event_log
+from bondem.damage.damage_part import CrackJoints, keep_events, new_event_log
 from bondem.damage.failing_state import FailingState, StepTables
 from bondem.damage.softening_table import SofteningTable
 from bondem.damage.stress_onset import OnsetByStress
@@ -61,7 +61,7 @@ class CrackingBody:
         constants: constants of the cells, internal order.
         layout: internal order of cells and facets.
         state: state of the run; its arrays are shared.
-        shared: tables of all parts.
+        shared: tables that all parts of a step use.
         dt: time step [s].
         touches: True if cells touch after their facets have parted.
         pressed: contributions of loads on free facets to V σ at full load [J], (l, n, 6).
@@ -109,7 +109,10 @@ class CrackingBody:
         return [Part({"prepare": self._onset()}), elastic, self._cracks(self.straining()[2])]
 
     def straining(self) -> tuple[Passes, Passes, Passes]:
-        """Return passes of changing strains: those of levers, and those of ∂U/∂factor at the start and per step."""
+        """Return the passes by which strains that change in time act on cracks.
+
+        These change the levers, compute the power of each strain as a run begins, and compute it in each step.
+        """
         body, stretch = self.body, []
         for strains in body.strains:
             whole = strains, body.facets, self.of_cells, body.walls
@@ -212,7 +215,4 @@ class CrackingBody:
         if self.by_stress is not None:
             self.by_stress.passes.check()
         keep_cracks(self.cracks, self.stored, self.state)
-        count = int(self.log.written[LogCount.EVENTS])
-        if count:
-            self.state.broken = np.concatenate([self.state.broken, self.log.event[:count]])
-            self.log.written[:] = 0
+        keep_events(self.log, self.state)

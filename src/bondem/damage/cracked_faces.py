@@ -9,6 +9,7 @@ from bondem._types import Floats, PerElement
 from bondem.damage.crack_columns import FACET, STATUS
 from bondem.damage.damage_part import CrackJoints
 from bondem.damage.failing_state import FailingState
+from bondem.specimen.ordering import starts
 
 
 class CrackedFaces:
@@ -19,7 +20,8 @@ class CrackedFaces:
         state: state of the run.
 
     Attributes:
-        outer: reach of the faces of each cell [m], (n,): two cells may touch by faces within the sum of both.
+        outer: reach of the faces of each cell [m], (n,): two cells can touch by faces only if the distance of their
+            centres is less than the sum of both.
     """
 
     def __init__(self, joints: CrackJoints, state: FailingState) -> None:
@@ -48,14 +50,13 @@ class CrackedFaces:
             pairs: pairs of cells that may touch.
             chosen: code of the faces by which each pair touches, a column of `State.stretch`, (c,).
             whole: distance at which pairs touch as spheres [m], (c,).
-            portions: number of portions of elements.
+            portions: number of groups of ELEMENTS_OF_PORTION elements.
         """
         facets, strengths, c = self._joints.facets, self._joints.strengths, len(whole)
-        earlier = np.concatenate([[0], np.cumsum(np.bincount(pairs.first, minlength=len(self._faced)))])
         return FacePairs(
             *self._joints.of_cells, facets.lever_i, facets.lever_j, facets.pitch, facets.normal, facets.j, facets.k,
             strengths.area, self._joints.cracks.listed, strengths.plane, self._open, self._faced, self.outer,
-            earlier.astype(np.int64), np.argsort(pairs.first, kind="stable").astype(np.uint32), chosen, whole,
-            np.zeros(c, dtype=np.uint32), np.zeros((c, 12)), np.zeros(c), exact_sums(),
+            starts(pairs.first, len(self._faced)), np.argsort(pairs.first, kind="stable").astype(np.uint32), chosen,
+            whole, np.zeros(c, dtype=np.uint32), np.zeros((c, 12)), np.zeros(c), exact_sums(),
             np.zeros(portions, dtype=np.int64),
         )  # fmt: skip

@@ -1,4 +1,7 @@
-"""Damage pipeline of a run: the common part of beams, facets of cells and bonds of the non-local law."""
+"""Damage pipeline of a run: the passes that find failing bonds, remove them and write events.
+
+Here is what beams, facets of cells and bonds of the non-local law have in common.
+"""
 
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -15,7 +18,6 @@ from bondem._tables.step_tables import Dashpots, LaggedStresses, StepBlocks
 from bondem._types import PerBond
 from bondem.damage.crack_columns import FACET, STATUS, TOP
 from bondem.damage.failing_state import FailingState, StepTables
-from bondem.damage.failure_passes import strengths_of
 from bondem.damage.failure_table import FailureTable
 from bondem.interactions.step_part import Part, Passes
 
@@ -39,15 +41,19 @@ class DamageTables:
     log: EventLog
 
     @classmethod
-    def of(cls, table: FailureTable, state: FailingState, blocks: StepBlocks, filled: int) -> "DamageTables":
-        """Return the tables of a run from a state.
+    def of(
+        cls, table: FailureTable | None, state: FailingState, blocks: StepBlocks, filled: int
+    ) -> "DamageTables | None":
+        """Return the tables of a run from a state, or None if its bonds do not fail.
 
         Args:
-            table: criteria of the bonds.
+            table: criteria of the bonds, or None.
             state: state with the bonds that have failed before.
             blocks: division of a step, with one additional row of sums per element.
             filled: number of bonds, padded to a group of vector lanes.
         """
+        if table is None:
+            return None
         n, m = len(state.pose), len(state.integrity)
         limit = np.full(filled, np.inf, dtype=np.float32)
         limit[:m] = table.limit
@@ -70,10 +76,10 @@ class DamageTables:
     @property
     def strengths(self) -> Strengths:
         """Coefficients of the criteria in the layout of the core."""
-        return strengths_of(self.table)
+        return self.table.strengths
 
     def part(self, shared: StepTables, judge: Passes, remove: Passes, dashpots: Dashpots | None) -> Part:
-        """Return the part of the pipeline, given the passes that depend on the kind of bonds.
+        """Return the part of a step by which bonds fail, given the passes that depend on the kind of bonds.
 
         Args:
             shared: tables of the run.
@@ -96,11 +102,8 @@ class DamageTables:
 
     def keep(self, integrity: np.ndarray, state: FailingState) -> None:
         """Write the events since the last call, if any, and the integrity of bonds, (m,) or longer, into a state."""
-        count = int(self.log.written[LogCount.EVENTS])
-        if count:
-            state.broken = np.concatenate([state.broken, self.log.event[:count]])
+        if keep_events(self.log, state):
             state.integrity[:] = integrity[: len(state.integrity)]
-            self.log.written[:] = 0
 
 
 class CrackJoints(NamedTuple):
@@ -169,8 +172,10 @@ def new_event_log(state: FailingState) -> EventLog:
     return EventLog(room, np.zeros(2, dtype=np.int64), state.released, state.crushed)
 
 
-def damage_of(
-    table: FailureTable | None, state: FailingState, blocks: StepBlocks, filled: int
-) -> DamageTables | None:
-    """Return the tables of the damage pipeline of a run, or None if its bonds do not fail."""
-    return None if table is None else DamageTables.of(table, state, blocks, filled)
+def keep_events(log: EventLog, state: FailingState) -> int:
+    """Move the events of a log to those of a state, and return their number."""
+    count = int(log.written[LogCount.EVENTS])
+    if count:
+        state.broken = np.concatenate([state.broken, log.event[:count]])
+        log.written[:] = 0
+    return count

@@ -95,10 +95,7 @@ def failure_parts(lattice: Lattice, failure: FailureAssignment) -> tuple[Failure
         return (FailurePart(found[0], *whole, plane=_is_plane(found[0], between=False)),)
     of_bond, of_element = np.full(len(i), -1), np.full(len(lattice.particles), -1)
     for number, where in enumerate(failure):
-        first, second = ends_of("failure=", where)
-        a, b = np.zeros((2, len(of_element)), dtype=bool)
-        a[first.select(lattice)] = True
-        b[second.select(lattice)] = True
+        a, b = ends_of("failure=", where, lattice)
         of_bond[(a[i] & b[j]) | (b[i] & a[j])] = number
         if not isinstance(where, tuple):
             of_element[a] = number

@@ -5,7 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._types import Floats, PerBond
+from bondem._core import run_pass
+from bondem._passes import calls
+from bondem._tables.damage_tables import FailureIndices, LoadedTractions, Strengths
+from bondem._types import Floats, PerBond, PerBond3
 from bondem.damage.criteria.criterion import COEFFICIENTS, BondCriterion, Criterion, Joint
 from bondem.damage.criteria.mohr_coulomb import MohrCoulomb
 from bondem.damage.failure_assignment import FailurePart, criteria_of
@@ -43,12 +46,13 @@ class FailureTable:
     of_force: float
     of_moment: float
 
+    @property
+    def strengths(self) -> Strengths:
+        """Coefficients of the criterion in the layout of the core (`core/tables/damage_tables.hpp`)."""
+        return Strengths(np.ascontiguousarray(self.coefficient), np.ascontiguousarray(self.station, dtype=float))
+
     @classmethod
-    def of(
-        cls,
-        law: Interaction,
-        parts: tuple[FailurePart, ...],
-    ) -> "FailureTable":
+    def of(cls, law: Interaction, parts: tuple[FailurePart, ...]) -> "FailureTable":
         """Return the table of criteria for the bonds of a law.
 
         Args:
@@ -105,6 +109,16 @@ class FailureTable:
             kind=_OF_PRINCIPAL, coefficient=np.ascontiguousarray(coefficient[layout.bond_order]), station=-none,
             limit=none, of_force=0.0, of_moment=0.0,
         )  # fmt: skip
+
+    def traction_indices(self, normal: PerBond3, traction: PerBond3, area: PerBond) -> PerBond:
+        """Return the failure index of each facet [-], (m,), which is proportional to its traction.
+
+        Normals [-] and tractions [Pa], (m, 3), and areas [m²], (m,), are in internal order.
+        """
+        found = np.zeros(len(area))
+        loaded = LoadedTractions(normal, traction, area)
+        run_pass(calls.INDEX_TRACTIONS_BY[self.kind](loaded, self.strengths, FailureIndices(found)))
+        return found
 
 
 def joint_of(law: Interaction) -> Joint:

@@ -59,7 +59,11 @@ class Weibull:
     def factors(
         self, volume: PerBond, place: PerBond3 | None = None, period: Floats | None = None, body: float | None = None
     ) -> PerBond:
-        """Return the strength of each bond over s₀ [-], user's order, (m,); see `Criterion.factors`."""
+        """Return the strength of each bond over s₀ [-], user's order, (m,), for the arguments of `Criterion.factors`.
+
+        Raises:
+            InputError: Strengths are correlated, and no places are given.
+        """
         if self.correlation is None:
             rate = -np.log(uniform_by_counter(self.seed, len(volume))) / volume
         else:
@@ -98,24 +102,22 @@ class Normal:
     def factors(
         self, volume: PerBond, place: PerBond3 | None = None, period: Floats | None = None, body: float | None = None
     ) -> PerBond:
-        """Return the strength of each bond over s₀ [-], user's order, (m,); see `Criterion.factors`."""
+        """Return the strength of each bond over s₀ [-], user's order, (m,), for the arguments of `Criterion.factors`.
+
+        Raises:
+            InputError: Strengths are correlated, and no places are given.
+        """
         low = 0.5 * math.erfc(3.0 / math.sqrt(2.0))
-        u = low + (1.0 - 2.0 * low) * _uniform(self.seed, len(volume), self.correlation, place, period)
-        return np.asarray(1.0 + self.deviation * ndtri(u))
+        if self.correlation is None:
+            u = uniform_by_counter(self.seed, len(volume))
+        else:
+            u = np.clip(ndtr(normal_field(self.seed, self.correlation, _needed(place), period)), _EDGE, 1.0 - _EDGE)
+        return np.asarray(1.0 + self.deviation * ndtri(low + (1.0 - 2.0 * low) * u))
 
 
 def _check_length(owner: str, correlation: float | None) -> None:
     if correlation is not None:
         number(owner, "correlation", correlation, unit="m", above=0.0, advice="a length in m, or None")
-
-
-def _uniform(
-    seed: int, many: int, correlation: float | None, place: PerBond3 | None, period: Floats | None
-) -> PerBond:
-    """Return uniform numbers in (0, 1) for bonds, by their number or by their place."""
-    if correlation is None:
-        return uniform_by_counter(seed, many)
-    return np.clip(ndtr(normal_field(seed, correlation, _needed(place), period)), _EDGE, 1.0 - _EDGE)
 
 
 def _needed(place: PerBond3 | None) -> PerBond3:

@@ -10,9 +10,8 @@ from bondem._tables.beam_softening_tables import SofteningBeams, SofteningBounds
 from bondem._tables.columns import BONDS_OF_PORTION, SoftColumn
 from bondem._tables.step_tables import Beams, UniformBeams
 from bondem.damage.beam_softening import BeamSoftening
-from bondem.damage.damage_part import DamageTables
+from bondem.damage.damage_part import DamageTables, keep_events
 from bondem.damage.failing_state import FailingState, StepTables
-from bondem.damage.failure_passes import strengths_of
 from bondem.interactions.step_part import Part
 
 
@@ -53,7 +52,7 @@ class SofteningTables:
             count[q] += 1
         return cls(
             bounds=SofteningBounds(
-                *damage.bounds, *strengths_of(damage.table), energies.tear, energies.shear, beams.integrity,
+                *damage.bounds, *damage.strengths, energies.tear, energies.shear, beams.integrity,
                 np.zeros(0) if uniform is None else uniform.per_length, press, np.zeros((m, 4)),
             ),
             soft=SofteningBeams(
@@ -72,7 +71,7 @@ def softening(
     def keep() -> None:
         state.softened = soft.row[: soft.rows[0]].copy()
         state.integrity[:] = beams.integrity[: len(state.integrity)]
-        damage.keep(beams.integrity, state)
+        keep_events(damage.log, state)
 
     return Part(
         {

@@ -80,7 +80,7 @@ class SlipTable:
         return (cls(cone, strength, slope, dilation, width * fade, near_start, near),)
 
     def spent(self, slipped: PerElement) -> PerElement:
-        """Return the share of its cohesion that each cell has lost by slips (n,) [-], internal order, (n,)."""
+        """Return the share of its cohesion that each cell has lost [-], (n,), by the slips of all cells [-], (n,)."""
         count = np.diff(self.near_start)
         own = np.repeat(np.arange(len(count)), count)
         mean = np.bincount(own, weights=slipped[self.near], minlength=len(count)) / np.maximum(count, 1)
@@ -190,15 +190,16 @@ class SofteningTable:
             )[part.bonds]
             strength[own], friction[own] = soft.tension * factor, soft.friction
             plane[own] = part.plane
-            slips = soft.slips if part.plane else ()
+            # ends of softening as tractions: those of an uncracked facet with this slip or opening
+            stiff, slips = cells.k[own] / area[own], soft.slips if part.plane else ()
             for slip in slips:
                 cohesion[own] = slip.cohesion * factor
-                last_slip[own] = _last_slip(cells.k[own] / area[own], cohesion[own], slip.fracture_energy)
+                end = stiff * 2.0 * slip.fracture_energy / cohesion[own]
+                last_slip[own] = np.maximum(end, SNAP * cohesion[own])
             if soft.fracture_energy > 0.0:
                 absorbed[own] = max([soft.fracture_energy, *(slip.fracture_energy for slip in slips)]) * area[own]
-                require_short(facets.span[part.bonds], _modulus(cells, layout.i[own]), soft)
-                # the last opening as a traction: that of an uncracked facet with this opening
-                end = cells.k[own] / area[own] * soft.last * soft.fracture_energy / strength[own]
+                require_short(facets.span[part.bonds], cells.modulus[layout.i[own]], soft)
+                end = stiff * soft.last * soft.fracture_energy / strength[own]
                 last[own] = np.maximum(end, SNAP * strength[own] / soft.steep)
         depth = np.where(layout.flipped, facets.depth_j[order], facets.depth_i[order])
         other = np.where(layout.flipped, facets.depth_i[order], facets.depth_j[order])
@@ -214,24 +215,11 @@ class SofteningTable:
         )  # fmt: skip
 
 
-def _last_slip(stiffness: PerBond, cohesion: PerBond, energy: float) -> PerBond:
-    """Return k u / A of facets at the slip that exhausts the cohesion [Pa], (c,).
-
-    Args:
-        stiffness: k / A [Pa/m], (c,).
-        cohesion: cohesion [Pa], (c,).
-        energy: G_II [J/m²]; inf for a constant cohesion.
-    """
-    return np.maximum(stiffness * 2.0 * energy / cohesion, SNAP * cohesion)
-
-
-def _modulus(cells: CellConstants, i: Ints) -> PerBond:
-    """Return Young's modulus of the cells `i` [Pa], (c,)."""
-    return cells.G[i] * (3.0 * cells.lame[i] + 2.0 * cells.G[i]) / (cells.lame[i] + cells.G[i])
-
-
 def require_short(span: PerBond, E: PerBond, softening: Softening) -> None:
-    """Reject elements that snap back, because they stretch more at their strength than the first line opens.
+    """Reject elements that snap back, because they release more energy than their crack absorbs at first.
+
+    They stretch more at their strength than up to the opening at which the first line of the softening curve would
+    reach zero.
 
     Args:
         span: lengths across the facets of a material [m], (c,).

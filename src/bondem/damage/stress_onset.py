@@ -37,7 +37,7 @@ class OnsetByStress:
     def of(cls, table: SofteningTable, strengths: FacetStrengths, portions: int) -> "OnsetByStress | None":
         """Return the passes of a body, or None if its criterion is the largest principal stress.
 
-        `portions` is the number of portions of bonds.
+        `portions` is the number of groups of BONDS_OF_PORTION bonds.
         """
         if table.judge is None:
             return None

@@ -45,20 +45,18 @@ class StressPasses:
     callback: StressCallback | None = None
 
     @classmethod
-    def of_core(cls, name: str, parameters: Sequence[float]) -> "StressPasses":
-        """Return the passes of a criterion of the core, by its name in `STRESS_CRITERIA`."""
-        return cls(name, StressFunction(0, np.array(parameters, dtype=float)))
-
-    @classmethod
-    def of_function(cls, function: Callable[..., Any] | int, parameters: Sequence[float]) -> "StressPasses":
-        """Return the passes of a user's function.
+    def of(cls, function: Callable[..., Any] | int | str, parameters: Sequence[float]) -> "StressPasses":
+        """Return the passes of a criterion.
 
         Args:
-            function: function of stresses (k, 3, 3) [Pa] and of each parameter that returns k indices, or the address
-                of a C function `void f(int64_t count, const double *stress, const double *parameter, double *index)`.
-            parameters: parameters of the function.
+            function: name of a criterion of the core in `STRESS_CRITERIA`; function of stresses (k, 3, 3) [Pa] and of
+                each parameter that returns k indices [-]; or the address of a C function
+                `void f(int64_t count, const double *stress, const double *parameter, double *index)`.
+            parameters: parameters of the criterion, in order.
         """
         given = np.array(parameters, dtype=float)
+        if isinstance(function, str):
+            return cls(function, StressFunction(0, given))
         if isinstance(function, int):
             return cls("function", StressFunction(function, given))
         callback = StressCallback(function, len(given))

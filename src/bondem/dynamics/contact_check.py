@@ -126,16 +126,15 @@ class SinkingCheck:
         if not parted.any():
             return
         some = np.unique(np.concatenate([layout.i[parted], layout.j[parted]])).astype(np.int64)
-        position, period = state.pose[some, :3], self._model.lattice.particles.period
+        particles = self._model.lattice.particles
+        position, period = state.pose[some, :3], particles.period
         if not np.isfinite(position).all():
             return
         reach = 2.0 * _SUNK * float(self._radius[some].max())
         tree = KDTree(position) if period is None else KDTree(position % period, boxsize=period)
         pairs = tree.query_pairs(reach, output_type="ndarray")
         low, high = np.sort(some[pairs], axis=1).T
-        apart = state.pose[high, :3] - state.pose[low, :3]
-        if period is not None:
-            apart -= period * np.rint(apart / period)
+        apart = particles.nearest(state.pose[high, :3] - state.pose[low, :3])
         limit = _SUNK * (self._radius[low] + self._radius[high])
         key = np.minimum(layout.i, layout.j).astype(np.int64) * n + np.maximum(layout.i, layout.j)
         order = np.argsort(key)
@@ -166,9 +165,7 @@ class SinkingCheck:
         normal = np.where(layout.flipped[parted, None], -1.0, 1.0) * facets.normal[user]
         normal = turned_vectors(state.pose[i, 4:], normal) + turned_vectors(state.pose[j, 4:], normal)
         normal /= np.linalg.norm(normal, axis=1)[:, None]
-        apart = state.pose[j, :3] - state.pose[i, :3]
-        if (period := self._model.lattice.particles.period) is not None:
-            apart -= period * np.rint(apart / period)
+        apart = self._model.lattice.particles.nearest(state.pose[j, :3] - state.pose[i, :3])
         along, edge = np.einsum("ek,ek->e", apart, normal), np.sqrt(facets.area[user])
         across = np.linalg.norm(apart - along[:, None] * normal, axis=1)
         return int(((np.abs(along - facets.span[user]) < 0.5 * edge) & (across < 2.0 * edge)).sum())

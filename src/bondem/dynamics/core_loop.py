@@ -62,16 +62,9 @@ class CoreLoop:
     def _make_lists(self) -> None:
         """Compose the lists of passes of the present parts."""
         self._compose = Composer(self._lasting)
-        self._lists = StepPasses(
-            present=self._list("present"),
-            opening=self._list("opening"),
-            travel=self._list("travel"),
-            forces=self._list(*FORCES),
-            resume=self._list("resume"),
-            reopening=self._list("reopening"),
-            guard=self._list("guard"),
-            record=self._compose([]),
-        )
+        stages = ("present", "opening", "travel", "resume", "reopening", "guard")
+        lists = {stage: self._list(stage) for stage in stages}
+        self._lists = StepPasses(**lists, forces=self._list(*FORCES), record=self._compose([]))
 
     def _begin(self) -> None:
         """Call the passes of the stage "begin" once, at the time of the state."""
@@ -101,7 +94,9 @@ class CoreLoop:
     ) -> tuple[str, list[int]]:
         """Take steps, or record the present state, in one call of the core.
 
-        Returns why the call ended, and counts: steps, records, bonds turned far, and unbroken bonds turned too far.
+        Returns:
+            The reason for the end of the call, and the numbers of steps, of records, of bonds turned far, and of
+            unbroken bonds turned too far.
         """
         state, t, done = self.state, self._tables, np.zeros(4, dtype=np.int64)
         stale = records_present and state.stale
@@ -146,6 +141,9 @@ class CoreLoop:
 
 
 def noticeable(model: Model, dt: float) -> float:
-    """Return the energy that guards ignore [J]: that of negligible motion plus the most that adhesion may release."""
+    """Return the energy below which checks of the energy ignore changes [J].
+
+    This is the energy of negligible motion plus the most that adhesion may release.
+    """
     rest = 0.5 * float(model.mass.sum()) * (_STILL * model.lattice.particles.mean_radius / dt) ** 2
     return rest + model.contact_laws.released(model.contact_radius)

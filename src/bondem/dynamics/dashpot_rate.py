@@ -1,4 +1,4 @@
-"""Fastest decay rate of motions by the dashpots of bonds, which bounds the time step."""
+"""Dashpots of bonds, and the fastest decay rate of motions by them, which bounds the time step."""
 
 from typing import Any
 
@@ -9,11 +9,19 @@ from scipy.sparse.linalg import LinearOperator, eigsh
 from bondem._blas import one_blas_thread
 from bondem._types import Floats
 from bondem.dynamics.damping import DampingTerms
-from bondem.dynamics.dashpots import bond_dashpots
 from bondem.model.model import Model
 
 # Relative tolerance of the eigenvalue. The result is raised by twice as much, to be an upper bound.
 _TOLERANCE = 1e-3
+
+
+def bond_dashpots(model: Model, terms: DampingTerms) -> Floats:
+    """Return dashpot coefficients cn, cs [N·s/m], cb, ct [N·m·s] of each bond, internal order, shape (4, m)."""
+    layout, bonds = model.layout, model.bonds
+    mass, inertia = model.mass[layout.order], model.inertia[layout.order]
+    m, I = (1.0 / (1.0 / v[layout.i] + 1.0 / v[layout.j]) for v in (mass, inertia))
+    stiffness = np.array([bonds.kn, bonds.ks, bonds.kb, bonds.kt])
+    return 2.0 * terms.eta * np.sqrt(stiffness * np.array([m, m, I, I])) + terms.beta * stiffness
 
 
 @one_blas_thread

@@ -17,13 +17,13 @@ from bondem._tables.device_tables import Tick
 from bondem._tables.step_tables import HistoryRows, StepScheme
 from bondem.dynamics.core_loop import STORED, noticeable
 from bondem.dynamics.damping import DampingTerms
-from bondem.dynamics.on_device.breakage_counterparts import Postponement, end, resuming
+from bondem.dynamics.on_device.breakage_counterparts import end, resuming
 from bondem.dynamics.on_device.contact_counterparts import deepest_overlaps, lists_of_contacts, walls_listed
 from bondem.dynamics.on_device.counterparts import FURTHER, launches_of
-from bondem.dynamics.on_device.translation import Translation, names_of
+from bondem.dynamics.on_device.translation import Translation
 from bondem.dynamics.parts.parts_of_model import parts_in_one_block
 from bondem.dynamics.plan import FINE, NOT_FINITE, Plan
-from bondem.interactions.step_part import FORCES, RESUME, Passes, composed
+from bondem.interactions.step_part import FORCES, RESUME, composed
 from bondem.model.model import Model
 from bondem.model.state import State
 
@@ -35,13 +35,6 @@ _RECORDED = 64
 _STEP = 5
 
 
-def _postponement(passes: Passes) -> Postponement | None:
-    """Return the tables of failing bonds and of postponed elements among those of passes, or None without any."""
-    found = [(candidates, postponed) for name, tables in passes if name == "postpone_elements"
-             for _, candidates, postponed in [tables]]  # fmt: skip
-    return found[0] if found else None
-
-
 class DeviceLoop:
     """Loop over the steps of one run on a device, with the interface `Loop` that `integrate` requires."""
 
@@ -51,11 +44,11 @@ class DeviceLoop:
         terms = DampingTerms.of(plan.damping)
         self._scheme = StepScheme(dt, *plan.scheme.coefficients(dt), terms.gamma, state.time - state.step * dt)
         self._shared, self._parts = parts_in_one_block(model, plan, state, dt)
-        late = _postponement(composed(self._parts, *FORCES))
-        names = names_of(composed(self._parts, *FORCES))
+        passes = dict(composed(self._parts, *FORCES))
+        late = passes["postpone_elements"][1:] if "postpone_elements" in passes else None
         self._run = Translation(
             model.layout, self._shared.blocks, self._shared.ledger, len(state.reaction),
-            np.zeros(0, dtype=np.uint8) if late is None else late[1].flag, further=not FURTHER.isdisjoint(names),
+            np.zeros(0, dtype=np.uint8) if late is None else late[1].flag, further=not FURTHER.isdisjoint(passes),
         )  # fmt: skip
         self._tables = DeviceTables(device)
         self._width = HistoryColumn.COUNT + 3 * len(plan.gauges)
@@ -180,7 +173,10 @@ class DeviceLoop:
         return size
 
     def _stopped(self) -> int | None:
-        """Return the last completed step if an out-of-date list of contacts has halted the launches, else None."""
+        """Return the number of the last completed step if an outdated list of contacts has halted the launches.
+
+        The result is None if the launches continue.
+        """
         span = self._run.span
         self._tables.fetch(span.halted)
         if span.halted[0] == 0:
@@ -209,7 +205,10 @@ class DeviceLoop:
         self.state.time = self._scheme.origin + step * self._scheme.dt
 
     def _guard(self) -> tuple[int, int, int]:
-        """Return the counts of bonds turned too far and lost, and the ending by `judge_energy` (0: sound)."""
+        """Return the number of bonds turned far, the number turned too far, and the verdict on the energy.
+
+        The verdict is FINE, NOT_FINITE or RUNAWAY.
+        """
         _run(self._guarding)
         found = self._ledger.found
         self._tables.fetch(found)
@@ -244,7 +243,7 @@ class _Records:
         self.prepare()
 
     def prepare(self) -> None:
-        """Prepare the launches that write a row, of the present parts."""
+        """Prepare the launches by which the present parts write a row."""
         self.row = self._loop._tables.prepared(self._loop._recording(self._rows))
 
     def finished(self, steps: Sequence[int]) -> np.ndarray:

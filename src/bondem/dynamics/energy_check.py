@@ -7,7 +7,7 @@ import numpy as np
 from bondem._names import users_line
 from bondem._tables.columns import HistoryColumn
 from bondem._types import Floats
-from bondem.dynamics.history import History
+from bondem.dynamics.history import STORED_ENERGIES, History
 from bondem.errors import ImbalanceWarning
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -22,7 +22,6 @@ _STILL, _ROUNDING = 1e-9, 1e3
 # critical step. This oscillation does not grow. An error up to this share of the vibration energy therefore stops no
 # run.
 _SWING = 0.25
-_STORED = ("translation", "rotation", "normal", "shear", "bending", "twisting", "contact")
 
 
 class EnergyCheck:
@@ -51,7 +50,9 @@ class EnergyCheck:
         self.remark = ""
 
     def examine(self, records: Floats) -> str:
-        """Examine further records; return a text about a balance beyond the second limit, else an empty text.
+        """Examine further records, (s, columns), and return a text about a balance beyond the second limit.
+
+        The text is empty for a balance within this limit.
 
         Warns:
             ImbalanceWarning: The balance is beyond the first limit, but not the second; given once.
@@ -60,11 +61,11 @@ class EnergyCheck:
             return ""
         ledger = History(np.vstack([self._first, records[:, :HistoryColumn.COUNT]])).energy
         balance = ledger.pop("balance")[1:]
-        sizes = [np.abs(values if name in _STORED else values - values[0]) for name, values in ledger.items()]
+        sizes = [np.abs(values if name in STORED_ENERGIES else values - values[0]) for name, values in ledger.items()]
         sizes[0][0] = max(sizes[0][0], self._scale)
         scale = np.maximum.accumulate(np.max(sizes, axis=0))[1:]
         self._scale = float(scale[-1])
-        parts = _STORED[:2], _STORED[2:]
+        parts = STORED_ENERGIES[:2], STORED_ENERGIES[2:]
         kinetic, elastic = (np.sum([ledger[name][1:] for name in part], axis=0) for part in parts)
         vibration = np.minimum(kinetic, elastic)
         missing = np.abs(balance), np.abs(balance) - _SWING * np.maximum(vibration, 0.0)

@@ -12,38 +12,27 @@ from bondem.model.model import Model
 
 def gauge_tables(model: Model, plan: Plan) -> Gauges:
     """Return the table of the gauges of a plan: their elements or walls, quantities and reductions."""
-    gauges = list(plan.gauges.values())
-    members = [_members(model, gauge) for gauge in gauges]
+    entries = [_entry(model, gauge) for gauge in plan.gauges.values()]
+    members = [part for part, *_ in entries]
     return Gauges(
-        start=np.concatenate([[0], np.cumsum([len(part) for part in members])]).astype(np.int64),
-        element=np.concatenate(members) if members else np.zeros(0, dtype=np.int64),
-        quantity=np.array([_quantity(gauge) for gauge in gauges], dtype=np.int64),
-        reduction=np.array([_reduction(gauge) for gauge in gauges], dtype=np.int64),
+        start=np.cumsum([0, *map(len, members)]).astype(np.int64),
+        element=np.concatenate([np.zeros(0, dtype=np.int64), *members]),
+        quantity=np.array([quantity for _, quantity, _ in entries], dtype=np.int64),
+        reduction=np.array([reduction for *_, reduction in entries], dtype=np.int64),
     )
 
 
-def _members(model: Model, gauge: AnyGauge) -> np.ndarray:
-    """Return the elements of a gauge, internal order, or the index of its wall.
+def _entry(model: Model, gauge: AnyGauge) -> tuple[np.ndarray, int, int]:
+    """Return the elements of a gauge, internal order, or the index of its wall, with its quantity and reduction.
 
     Raises:
         InputError: The wall does not exist.
     """
-    if isinstance(gauge, StrainGauge):
-        return np.zeros(1, dtype=np.int64)  # the core writes a motion there, which `StrainGauges` overwrites
+    if isinstance(gauge, StrainGauge):  # the core writes a motion there, which `StrainGauges` overwrites
+        return np.zeros(1, dtype=np.int64), GaugeQuantity.DISPLACEMENT, GaugeReduction.MEAN
     if isinstance(gauge, Gauge):
-        return np.sort(model.layout.rank[gauge.region.select(model.lattice)])
+        elements = np.sort(model.layout.rank[gauge.region.select(model.lattice)])
+        return elements, GaugeQuantity[gauge.quantity.upper()], GaugeReduction[gauge.reduction.upper()]
     if not 0 <= gauge.wall < len(model.walls):
         raise InputError(f"WallGauge: wall = {gauge.wall} does not exist; give 0 to {len(model.walls) - 1}")
-    return np.array([gauge.wall], dtype=np.int64)
-
-
-def _quantity(gauge: AnyGauge) -> int:
-    if isinstance(gauge, StrainGauge):
-        return GaugeQuantity.DISPLACEMENT
-    if isinstance(gauge, Gauge):
-        return GaugeQuantity[gauge.quantity.upper()]
-    return WallQuantity[gauge.quantity.upper()]
-
-
-def _reduction(gauge: AnyGauge) -> int:
-    return GaugeReduction[gauge.reduction.upper()] if isinstance(gauge, Gauge) else GaugeReduction.MEAN
+    return np.array([gauge.wall], dtype=np.int64), WallQuantity[gauge.quantity.upper()], GaugeReduction.MEAN

@@ -10,13 +10,16 @@ from bondem._tables.columns import HistoryColumn
 from bondem._types import Floats
 from bondem.errors import InputError
 
-_STORED = ("translation", "rotation", "normal", "shear", "bending", "twisting", "contact")
-_ENERGIES = (*_STORED, "work", "loss", "friction", "non-local work", "released", "plastic", "crushing")
+#: Names of the kinetic and elastic energies.
+STORED_ENERGIES = ("translation", "rotation", "normal", "shear", "bending", "twisting", "contact")
+_ENERGIES = (*STORED_ENERGIES, "work", "loss", "friction", "non-local work", "released", "plastic", "crushing")
 
 
 @dataclass(frozen=True, eq=False)
 class History:
-    """Records of a run over time; `history["name"]` returns the records of a gauge, (s, 3).
+    """Records of a run over time.
+
+    `history["name"]` returns the records of a gauge, (s, 3). An unknown name raises InputError.
 
     Attributes:
         records: columns time [s], fourteen energies [J], three components per gauge, shape (s, 15 + 3 g). The last
@@ -73,7 +76,7 @@ class History:
         """
         ledger = {name: self.records[:, 1 + k] for k, name in enumerate(_ENERGIES)}
         released, crushing = ledger.pop("released"), ledger.pop("crushing")
-        total = sum(ledger[name] for name in _STORED) - ledger["work"]
+        total = sum(ledger[name] for name in STORED_ENERGIES) - ledger["work"]
         total = total + ledger["loss"] + ledger["friction"] + ledger["non-local work"] + released
         total = total + ledger["plastic"]
         return ledger | {"fracture": released - crushing, "crushing": crushing, "balance": total - total[:1]}
@@ -89,7 +92,7 @@ class History:
         energy = self.energy
         return {
             "work": energy["work"],
-            "elastic": sum((energy[name] for name in _STORED[2:]), np.zeros(len(self))),
+            "elastic": sum((energy[name] for name in STORED_ENERGIES[2:]), np.zeros(len(self))),
             "kinetic": energy["translation"] + energy["rotation"],
             **{name: energy[name] for name in ("fracture", "crushing", "plastic", "friction")},
             "damping": energy["loss"],

@@ -84,10 +84,15 @@ def _of_springs(
     limit = math.inf
     for frequency, delay in motions:
         omega = raised * math.hypot(springs, frequency)
-        zeta = 0.5 * raised**2 * (decay + delay * frequency**2) / omega if omega > 0.0 else 0.0
         if omega > 0.0:
-            limit = min(limit, scheme.critical / omega * (math.sqrt(1.0 + zeta * zeta) - zeta))
+            limit = min(limit, damped_limit(scheme, omega, raised**2 * (decay + delay * frequency**2)))
     return scheme.critical / fastest, limit
+
+
+def damped_limit(scheme: Scheme, omega: float, decay: float) -> float:
+    """Return the critical step of motions of at most the frequency ω [rad/s] and the decay λ of M⁻¹ C [1/s]."""
+    zeta = 0.5 * decay / omega
+    return scheme.critical / omega * (math.sqrt(1.0 + zeta * zeta) - zeta)
 
 
 def _fastest_decay(model: Model, law: LaggedInteraction, kn: PerBond, beta: PerBond, soft: PerBond) -> float:
@@ -103,11 +108,11 @@ def _fastest_decay(model: Model, law: LaggedInteraction, kn: PerBond, beta: PerB
     return largest_eigenvalue(root @ matrix @ root, np.random.default_rng(0).standard_normal(6 * len(mass)))
 
 
-def growth(model: Model, law: LaggedInteraction, dt: float, terms: DampingTerms, *, steps: int = _STEPS) -> float:
-    """Return the largest Σ m v² of small motions in the last quarter of some steps over that in the second [-].
+def growth(model: Model, law: LaggedInteraction, dt: float, terms: DampingTerms) -> float:
+    """Return the growth of small motions in trial steps [-], the ratio of two values of Σ m v².
 
-    It is infinite where the motions overflow. Local and bond damping act. The motions start from a fixed random
-    field, and no element is constrained.
+    They are the largest ones in the last and in the second quarter of the steps. The ratio is infinite if the motions
+    overflow. Local and bond damping act. The motions start from a fixed random field, and no element is constrained.
     """
     weight = np.repeat(np.column_stack([model.mass, model.inertia]), 3, axis=1)
     speed = np.random.default_rng(0).standard_normal(weight.shape) / np.sqrt(weight)
@@ -115,9 +120,9 @@ def growth(model: Model, law: LaggedInteraction, dt: float, terms: DampingTerms,
     i, j = model.lattice.pairs.T
     pair = model.mass[i] * model.mass[j] / (model.mass[i] + model.mass[j])  # dashpots in the form of `BondDamping`
     cn, cs = (2.0 * terms.eta * np.sqrt(k * pair) + terms.beta * k for k in (law.bonds.kn, law.bonds.ks))
-    sizes = law.small_steps(speed, weight, cn, cs, dt, terms.gamma, steps)
+    sizes = law.small_steps(speed, weight, cn, cs, dt, terms.gamma, _STEPS)
     if not sizes[-1] < _BEYOND * max(sizes[0], 1e-300):
         return math.inf
-    quarter = steps // 4
+    quarter = _STEPS // 4
     middle, end = float(sizes[quarter : 2 * quarter].max()), float(sizes[3 * quarter :].max())
     return end / middle if middle > 0.0 else 0.0

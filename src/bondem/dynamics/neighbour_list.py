@@ -12,6 +12,7 @@ from bondem.interactions.contact.contact_model import ContactModel, grid_of
 from bondem.interactions.contact.contact_search import found_pairs, found_walls, walls_at
 from bondem.model.model import Model
 from bondem.model.state import State
+from bondem.specimen.ordering import starts
 
 # Gap up to which pairs enter the list, over the mean radius: the least, the largest, and the factor by which it grows
 # after each list that did not last. A longer list is renewed less often.
@@ -27,7 +28,7 @@ class FoundContacts:
     Attributes:
         pairs: pairs of elements.
         whole: distance at which pairs touch as spheres [m], (c,).
-        least: distance at which each pair touches [m], (c,): `whole`, or less where faces brought a pair nearer.
+        least: distance at which each pair touches [m], (c,): `whole`, or the smaller one at which its faces parted.
         faces: faces by which pairs touch, as one number, 0 for none, (c,).
         own: normal stiffness of the pairs of bonds, or 0 [N/m], (c,).
         of_bond: place of the pair of each bond in the list, or -1, (m,).
@@ -67,12 +68,13 @@ class ContactSearch:
             contacts: contacts of the model.
             state: state with the pose of the elements.
             joints: `Joints.integrity` and `Joints.apart` of the damage pipeline; passes write both arrays.
-            outer: reach of the faces of each cell [m], (n,): cells may touch by faces within their sum; None without.
+            outer: reach of the faces of each cell [m], (n,): two cells can touch by faces only if their centres are
+                closer than the sum of both. None if cells do not touch by faces.
         """
         self._size = contacts.radius if outer is None else np.maximum(contacts.radius, outer)
         self._contacts = contacts
         self._state = state
-        self._period = model.lattice.particles.period
+        self._particles = model.lattice.particles
         self._breaking = model.fails
         self._joined, self._apart = joints
         self._skin = _SKIN_LEAST
@@ -90,11 +92,11 @@ class ContactSearch:
         listed = skin + contacts.laws.beyond  # gap up to which contacts enter the list
         position = state.pose[:, :3].copy()
         n = len(position)
-        grid = grid_of(position, self._size, self._period, listed)
+        grid = grid_of(position, self._size, self._particles.period, listed)
         pairs = found_pairs(grid, PairSources(
             layout.in_start, layout.i, self._listed(position, listed),
             contacts.pairs.start, contacts.pairs.partner, contacts.pairs.gap,
-            _starts(state.touching[:, 1], n), state.touching[:, 0].astype(np.uint32),
+            starts(state.touching[:, 1], n), state.touching[:, 0].astype(np.uint32),
             np.ascontiguousarray(state.stretch[:, :LINE_COLUMNS]),
         ))  # fmt: skip
         own = np.zeros(len(pairs.first))
@@ -113,7 +115,7 @@ class ContactSearch:
         rest, stored = contacts.at_walls, state.wall_touching
         walls = walls_at(contacts.walls, state.walls)
         at_walls = WallSources(
-            radius, rest.start, rest.partner, rest.gap, _starts(stored[:, 0], n), stored[:, 1].astype(np.uint32),
+            radius, rest.start, rest.partner, rest.gap, starts(stored[:, 0], n), stored[:, 1].astype(np.uint32),
             state.wall_stretch, listed, np.empty(n + 1, dtype=np.int64),
         )  # fmt: skip
         found = found_walls(state.pose, walls, at_walls)
@@ -133,9 +135,7 @@ class ContactSearch:
         listed = ~broken if self._breaking else np.zeros(len(broken), dtype=bool)
         e = np.flatnonzero(broken)
         i, j = layout.i[e], layout.j[e]
-        apart = position[j] - position[i]
-        if self._period is not None:
-            apart -= self._period * np.rint(apart / self._period)
+        apart = self._particles.nearest(position[j] - position[i])
         reach = np.maximum(size[i] + size[j], self._apart[e]) + skin
         listed[e] = np.einsum("ek,ek->e", apart, apart) < reach**2
         return listed.astype(np.uint8)
@@ -215,7 +215,3 @@ def _matched(
         there = keys[place] == wanted
         found[there] = values[place[there]]
     return found
-
-
-def _starts(later: Ints, n: int) -> Ints:
-    return np.concatenate([[0], np.cumsum(np.bincount(later, minlength=n))]).astype(np.int64)

@@ -38,11 +38,11 @@ class Plan:
 
     Attributes:
         duration: physical time [s]; the run takes round(duration / dt) steps.
-        dt: time step [s]; None for `safety` times the critical step.
+        dt: time step [s]; None for `safety` times the critical step, or less to resolve short collisions.
         scheme: time integration scheme.
         damping: damping of elements or bonds, one kind or several in a tuple, or None.
         gauges: quantities to record, by name.
-        every: steps between records; a further record is that of the end of the run; 0 for none.
+        every: steps between records, 0 for none; the end of the run is recorded, too.
         save_every: steps between checkpoints; 0 for the last one only.
         snapshot_every: steps between snapshots for ParaView; 0 for none.
         until: one event or several that end the run.
@@ -190,8 +190,8 @@ class Loop(Protocol):
         """Take time steps.
 
         Returns:
-            Records, (s, columns); the number of bonds turned beyond the accurate range of their energy; the number
-            turned so far that it has no meaning; and FINE, NOT_FINITE or RUNAWAY.
+            Records, (s, columns); the number of bonds turned beyond the accurate range of their energy; the number of
+            bonds turned so far that their energy has no meaning; and FINE, NOT_FINITE or RUNAWAY.
         """
         ...
 

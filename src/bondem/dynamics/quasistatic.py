@@ -19,9 +19,10 @@ class Quasistatic:
     """Measures of how far a run is from equilibrium, `run.quasistatic`; they are near 0 for quasi-static loading.
 
     Attributes:
-        kinetic: largest kinetic energy until the largest elastic energy, and before any bond or facet breaks, over
-            the largest elastic energy [-]. Without driven ends both are those of the last tenth of the records. None
-            with fewer than two records, or without elastic energy.
+        kinetic: largest kinetic energy over the largest elastic energy [-]. With driven ends, these are the largest
+            ones up to the time of the largest elastic energy, and the kinetic one also before any bond or facet
+            breaks. Otherwise they are those of the last tenth of the records. None with fewer than two records, or
+            without elastic energy.
         difference: largest difference of the forces of the two force gauges of a run over the largest of these forces
             [-], in the same records; None unless exactly two gauges record opposite forces.
         servo: force of each servo wall at the end and its prescribed force [N], by the index of the wall.

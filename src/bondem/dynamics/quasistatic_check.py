@@ -16,7 +16,7 @@ from bondem.boundary.wall_motions import Driven, Servo
 from bondem.boundary.wall_rows import wall_rows
 from bondem.boundary.walls import PlaneWall
 from bondem.dynamics.damping import DampingTerms
-from bondem.dynamics.history import History
+from bondem.dynamics.history import STORED_ENERGIES, History
 from bondem.dynamics.plan import Plan
 from bondem.dynamics.quasistatic import Quasistatic
 from bondem.model.model import Model
@@ -26,7 +26,6 @@ from bondem.observables.breakage import BrokenBonds
 # Steps to the largest elastic energy, over the number of elements along the specimen, from which on loading without
 # damping counts as slow: a wave passes an element in two to four steps.
 _PASSES = 60.0
-_ELASTIC = ("normal", "shear", "bending", "twisting", "contact")
 
 
 def measured(model: Model, plan: Plan, history: History, state: State) -> Quasistatic:
@@ -35,7 +34,7 @@ def measured(model: Model, plan: Plan, history: History, state: State) -> Quasis
     passes = 0.0
     if len(history) > 1:
         energy = history.energy
-        elastic = np.sum([energy[name] for name in _ELASTIC], axis=0)
+        elastic = np.sum([energy[name] for name in STORED_ENERGIES[2:]], axis=0)
         top = int(np.argmax(elastic))
         # a specimen that only servo walls load must be at rest at the end
         whole = chosen = slice(len(history) - max(1, len(history) // 10), len(history))
@@ -83,7 +82,7 @@ def _force_gauges(plan: Plan) -> list[str]:
 def _share_of_a_step(model: Model) -> float:
     """Return the mean diameter of an element over the largest extent of the specimen [-].
 
-    A wave passes less than one element per step, so that this bounds its way per step.
+    A wave passes less than one element per step, so that this share of the extent bounds its travel per step.
     """
     lower, upper = model.lattice.particles.envelope.bounds
     extent = float(np.max(np.asarray(upper) - np.asarray(lower)))

@@ -94,7 +94,7 @@ def _refuse_jumps(model: Model, state: State, before: Sequence[object]) -> None:
             s += 1
             if rate or condition in before:
                 continue
-            elements = constraints.element[constraints.drive_row[constraints.drive_schedule == s]]
+            elements = constraints.element[constraints.drives.row[constraints.drives.schedule == s]]
             _refuse_jump(f"Drive({_DOF[dof]}=)", schedule, state.time, shift[elements, dof], float(slack[dof]))
     for k, wall in enumerate(model.walls):
         if not isinstance(wall.motion, Driven) or wall in before:
@@ -151,9 +151,8 @@ def _warn_of_lost_time(model: Model, before: Origin, time: float) -> None:
                 f"{owner}: {shown(schedule)} is {over} when this run begins, because the time continues from that of"
                 f" its initial state (t = {time:.6g} s): its first value is {value:.6g}, not {first:.6g}; give later"
                 f" times, such as begin={time:.6g}",
-                StageWarning,
-                stacklevel=users_line(),
-            )
+                StageWarning, stacklevel=users_line(),
+            )  # fmt: skip
 
 
 def _warn_of_other_loads(model: Model, before: Origin) -> None:
@@ -169,9 +168,8 @@ def _warn_of_other_loads(model: Model, before: Origin) -> None:
                     f"{type(one).__name__}: its factor is {value:.6g} when this run begins, and {was:.6g} in the"
                     " equilibrium that it begins from: the difference acts at once; begin there, as by"
                     f" bd.Ramp({was:.6g}, {one.schedule.final:.6g}, duration)",
-                    StageWarning,
-                    stacklevel=users_line(),
-                )
+                    StageWarning, stacklevel=users_line(),
+                )  # fmt: skip
 
 
 def _warn_of_sides(model: Model, state: State, before: Sequence[object]) -> None:

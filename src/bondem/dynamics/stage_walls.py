@@ -40,7 +40,7 @@ def stage_walls(model: Model, state: State) -> Floats:
     if goes_on(model, state):
         return state.grips.copy()
     before = state.model.interaction.supports
-    mine, theirs = _both(supports, before)
+    _, mine, theirs = np.intersect1d(supports.fixed.facet, before.fixed.facet, return_indices=True)
     base[mine, 3:] = _origins(supports, before, mine, theirs, state)
     fixed = before.axes[theirs] > 0.0
     fresh = supports.axes.copy()
@@ -51,12 +51,6 @@ def stage_walls(model: Model, state: State) -> Floats:
     same = fixed & _same_motion(supports, before, mine, theirs)
     base[mine, :3] = np.where(same, state.grips[theirs, :3], base[mine, :3])
     return base
-
-
-def _both(supports: Supports, before: Supports) -> tuple[np.ndarray, np.ndarray]:
-    """Return the rows, in both tables, of the facets that walls of both models hold, (k,) each."""
-    _, mine, theirs = np.intersect1d(supports.fixed.facet, before.fixed.facet, return_indices=True)
-    return mine, theirs
 
 
 def _same_motion(supports: Supports, before: Supports, mine: np.ndarray, theirs: np.ndarray) -> np.ndarray:

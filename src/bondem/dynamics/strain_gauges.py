@@ -38,7 +38,7 @@ class StrainGauges:
         return bool(self._parts)
 
     def fill(self, records: Floats, state: State) -> None:
-        """Write the strains of a state into the last of its records, in place."""
+        """Write the strains of a state into the last row of `records`, (s, columns), in place."""
         if not self._parts or not len(records):
             return
         moved = state.displacement

@@ -10,7 +10,7 @@ from bondem._names import users_line
 from bondem._types import PerBond
 from bondem.dynamics.damping import AnyDamping, DampingTerms
 from bondem.dynamics.dashpot_rate import fastest_decay
-from bondem.dynamics.lagged_timestep import lagged_limits
+from bondem.dynamics.lagged_timestep import damped_limit, lagged_limits
 from bondem.dynamics.schemes import Scheme
 from bondem.errors import StepWarning, UnstableStepError
 from bondem.interactions.lagged_interaction import LaggedInteraction
@@ -37,10 +37,11 @@ def critical_step(
 ) -> float:
     """Return the largest stable time step of a scheme on a model [s]; infinite without bonds and contacts.
 
-    The step also holds for contacts that form later, because every element counts with the largest number of contacts
-    that it can have. Local damping multiplies a decelerating force by 1 + γ, and with it the effective stiffness and
-    dashpots. Dashpots multiply the step by √(1 + ζ²) - ζ, with 2 ζ ω the largest eigenvalue of M⁻¹ C. Mass damping
-    and absorbing boundaries do not. Trial steps find that of a law that lags (`bondem.dynamics.lagged_timestep`).
+    The step is also stable for contacts that form later, because every element is assumed to have as many contacts as
+    possible. Local damping multiplies a decelerating force by 1 + γ, and so the effective stiffness and dashpots.
+    Dashpots multiply the step by √(1 + ζ²) - ζ, with 2 ζ ω the largest eigenvalue of M⁻¹ C. Mass damping and
+    absorbing boundaries do not change it. That of a law that lags follows from trials
+    (`bondem.dynamics.lagged_timestep`).
 
     Args:
         model: model that will move.
@@ -73,22 +74,16 @@ def _limits(
         omega = raised * math.hypot(bonds, frequency)
         if omega > 0.0:
             lost = raised**2 * (decay + delay * frequency**2)
-            limit = min(limit, _damped_limit(scheme, omega, lost + raised**2 * damped))
-            free = min(free, _damped_limit(scheme, omega, lost))
+            limit = min(limit, damped_limit(scheme, omega, lost + raised**2 * damped))
+            free = min(free, damped_limit(scheme, omega, lost))
     return limit, free
 
 
-def _damped_limit(scheme: Scheme, omega: float, decay: float) -> float:
-    """Return the critical step of motions of at most the frequency ω [rad/s] and the decay λ of M⁻¹ C [1/s]."""
-    zeta = 0.5 * decay / omega
-    return scheme.critical / omega * (math.sqrt(1.0 + zeta * zeta) - zeta)
-
-
 def _with_broken(model: Model, highest: float) -> tuple[float, float]:
-    """Return ω_max [rad/s] and a bound of M⁻¹ C of contacts [1/s] that hold whichever bonds are broken.
+    """Return bounds of ω_max [rad/s] and of M⁻¹ C of contacts [1/s], valid whichever bonds are broken.
 
-    A contact of a broken bond is at most as stiff as the bond along the normal; across, the stiffer of both counts.
-    Its lever arms are assumed to be those of the bond.
+    `highest` is ω_max of the intact bonds. A contact of a broken bond is at most as stiff as the bond along the
+    normal. Across it the stiffer of both determines the bound, with the lever arms of the bond.
     """
     contacts = model.contacts
     if contacts.own is None or not len(contacts.own):
@@ -143,7 +138,9 @@ def choose_step(
     safety: float,
     damping: AnyDamping | tuple[AnyDamping, ...] | None = None,
 ) -> Step:
-    """Return the given step after a check, or for None `safety` times the critical one, less for short collisions.
+    """Return a time step: the given dt [s] after a check, or a chosen one if dt is None.
+
+    The chosen step is the share `safety` [-] of the critical one, or less to resolve short collisions.
 
     Raises:
         UnstableStepError: dt is not positive or exceeds the critical step, or the lattice has no stiffness.

@@ -31,17 +31,18 @@ from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.interactions.beams.bond_strain import BondStrain
 from bondem.interactions.beams.bond_table import BondTable
 from bondem.interactions.energy_parts import EnergyParts
+from bondem.interactions.row_sums import row_sums
 from bondem.interactions.step_part import Part, Passes
 from bondem.interactions.stiffness import Stiffness
 from bondem.interactions.stiffness_product import Product, loads_in, product_by
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.ordering import Layout
 
-#: #: Arrays of a state that belong to a law, by name, with the integrity of its bonds.
+#: Arrays of a state that belong to a law, by name, with the integrity of its bonds.
 Arrays = Mapping[str, np.ndarray]
 #: Boundary conditions of a model.
 Boundary = Sequence[BoundaryCondition]
-#: #: Quantity that a criterion evaluates: forces of beams, tractions of facets, or the mean stress of two elements.
+#: Quantity that a criterion evaluates: forces of beams, tractions of facets, or the mean stress of two elements.
 Evaluated = Literal["force", "traction", "stress"]
 
 
@@ -215,7 +216,7 @@ class Interaction(ABC):
         return Supports.none()
 
     def strained(self, strain: PerBond, base: Floats, motion: Floats, pressed: PerElement) -> Self:
-        """Return the law with strains ε* [-], (m,), or (0,) for none, and a `SurfaceState`, in internal order."""
+        """Return the law with strains ε* [-], (m,) or (0,), and the arrays of a `SurfaceState`, in internal order."""
         twin = copy(self)
         twin.__dict__["table"] = self.table.stretched(strain)
         return twin
@@ -300,13 +301,11 @@ class Interaction(ABC):
         layout, bonds = self.layout, self.table
         push = bonds.kn * bonds.length * strain * bonds.direction
         load = np.zeros((len(layout.order), 6))
-        for d in range(3):
-            load[:, d] = np.bincount(layout.j, weights=push[d], minlength=len(load))
-            load[:, d] -= np.bincount(layout.i, weights=push[d], minlength=len(load))
+        load[:, :3] = row_sums(layout.j, push.T, len(load)) - row_sums(layout.i, push.T, len(load))
         return load
 
     def swelling_load(self, pressed: PerElement) -> PerElement6:
-        """Return forces on elements at rest with volume changes V θ [m³], (n,): [N, N·m], user's order, (n, 6)."""
+        """Return loads on elements at rest [N, N·m], (n, 6), by volume changes V θ [m³], (n,); user's order."""
         return np.zeros((len(pressed), 6))
 
     def of_walls(
@@ -368,7 +367,10 @@ class Interaction(ABC):
         return product_by(len(pose), lambda by: calls.multiply_beams(Poses(pose), by, beams))
 
     def gradient(self, pose: Floats) -> tuple[PerElement6, PerElement6]:
-        """Return the energy of intact bonds derived by displacements and spins, and wall loads [N, N·m], (n, 6)."""
+        """Return the derivative of the energy of intact bonds by displacements and spins, and the loads of walls.
+
+        Both are in N and N·m, (n, 6), internal order.
+        """
         beams, sums = self._beams(np.zeros(0), np.ones(len(self.layout.i))), lines(len(pose))
         load_beams(pose, beams, BeamSums(beams.i, beams.j, sums))
         return -loads_in(sums), np.zeros((len(pose), 6))

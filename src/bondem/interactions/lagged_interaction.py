@@ -35,7 +35,7 @@ class LaggedInteraction(SteppingInteraction):
     """Law of bonds without a potential, for which only the springs have a stiffness matrix.
 
     Attributes:
-        settles: True if the rounds of an equilibrium always converge, so that mixing may accelerate them.
+        settles: True if the iteration to an equilibrium always converges, so that mixing may accelerate it.
         normal_over_shear: stiffness of the springs along the normal over that across [-].
     """
 

@@ -2,38 +2,20 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import NamedTuple
 
 import numpy as np
 
 from bondem._checks import shown
-from bondem._tables.step_tables import CoupleTable, Rows
+from bondem._tables.step_tables import Drives, RowLoads, Rows, Timeline
 from bondem._types import Floats, PerBond, PerElement
 from bondem.boundary.conditions import BoundaryCondition, Drive, Fix, Load
-from bondem.boundary.couples import Couple, couple_table
+from bondem.boundary.couples import Couple
 from bondem.boundary.loads import Absorbing, BodyForce, Eigenstrain, Pressure
 from bondem.boundary.schedules import Schedule
 from bondem.errors import InputError
 from bondem.interactions.interaction import Interaction
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.ordering import Layout
-
-
-class Schedules(NamedTuple):
-    """Schedules, and the prescribed motions and loads of rows that follow them."""
-
-    times: np.ndarray  #: times of all schedules, one after the other [s]
-    values: np.ndarray
-    start: np.ndarray  #: first entry of each schedule
-    drive_row: np.ndarray
-    drive_dof: np.ndarray
-    drive_schedule: np.ndarray
-    drive_rate: np.ndarray  #: 1 for a velocity, 0 for a displacement, uint8
-    load_row: np.ndarray
-    load_schedule: np.ndarray
-    load_value: np.ndarray  #: [N, N·m], (…, 6)
-    load_turns: np.ndarray  #: element with which each load rotates, or -1; (0,) if none does
-    couples: CoupleTable  #: moments, whose forces rotate with their regions
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,11 +26,9 @@ class Constraints:
         element: internal element of each row, shape (r,).
         row_of: row of each element or -1, shape (n,).
         fixed: mask of degrees of freedom that are fixed or driven, uint8, shape (r, 6).
-        start, times, values: times [s] and values of schedule s are those at start[s] … start[s + 1] - 1.
-        drive_row, drive_dof, drive_schedule, drive_rate: one entry per driven degree of freedom; `drive_rate`
-            is 1 for velocities and 0 for displacements.
-        load_row, load_schedule, load_value: one entry per loaded element; values [N, N·m] are (…, 6).
-        load_turns: element with which each load rotates, or -1; (0,) if none does.
+        timeline: times [s] and values of all schedules.
+        drives: one entry per driven degree of freedom of an element.
+        loads: one entry per loaded element and load.
         couples: moments of loads, whose forces rotate with their regions.
         absorbing: dashpots of each row, xx, yy, zz, xy, xz, yz [N·s/m], zero where motion is prescribed,
             shape (r, 6), or (0, 6) without any.
@@ -64,17 +44,9 @@ class Constraints:
     element: np.ndarray
     row_of: np.ndarray
     fixed: np.ndarray
-    start: np.ndarray
-    times: Floats
-    values: Floats
-    drive_row: np.ndarray
-    drive_dof: np.ndarray
-    drive_schedule: np.ndarray
-    drive_rate: np.ndarray
-    load_row: np.ndarray
-    load_schedule: np.ndarray
-    load_value: Floats
-    load_turns: np.ndarray
+    timeline: Timeline
+    drives: Drives
+    loads: RowLoads
     couples: tuple[Couple, ...]
     absorbing: Floats
     body_on: np.ndarray
@@ -171,23 +143,24 @@ class Constraints:
         for d, (a, b) in enumerate(((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))):
             dashpots[(fixed[:, a] | fixed[:, b]) > 0, d] = 0.0
         tables = [schedule.table for schedule in schedules]
-        lengths = [len(times) for times, _ in tables]
+        times, values = (_joined([table[k] for table in tables]) for k in range(2))
+        starts = np.cumsum([0, *(len(times) for times, _ in tables)]).astype(np.int64)
         return cls(
             element=element,
             row_of=row_of,
             fixed=fixed[element],
-            start=np.concatenate([[0], np.cumsum(lengths)]).astype(np.int64),
-            times=_joined([times for times, _ in tables]),
-            values=_joined([values for _, values in tables]),
-            drive_row=_joined_rows([row_of[chosen] for chosen, *_ in drives]),
-            drive_dof=_joined_rows([np.full(len(c), dof) for c, dof, _, _ in drives]),
-            drive_schedule=_joined_rows([np.full(len(c), s) for c, _, s, _ in drives]),
-            drive_rate=_joined_rows([np.full(len(c), rate) for c, _, _, rate in drives]).astype(np.uint8),
-            load_row=_joined_rows([row_of[chosen] for chosen, *_ in loads]),
-            load_schedule=_joined_rows([np.full(len(c), s) for c, s, *_ in loads]),
-            load_value=np.concatenate([nodal for _, _, nodal, _ in loads]) if loads else np.zeros((0, 6)),
-            load_turns=_joined_rows(
-                [np.where(turns, chosen, -1) for chosen, *_, turns in loads] if any(t for *_, t in loads) else []
+            timeline=Timeline(times, values, starts),
+            drives=Drives(
+                row=_joined_rows([row_of[chosen] for chosen, *_ in drives]),
+                dof=_joined_rows([np.full(len(c), dof) for c, dof, _, _ in drives]),
+                schedule=_joined_rows([np.full(len(c), s) for c, _, s, _ in drives]),
+                rate=_joined_rows([np.full(len(c), rate) for c, _, _, rate in drives]).astype(np.uint8),
+            ),
+            loads=RowLoads(
+                row=_joined_rows([row_of[chosen] for chosen, *_ in loads]),
+                schedule=_joined_rows([np.full(len(c), s) for c, s, *_ in loads]),
+                value=np.concatenate([nodal for _, _, nodal, _ in loads]) if loads else np.zeros((0, 6)),
+                turns=_joined_rows([np.where(turns, chosen, -1) for chosen, *_, turns in loads]),
             ),
             couples=tuple(couples),
             absorbing=dashpots[element] if dashpots.any() else np.zeros((0, 6)),
@@ -203,16 +176,6 @@ class Constraints:
             wall_rate=any(law.supports.fixed.rate),
         )
 
-    @property
-    def schedules(self) -> Schedules:
-        """Schedules, drives and loads as the tables of the core."""
-        return Schedules(
-            times=self.times, values=self.values, start=self.start, drive_row=self.drive_row,
-            drive_dof=self.drive_dof, drive_schedule=self.drive_schedule, drive_rate=self.drive_rate,
-            load_row=self.load_row, load_schedule=self.load_schedule, load_value=self.load_value,
-            load_turns=self.load_turns, couples=couple_table(self.couples, self.row_of),
-        )  # fmt: skip
-
     def rows(self, reaction: Floats, work: Floats) -> Rows:
         """Return the rows as the table of the core, with the reactions (r, 6) and works of a state."""
         still = np.zeros((3, len(self.element), 6))
@@ -227,8 +190,8 @@ class Constraints:
         Forces that make up moments are those in `pose`, (n, 8), or in the reference if it is None.
         """
         load = np.zeros((n, 6))
-        last = self._final(self.load_schedule)
-        np.add.at(load, self.element[self.load_row], last[:, None] * self.load_value)
+        last = self._final(self.loads.schedule)
+        np.add.at(load, self.element[self.loads.row], last[:, None] * self.loads.value)
         pull = self._final(self.body_schedule)[:, None] * self.body_value
         load[:, :3] += self.weight[:, None] * (self.body_on.T @ pull)
         for couple, factor in self.final_couples():
@@ -237,7 +200,7 @@ class Constraints:
 
     def final_couples(self) -> list[tuple[Couple, float]]:
         """Return moments of loads, and their factors at the end of all schedules."""
-        return [(couple, float(self.values[self.start[couple.schedule + 1] - 1])) for couple in self.couples]
+        return [(couple, float(self._final(couple.schedule))) for couple in self.couples]
 
     def final_strain(self) -> PerBond:
         """Return the stress-free strain of each bond at the end of all schedules [-], internal order, shape (m,)."""
@@ -247,8 +210,8 @@ class Constraints:
         """Return the contribution of tractions to V θ at the end of all schedules [m³], internal order, (n,)."""
         return self._final(self.press_schedule) @ self.press_value
 
-    def _final(self, schedules: np.ndarray) -> Floats:
-        return self.values[self.start[schedules + 1] - 1]
+    def _final(self, schedules: np.ndarray | int) -> Floats:
+        return self.timeline.values[self.timeline.start[schedules + 1] - 1]
 
     @property
     def works(self) -> tuple[int, int, int]:
@@ -264,10 +227,10 @@ class Constraints:
         Raises:
             InputError: A velocity is prescribed, which has no static meaning.
         """
-        if self.drive_rate.any() or self.wall_rate:
+        if self.drives.rate.any() or self.wall_rate:
             raise InputError("a static solution needs displacements; replace vx= … wz= of Drive by x= … rz=")
         motion = np.zeros((n, 6))
-        motion[self.element[self.drive_row], self.drive_dof] = self._final(self.drive_schedule)
+        motion[self.element[self.drives.row], self.drives.dof] = self._final(self.drives.schedule)
         return motion
 
     def prescribed(self, n: int) -> np.ndarray:

@@ -98,20 +98,14 @@ class Blocks:
         row_i = row[i]
         row_i[across] = rows + np.arange(len(across))
         return cls(
-            domain=domain.astype(np.int64),
-            bond=np.append(layout.in_start[edges[:-1]], len(with_twins(layout.i))),
-            move=move.astype(np.int64),
-            first_owner=first_owner.astype(np.int64),
-            ready=ready.astype(np.uint32),
-            ready_row=row[ready].astype(np.uint32),
-            row_i=with_twins(row_i.astype(np.uint32)),
-            row_j=with_twins(row[j].astype(np.uint32)),
-            shared=shared.astype(np.uint32),
-            shared_row=row[shared].astype(np.uint32),
+            domain=domain.astype(np.int64), bond=np.append(layout.in_start[edges[:-1]], len(with_twins(layout.i))),
+            move=move.astype(np.int64), first_owner=first_owner.astype(np.int64),
+            ready=ready.astype(np.uint32), ready_row=row[ready].astype(np.uint32),
+            row_i=with_twins(row_i.astype(np.uint32)), row_j=with_twins(row[j].astype(np.uint32)),
+            shared=shared.astype(np.uint32), shared_row=row[shared].astype(np.uint32),
             shared_first_owner=len(shared) - int(owns[shared].sum()),
-            part=np.concatenate([[0], np.cumsum(parts)]).astype(np.int64),
-            parts=rows,
-        )
+            part=np.concatenate([[0], np.cumsum(parts)]).astype(np.int64), parts=rows,
+        )  # fmt: skip
 
     def table(self, more: int = 0) -> StepBlocks:
         """Return the division as the table of the core, with sums of zero and `more` rows after them."""

@@ -28,7 +28,7 @@ def highest_frequency(
 ) -> float:
     """Return ω_max of the unconstrained lattice at rest [rad/s], a bound for every set of supports.
 
-    With the dispersion-corrected mass it is raised to a bound for explicit steps.
+    With the dispersion-corrected mass the result is raised to a bound for explicit steps.
 
     Args:
         model: model that will move.

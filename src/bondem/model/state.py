@@ -180,34 +180,31 @@ class State(StateMotion):
         other = difference(self.model, model)
         if other:
             raise InputError(f"state belongs to another {other}; start from one of this model, or set model.state()")
-        rows = len(model.constraints.element)
-        self.reaction = np.zeros((rows, 6))
-        self.work = np.zeros(model.constraints.works[-1])
-        self.loss[:] = 0.0
+        fresh = State(model)
+        for name in ("reaction", "work", "loss", "released", "grips"):
+            setattr(self, name, getattr(fresh, name))
         for field in model.interaction.fields:
             getattr(self, field.name)[list(field.fresh)] = 0.0
         laws = model.contact_laws
         if not laws.laws:
-            self.touching, self.stretch = np.zeros((0, 2), dtype=np.int64), np.zeros((0, CONTACT_COLUMNS))
+            self.touching, self.stretch = fresh.touching, fresh.stretch
         if not laws.rolls:
-            self.rolled, self.wall_rolled = np.zeros((2, 0, 3))
+            self.rolled, self.wall_rolled = fresh.rolled, fresh.wall_rolled
         before = self._take_walls(model.walls)
         set_off(self.walls, before, model.walls)
         wall_rows(self.walls)["work"] = 0.0
-        self.released = np.zeros(1)
-        self.grips = reference_base(len(model.interaction.supports.cell))
-        self._take_damage(model)
+        self._take_damage(fresh)
         self.model, self.layout = model, model.layout
         self.step = 0
         self.stale = True
 
-    def _take_damage(self, model: Origin) -> None:
-        """Continue with the present cracks and plastic strains, or prepare arrays for them.
+    def _take_damage(self, fresh: "State") -> None:
+        """Continue with the present cracks and plastic strains, or take the arrays of a new state for them.
 
         Raises:
-            InputError: The criterion of the model cannot describe the present damage.
+            InputError: The criterion of the model of the new state cannot describe the present damage.
         """
-        soft, fresh = model.softening, State(model)
+        model, soft = fresh.model, fresh.model.softening
         if soft is None and (len(self.cracks) or self.plastic.any()):
             raise InputError("the state has cracks or plastic strains; give the model a criterion that softens too")
         if model.beam_softening is None and len(self.softened):

@@ -96,9 +96,7 @@ class StateMotion:
     def angular_velocity(self, given: ArrayLike) -> None:
         self.motion[:, 4:7] = self._rows("angular_velocity", given, 3)
 
-    def set_motion(
-        self, *, velocity: np.ndarray | None = None, angular_velocity: np.ndarray | None = None
-    ) -> None:
+    def set_motion(self, *, velocity: np.ndarray | None = None, angular_velocity: np.ndarray | None = None) -> None:
         """Set velocities [m/s] or angular velocities [rad/s] of the elements, user's order, (n, 3), or (3,) for all.
 
         Raises:

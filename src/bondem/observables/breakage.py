@@ -8,7 +8,6 @@ from bondem._checks import instance
 from bondem._tables.columns import EventColumn, SoftColumn
 from bondem._types import Floats, Ints, PerBond
 from bondem.damage.criteria.criterion import MODES
-from bondem.damage.failure_passes import strengths_of
 from bondem.errors import InputError
 from bondem.interactions.cells.cell_tables import STRESS
 from bondem.model.model import Model
@@ -98,7 +97,7 @@ def failure_index(model: Model, state: State | SmallMotion) -> PerBond:
     if table is None:
         raise InputError("failure_index: the model has no criterion; give it failure=bd.PeripheralStress(...)")
     layout = model.layout
-    law, pose, strengths = model.interaction, state.pose.copy(), strengths_of(table)
+    law, pose, strengths = model.interaction, state.pose.copy(), table.strengths
     pose[:, STRESS] = lambda_theta(model, motion)[layout.order]
     found = law.indices(pose, state.of_law, table.kind, strengths)
     softened = state.softened[:, SoftColumn.BOND].astype(np.int64)

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bondem._types import Ints, PerBond, PerElement
+from bondem._types import Ints, PerBond, PerElement, Uint32s
 from bondem.geometry.morton import morton_code
 from bondem.specimen.lattice import Lattice
 
@@ -77,8 +77,8 @@ class Layout:
             flipped=flipped[bond_order],
             i=i.astype(np.uint32),
             j=j.astype(np.uint32),
-            in_start=_starts(j, n),
-            out_start=_starts(i, n),
+            in_start=starts(j, n),
+            out_start=starts(i, n),
             out_bond=out_bond.astype(np.uint32),
         )
 
@@ -102,5 +102,6 @@ class Layout:
         return Adjacency(self.in_start, self.out_start, self.out_bond)
 
 
-def _starts(ends: Ints, n: int) -> Ints:
-    return np.concatenate([[0], np.cumsum(np.bincount(ends, minlength=n))]).astype(np.int64)
+def starts(owner: Ints | Uint32s, n: int) -> Ints:
+    """Return the start of the entries of each of n owners in a list sorted by owner, (n + 1,)."""
+    return np.concatenate([[0], np.cumsum(np.bincount(owner, minlength=n))]).astype(np.int64)

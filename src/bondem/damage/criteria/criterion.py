@@ -99,7 +99,7 @@ class Criterion(ABC):
     def principal(self) -> tuple[float, float, float] | None:
         """Factors a, b and c [1/Pa] of the limit max(a σ1, b σ1 - c σ3) = 1 of bonds that mean stresses break.
 
-        The value is None for a criterion that is not a function of principal stresses, which such bonds cannot have.
+        The value is None for a criterion that is not a function of principal stresses; such bonds do not accept it.
         """
         return None
 

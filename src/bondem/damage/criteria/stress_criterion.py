@@ -82,12 +82,10 @@ class StressCriterion(Criterion):
         scatter: Weibull | Normal | None = None,
         **parameters: float,
     ) -> None:
-        object.__setattr__(self, "function", function)
-        object.__setattr__(self, "fracture_energy", fracture_energy)
-        object.__setattr__(self, "friction", friction)
-        object.__setattr__(self, "curve", curve)
-        object.__setattr__(self, "scatter", scatter)
-        object.__setattr__(self, "parameters", _own_parameters(function, parameters))
+        own = _own_parameters(function, parameters)
+        given = {"fracture_energy": fracture_energy, "friction": friction, "curve": curve, "scatter": scatter}
+        for name, value in {"function": function, **given, "parameters": own}.items():
+            object.__setattr__(self, name, value)
         self.__post_init__()
         check_crack(_NAME, fracture_energy, friction, curve)
         self._try()
@@ -134,8 +132,8 @@ class StressCriterion(Criterion):
         wrong = np.flatnonzero(~np.isfinite(found))
         if len(wrong):
             raise InputError(
-                f"{_NAME}: {self.name} is {found[wrong[0]]} at a stress of {_listed(stress[wrong[0]])} Pa; let it"
-                " return a finite number for any stress"
+                f"{_NAME}: {self.name} is {found[wrong[0]]} at a stress of {(stress[wrong[0]] + 0.0).tolist()} Pa;"
+                " let it return a finite number for any stress"
             )
 
     def _tried(self, stress: Floats) -> Floats:
@@ -174,10 +172,6 @@ def _own_parameters(function: object, given: Mapping[str, object]) -> dict[str, 
             raise InputError(f"{_NAME}: {called} needs '{one.name}'; give {one.name}=")
         found[one.name] = number(_NAME, one.name, value)
     return found
-
-
-def _listed(stress: np.ndarray) -> str:
-    return str((stress + 0.0).tolist())
 
 
 def _reason(error: Exception) -> str:

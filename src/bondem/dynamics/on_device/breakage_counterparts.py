@@ -7,20 +7,9 @@ from bondem._passes import kernels
 from bondem._tables.damage_tables import BeamIntegrity, Candidates, EventLog, Postponed
 from bondem._tables.device_tables import BondMarks
 from bondem._tables.step_tables import Beams, Moving
+from bondem.dynamics.on_device import counts
 from bondem.dynamics.on_device.beam_counterparts import DASHED
-from bondem.dynamics.on_device.translation import (
-    Counterpart,
-    Made,
-    Translation,
-    bonds,
-    elements,
-    free,
-    gathered_or_summed,
-    in_order,
-    one_thread,
-    over,
-    owners,
-)
+from bondem.dynamics.on_device.translation import Counterpart, Made, Translation, gathered_or_summed, in_order, over
 
 
 def marks_of(run: Translation) -> BondMarks:
@@ -38,7 +27,7 @@ def marks_of(run: Translation) -> BondMarks:
 #: Marks of bonds.
 MARKS: Made = {BondMarks: lambda run, _: marks_of(run)}
 #: Launch that sorts the failing bonds of a step.
-RANKED = over(kernels.rank_failing, bonds, MARKS)
+RANKED = over(kernels.rank_failing, counts.bonds, MARKS)
 
 
 def counted(run: Translation, candidates: Candidates, log: EventLog) -> Launch:
@@ -73,13 +62,13 @@ def resuming(late: Postponement) -> dict[str, Counterpart]:
     late_ones: Made = {Postponed: lambda *_: postponed}
     return {
         "list_postponed": in_order(),  # each thread checks whether its element is postponed
-        "move_elements": over(kernels.resume_free, free, late_ones),
-        "move_resisted": over(kernels.resume_resisted, free, late_ones),
-        "move_rows": over(kernels.resume_row, owners, late_ones),
-        "move_resisted_rows": over(kernels.resume_resisted_row, owners, late_ones),
+        "move_elements": over(kernels.resume_free, counts.free, late_ones),
+        "move_resisted": over(kernels.resume_resisted, counts.free, late_ones),
+        "move_rows": over(kernels.resume_row, counts.owners, late_ones),
+        "move_resisted_rows": over(kernels.resume_resisted_row, counts.owners, late_ones),
         "reopen_elements": in_order(),  # together with their acceleration
         "reopen_rows": in_order(),
-        "add_body_work": over(kernels.reopen_work_of_body, elements, late_ones),
+        "add_body_work": over(kernels.reopen_work_of_body, counts.elements, late_ones),
     }
 
 
@@ -90,19 +79,19 @@ def end(run: Translation, late: Postponement) -> list[Launch]:
 
 
 COUNTERPARTS: dict[str, Counterpart] = {
-    "add_marked_beam_loads": over(kernels.load_marked_beam, bonds, MARKS),
-    "add_marked_uniform_beam_loads": over(kernels.load_marked_uniform_beam, bonds, MARKS),
+    "add_marked_beam_loads": over(kernels.load_marked_beam, counts.bonds, MARKS),
+    "add_marked_uniform_beam_loads": over(kernels.load_marked_uniform_beam, counts.bonds, MARKS),
     **{
-        f"judge_beams_by_{name}": in_order(over(one, bonds, MARKS), RANKED)
+        f"judge_beams_by_{name}": in_order(over(one, counts.bonds, MARKS), RANKED)
         for name, one in kernels.JUDGE_BEAM_BY.items()
     },
     "postpone_elements": in_order(),
-    "keep_sums": gathered_or_summed(kernels.keep_gathered_sum, kernels.keep_sum, elements),
-    "keep_dashpots": over(kernels.keep_dashed_sum, elements),
+    "keep_sums": gathered_or_summed(kernels.keep_gathered_sum, kernels.keep_sum, counts.elements),
+    "keep_dashpots": over(kernels.keep_dashed_sum, counts.elements),
     "withdraw_dashpots": in_order(
-        over(kernels.load_failing_dashpot, bonds, DASHED),
-        over(kernels.take_dashpots_off_element, elements, {**MARKS, **DASHED}),
+        over(kernels.load_failing_dashpot, counts.bonds, DASHED),
+        over(kernels.take_dashpots_off_element, counts.elements, {**MARKS, **DASHED}),
     ),
     "break_beams": _break,
-    "write_released": over(kernels.write_released_energy, one_thread),
+    "write_released": over(kernels.write_released_energy, counts.one_thread),
 }

@@ -21,21 +21,9 @@ from bondem._tables.contact_tables import (
 )
 from bondem._tables.device_tables import EarlierPairs, RowOrder
 from bondem.boundary.wall_rows import no_rows
+from bondem.dynamics.on_device import counts
 from bondem.dynamics.on_device.breakage_counterparts import MARKS
-from bondem.dynamics.on_device.device_tables import new_row_order
-from bondem.dynamics.on_device.translation import (
-    Counterpart,
-    Made,
-    Translation,
-    bonds,
-    elements,
-    elements_where,
-    in_order,
-    length_of,
-    one_thread,
-    over,
-    portions_of_elements,
-)
+from bondem.dynamics.on_device.translation import Counterpart, Made, Translation, in_order, new_row_order, over
 from bondem.interactions.step_part import Passes
 
 
@@ -43,67 +31,66 @@ def earlier_pairs(run: Translation, pairs: ContactPairs) -> EarlierPairs:
     """Return, for each element, the pairs of the list in which it is `first`."""
 
     def make() -> EarlierPairs:
-        counts = np.bincount(pairs.first, minlength=run.span.n)
-        start = np.concatenate([[0], np.cumsum(counts)]).astype(np.int32)
-        return EarlierPairs(start, np.argsort(pairs.first, kind="stable").astype(np.uint32))
+        order = new_row_order(pairs.first, run.span.n)
+        return EarlierPairs(order.start.astype(np.int32), order.load.astype(np.uint32))
 
     return run.once(pairs, make)
 
 
 EARLIER: Made = {EarlierPairs: lambda run, given: earlier_pairs(run, given[ContactPairs])}
 #: Numbers of elements for launches, 0 without contacts of pairs or with walls.
-WHERE_PAIRS = elements_where(ContactPairs, lambda pairs: pairs.first)
-WHERE_WALLS = elements_where(WallContacts, lambda contacts: contacts.wall)
+WHERE_PAIRS = counts.elements_where(ContactPairs, lambda pairs: pairs.first)
+WHERE_WALLS = counts.elements_where(WallContacts, lambda contacts: contacts.wall)
 _BY_WALL: Made = {
     RowOrder: lambda run, given: run.once(
         given[WallContacts], lambda: new_row_order(given[WallContacts].wall, len(given[Walls].body))
     )
 }
-_PAIRS = length_of(ContactPairs, lambda pairs: pairs.first)
+_PAIRS = counts.length_of(ContactPairs, lambda pairs: pairs.first)
 
 COUNTERPARTS: dict[str, Counterpart] = {
-    "move_walls": over(kernels.move_all_walls, one_thread),
-    "measure_travel": over(kernels.check_travel_of_element, elements),
-    "check_travel": over(kernels.check_travel_of_wall, length_of(Walls, lambda walls: walls.body)),
+    "move_walls": over(kernels.move_all_walls, counts.one_thread),
+    "measure_travel": over(kernels.check_travel_of_element, counts.elements),
+    "check_travel": over(kernels.check_travel_of_wall, counts.length_of(Walls, lambda walls: walls.body)),
     "press_pairs": over(kernels.press_pair, _PAIRS),
     "add_pair_loads": over(kernels.add_pairs_of_element, WHERE_PAIRS, EARLIER),
     "roll_pairs": over(kernels.roll_one_pair, _PAIRS),
     "add_rolling_loads": over(kernels.add_rolling_of_element, WHERE_PAIRS, EARLIER),
     "roll_at_walls": over(kernels.roll_element_at_walls, WHERE_WALLS),
-    "sum_rolling_energies": over(kernels.sum_portion_of_rolling, portions_of_elements),
-    "sum_rolling_at_walls": over(kernels.sum_portion_of_rolling_at_walls, portions_of_elements),
+    "sum_rolling_energies": over(kernels.sum_portion_of_rolling, counts.portions_of_elements),
+    "sum_rolling_at_walls": over(kernels.sum_portion_of_rolling_at_walls, counts.portions_of_elements),
     "press_pairs_and_faces": over(kernels.press_pair_or_faces, _PAIRS),
     "add_face_loads": over(kernels.add_faces_of_element, WHERE_PAIRS),
-    "sum_face_energies": over(kernels.sum_portion_of_faces, portions_of_elements),
+    "sum_face_energies": over(kernels.sum_portion_of_faces, counts.portions_of_elements),
     "begin_face_contacts": in_order(
-        over(kernels.open_face, bonds),
+        over(kernels.open_face, counts.bonds),
         over(kernels.begin_faces_of_pair, _PAIRS),
-        over(kernels.settle_face, bonds),
-        over(kernels.settle_faces_of_cell, elements),
-        over(kernels.take_over_from_cracks, one_thread),
+        over(kernels.settle_face, counts.bonds),
+        over(kernels.settle_faces_of_cell, counts.elements),
+        over(kernels.take_over_from_cracks, counts.one_thread),
     ),
     "adhere_pairs": over(kernels.adhere_one_pair, _PAIRS),
     "add_adhesion_loads": over(kernels.add_adhesion_of_element, WHERE_PAIRS, EARLIER),
     "adhere_at_walls": over(kernels.adhere_element_at_walls, WHERE_WALLS),
-    "sum_adhesion_energies": over(kernels.sum_portion_of_adhesion, portions_of_elements),
-    "sum_adhesion_at_walls": over(kernels.sum_portion_of_adhesion_at_walls, portions_of_elements),
+    "sum_adhesion_energies": over(kernels.sum_portion_of_adhesion, counts.portions_of_elements),
+    "sum_adhesion_at_walls": over(kernels.sum_portion_of_adhesion_at_walls, counts.portions_of_elements),
     "press_walls": over(kernels.press_walls_on_element, WHERE_WALLS),
     "measure_wall_overlaps": in_order(),  # with the overlaps of pairs, at the guard
     "keep_measures": in_order(),
     "load_walls": in_order(
-        over(kernels.load_wall, length_of(Walls, lambda walls: walls.body), _BY_WALL),
-        over(kernels.kick_free_wall, length_of(WallMotions, lambda motions: motions.free_wall)),
+        over(kernels.load_wall, counts.length_of(Walls, lambda walls: walls.body), _BY_WALL),
+        over(kernels.kick_free_wall, counts.length_of(WallMotions, lambda motions: motions.free_wall)),
     ),
-    "add_contact_loads": over(kernels.add_contact_load, elements),
+    "add_contact_loads": over(kernels.add_contact_load, counts.elements),
     "begin_contacts": in_order(
-        over(kernels.begin_contact_of_event, bonds),
-        over(kernels.add_new_contacts_of_element, elements, MARKS),
-        over(kernels.take_over_energies, one_thread),
+        over(kernels.begin_contact_of_event, counts.bonds),
+        over(kernels.add_new_contacts_of_element, counts.elements, MARKS),
+        over(kernels.take_over_energies, counts.one_thread),
     ),
-    "sum_pair_energies": over(kernels.sum_portion_of_pairs, portions_of_elements),
-    "sum_wall_energies": over(kernels.sum_portion_at_walls, portions_of_elements),
-    "write_walls": over(kernels.write_all_walls, one_thread),
-    "count_wall_work": over(kernels.count_work_of_walls, one_thread),
+    "sum_pair_energies": over(kernels.sum_portion_of_pairs, counts.portions_of_elements),
+    "sum_wall_energies": over(kernels.sum_portion_at_walls, counts.portions_of_elements),
+    "write_walls": over(kernels.write_all_walls, counts.one_thread),
+    "count_wall_work": over(kernels.count_work_of_walls, counts.one_thread),
 }
 
 

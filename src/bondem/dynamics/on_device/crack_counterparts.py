@@ -11,7 +11,8 @@ from bondem._tables.damage_tables import EventLog
 from bondem._tables.device_tables import FallenCracks
 from bondem._tables.step_tables import Moving
 from bondem.damage.cohesive_tables import BEGAN
-from bondem.dynamics.on_device.translation import Counterpart, Made, Translation, bonds, elements, in_order, over
+from bondem.dynamics.on_device import counts
+from bondem.dynamics.on_device.translation import Counterpart, Made, Translation, in_order, over
 
 
 def _fallen(run: Translation, cracks: CohesiveCracks) -> FallenCracks:
@@ -59,29 +60,29 @@ def _log(
 
 
 _FALLEN: Made = {FallenCracks: lambda run, given: _fallen(run, given[CohesiveCracks])}
-_HALVES = over(kernels.link_halves, elements)
+_HALVES = over(kernels.link_halves, counts.elements)
 
 COUNTERPARTS: dict[str, Counterpart] = {
     "link_cracks": _link,
-    "weigh_cracked_cells": over(kernels.weigh_cell, elements),
-    "carry_cracks": in_order(_HALVES, over(kernels.carry_cell, elements)),
+    "weigh_cracked_cells": over(kernels.weigh_cell, counts.elements),
+    "carry_cracks": in_order(_HALVES, over(kernels.carry_cell, counts.elements)),
     "list_cracks": _HALVES,
-    "begin_bases": over(kernels.begin_base, elements),
-    "measure_cracks": over(kernels.measure_crack, bonds),
-    "relax_cracked_cells": over(kernels.relax_cell, elements),
-    "relax_outdated_cells": over(kernels.relax_outdated_cell, elements),
-    "watch_resting_cracks": over(kernels.watch_resting_crack, bonds),
-    "wake_cracks": in_order(over(kernels.wake_crack, bonds), over(kernels.take_woken, elements)),
-    "soften_cracks": over(kernels.soften_crack, bonds),
+    "begin_bases": over(kernels.begin_base, counts.elements),
+    "measure_cracks": over(kernels.measure_crack, counts.bonds),
+    "relax_cracked_cells": over(kernels.relax_cell, counts.elements),
+    "relax_outdated_cells": over(kernels.relax_outdated_cell, counts.elements),
+    "watch_resting_cracks": over(kernels.watch_resting_crack, counts.bonds),
+    "wake_cracks": in_order(over(kernels.wake_crack, counts.bonds), over(kernels.take_woken, counts.elements)),
+    "soften_cracks": over(kernels.soften_crack, counts.bonds),
     "leave_cracks": in_order(
-        over(kernels.part_crack, bonds),
-        over(kernels.leave_crack, bonds),
-        over(kernels.take_leaving, elements),
+        over(kernels.part_crack, counts.bonds),
+        over(kernels.leave_crack, counts.bonds),
+        over(kernels.take_leaving, counts.elements),
     ),
-    "touch_parted_faces": over(kernels.touch_parted_face, bonds),
-    "load_cracks": over(kernels.load_crack, bonds, _FALLEN),
-    "sum_cracks": over(kernels.sum_cracks_of_cell, elements),
-    "slide_cracks": over(kernels.slide_crack_of, bonds),
+    "touch_parted_faces": over(kernels.touch_parted_face, counts.bonds),
+    "load_cracks": over(kernels.load_crack, counts.bonds, _FALLEN),
+    "sum_cracks": over(kernels.sum_cracks_of_cell, counts.elements),
+    "slide_cracks": over(kernels.slide_crack_of, counts.bonds),
     "log_cracks": _log,
-    "add_crack_loads": over(kernels.add_crack_load, elements),
+    "add_crack_loads": over(kernels.add_crack_load, counts.elements),
 }

@@ -4,10 +4,11 @@ from bondem._device import Launch
 from bondem._passes import kernels
 from bondem._tables.cell_tables import ElasticFacets, FacetRelease, WallConstraints
 from bondem._tables.damage_tables import Candidates, EventLog
-from bondem._tables.step_tables import Moving, Rows
+from bondem._tables.step_tables import Moving
+from bondem.dynamics.on_device import counts
 from bondem.dynamics.on_device.breakage_counterparts import MARKS, RANKED, counted, marks_of
 from bondem.dynamics.on_device.cell_counterparts import BY_ROW_OF_WALLS
-from bondem.dynamics.on_device.translation import Counterpart, Translation, bonds, elements, in_order, length_of, over
+from bondem.dynamics.on_device.translation import Counterpart, Translation, in_order, over
 
 
 def _break(
@@ -28,15 +29,15 @@ def _break(
 
 
 COUNTERPARTS: dict[str, Counterpart] = {
-    "accumulate_and_mark": over(kernels.dilate_marked_facet, bonds, MARKS),
+    "accumulate_and_mark": over(kernels.dilate_marked_facet, counts.bonds, MARKS),
     **{
         f"judge_facets_by_{name}": in_order(
-            over(one, bonds, MARKS), over(kernels.postpone_neighbour, elements), RANKED
+            over(one, counts.bonds, MARKS), over(kernels.postpone_neighbour, counts.elements), RANKED
         )
         for name, one in kernels.JUDGE_FACET_BY.items()
     },
-    "withdraw_facets": over(kernels.withdraw_facets_of_cell, elements),
+    "withdraw_facets": over(kernels.withdraw_facets_of_cell, counts.elements),
     "break_facets": _break,
-    "restore_facets": over(kernels.restore_facets_of_cell, elements),
-    "renew_wall_rows": over(kernels.renew_wall_row, length_of(Rows, lambda rows: rows.force), BY_ROW_OF_WALLS),
+    "restore_facets": over(kernels.restore_facets_of_cell, counts.elements),
+    "renew_wall_rows": over(kernels.renew_wall_row, counts.rows, BY_ROW_OF_WALLS),
 }

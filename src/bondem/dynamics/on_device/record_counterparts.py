@@ -7,7 +7,8 @@ from bondem._device import Launch
 from bondem._passes import kernels
 from bondem._tables.device_tables import GaugeParts
 from bondem._tables.step_tables import Gauges, HistoryRows, Moving, Rows
-from bondem.dynamics.on_device.translation import Counterpart, Translation, one_thread, over, portions_of_elements
+from bondem.dynamics.on_device import counts
+from bondem.dynamics.on_device.translation import Counterpart, Translation, over
 
 # Intended number of elements in a part of a gauge, and largest number of parts.
 _GAUGED, _PARTS = 256, 1024
@@ -24,8 +25,8 @@ def _read(run: Translation, moving: Moving, rows: Rows, gauges: Gauges, history:
 
 
 COUNTERPARTS: dict[str, Counterpart] = {
-    "sum_element_energies": over(kernels.sum_portion_of_elements, portions_of_elements),
-    "judge_energy": over(kernels.judge_all_energy, one_thread),
-    "write_ledger": over(kernels.write_whole_ledger, one_thread),
+    "sum_element_energies": over(kernels.sum_portion_of_elements, counts.portions_of_elements),
+    "judge_energy": over(kernels.judge_all_energy, counts.one_thread),
+    "write_ledger": over(kernels.write_whole_ledger, counts.one_thread),
     "read_gauges": _read,
 }

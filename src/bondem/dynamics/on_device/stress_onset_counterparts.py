@@ -10,14 +10,15 @@ from bondem._tables.damage_tables import StressCandidates, StressFunction
 from bondem._tables.step_tables import Moving
 from bondem._tables.stress_onset_tables import CandidateFacets
 from bondem.damage.stress_passes import stress_indices
-from bondem.dynamics.on_device.translation import Counterpart, Translation, elements, length_of, over
+from bondem.dynamics.on_device import counts
+from bondem.dynamics.on_device.translation import Counterpart, Translation, over
 
 _OF_CORE = {
     "mean_stress": (kernels.judge_cell_by_mean_stress, kernels.index_candidate_by_mean_stress),
     "cone": (kernels.judge_cell_by_cone, kernels.index_candidate_by_cone),
 }
-_LISTED = length_of(StressCandidates, lambda candidates: candidates.bond)
-_MARKED = length_of(CandidateFacets, lambda onset: onset.bond)
+_LISTED = counts.length_of(StressCandidates, lambda candidates: candidates.bond)
+_MARKED = counts.length_of(CandidateFacets, lambda onset: onset.bond)
 
 
 def _find_candidates(
@@ -53,8 +54,8 @@ def _call(_: Translation, candidates: StressCandidates, function: StressFunction
 
 
 COUNTERPARTS: dict[str, Counterpart] = {
-    **{f"judge_cells_by_{name}": over(judge, elements) for name, (judge, _) in _OF_CORE.items()},
-    "judge_cells_by_size": over(kernels.judge_cell_by_size, elements),
+    **{f"judge_cells_by_{name}": over(judge, counts.elements) for name, (judge, _) in _OF_CORE.items()},
+    "judge_cells_by_size": over(kernels.judge_cell_by_size, counts.elements),
     "find_stress_candidates": _find_candidates,
     **{f"index_candidates_by_{name}": over(index, _LISTED) for name, (_, index) in _OF_CORE.items()},
     "index_candidates_by_function": _call,

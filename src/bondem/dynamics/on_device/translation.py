@@ -8,13 +8,12 @@ from typing import Any, TypeVar
 import numpy as np
 
 from bondem._device import Launch
-from bondem._passes import Kernel, StepEntry
-from bondem._tables.columns import BONDS_OF_PORTION, ELEMENTS_OF_PORTION
+from bondem._passes import Kernel
 from bondem._tables.damage_tables import EventLog
 from bondem._tables.device_tables import BondsOfElements, DeviceSpan, LoadsOfBonds, RowOrder
 from bondem._tables.step_tables import Ledger, StepBlocks
-from bondem.dynamics.on_device.device_tables import new_row_order
-from bondem.specimen.ordering import Layout
+from bondem._types import Ints, Uint32s
+from bondem.specimen.ordering import Layout, starts
 
 _T = TypeVar("_T")
 
@@ -84,6 +83,11 @@ class Translation:
     def order_of(self, row: np.ndarray) -> RowOrder:
         """Return the order of loads and walls that act on rows of the boundary."""
         return self.once(row, lambda: new_row_order(row, self._rows))
+
+
+def new_row_order(row: Ints | Uint32s, rows: int) -> RowOrder:
+    """Return the loads or walls sorted by the row on which each acts, given these rows and their number."""
+    return RowOrder(starts(row, rows), np.argsort(row, kind="stable").astype(np.int64))
 
 
 #: Function that returns a pass over an index, given its tables (`bondem._passes.kernels`).
@@ -165,56 +169,6 @@ def gathered_or_summed(gathered: KernelOf, summed: KernelOf, count: Count) -> La
     )
 
 
-def elements(run: Translation, _: Given) -> int:
-    """Return the number of elements."""
-    return run.span.n
-
-
-def bonds(run: Translation, _: Given) -> int:
-    """Return the number of bonds or facets."""
-    return run.span.m
-
-
-def portions_of_elements(run: Translation, _: Given) -> int:
-    """Return the number of portions of elements."""
-    return -(-run.span.n // ELEMENTS_OF_PORTION)
-
-
-def portions_of_bonds(run: Translation, _: Given) -> int:
-    """Return the number of portions of bonds or facets."""
-    return -(-run.span.m // BONDS_OF_PORTION)
-
-
-def free(run: Translation, _: Given) -> int:
-    """Return the number of elements that are not fixed, driven or loaded."""
-    return run.span.n - run.owners
-
-
-def owners(run: Translation, _: Given) -> int:
-    """Return the number of elements that are fixed, driven or loaded."""
-    return run.owners
-
-
-def one_thread(_: Translation, __: Given) -> int:
-    """Return 1, for a launch of one thread."""
-    return 1
-
-
-def length_of(kind: type[_T], column: Callable[[_T], np.ndarray]) -> Count:
-    """Return the `Count` of a launch over the rows of a column of a table of the pass."""
-    return lambda _, given: len(column(given[kind]))
-
-
-def elements_where(kind: type[_T], column: Callable[[_T], np.ndarray]) -> Count:
-    """Return the `Count` of a launch over elements, which is 0 if a column of a table of the pass is empty."""
-    return lambda run, given: run.span.n if len(column(given[kind])) else 0
-
-
 def ordered(kind: type[_T], row: Callable[[_T], np.ndarray]) -> Made:
     """Return the rule that makes the order of loads or walls by their rows, from a column of a table of the pass."""
     return {RowOrder: lambda run, given: run.order_of(row(given[kind]))}
-
-
-def names_of(passes: Iterable[StepEntry]) -> set[str]:
-    """Return the names of passes."""
-    return {one.name for one in passes}

@@ -6,7 +6,7 @@ from bondem._cache_lines import exact_sums
 from bondem._passes import StepEntry, steps
 from bondem._tables.step_tables import Beams, Dashpots, Moving, StepBlocks, Strain, UniformBeams
 from bondem.damage.breakage_part import breakage
-from bondem.damage.damage_part import BondParts, DamageTables, Joints, damage_of
+from bondem.damage.damage_part import BondParts, DamageTables, Joints
 from bondem.damage.softening_part import SofteningTables, softening
 from bondem.dynamics.parts.shared_tables import SharedTables, apart
 from bondem.interactions.beams.beam_tables import beam_tables
@@ -26,7 +26,7 @@ def beams(
     if strain is not None:  # lengths change during the run
         bonds = bonds.separate()
     table, uniform = beam_tables(bonds, model.layout, model.period, state.integrity, may_share=strain is None)
-    damage = damage_of(model.breaking, state, blocks, len(table.i))
+    damage = DamageTables.of(model.breaking, state, blocks, len(table.i))
     soft, failure = None, []
     if damage is not None and model.beam_softening is not None:
         soft = SofteningTables.of(model.beam_softening, damage, state, table, uniform, handed=model.hands_over)
@@ -52,18 +52,13 @@ def _changing_strain(model: Model, state: State) -> Strain | None:
         return None
     bond = np.flatnonzero((constraints.strain_part != 0.0).any(axis=0))
     return Strain(
-        schedule=constraints.strain_schedule,
-        bond=bond.astype(np.uint32),
+        schedule=constraints.strain_schedule, bond=bond.astype(np.uint32),
         part=np.ascontiguousarray(constraints.strain_part[:, bond]),
         still=1.0 + (state.eigenstrain[bond] if state.eigenstrain.size else np.zeros(len(bond))),
-        length=plain.length[bond],
-        shear=plain.ks[bond],
-        lever=plain.lever[bond],
-        factor=np.zeros((4, len(constraints.strain_part))),
-        power=exact_sums(len(constraints.strain_part)),
-        due=np.zeros(2, dtype=np.uint8),
-        place=constraints.works[1],
-    )
+        length=plain.length[bond], shear=plain.ks[bond], lever=plain.lever[bond],
+        factor=np.zeros((4, len(constraints.strain_part))), power=exact_sums(len(constraints.strain_part)),
+        due=np.zeros(2, dtype=np.uint8), place=constraints.works[1],
+    )  # fmt: skip
 
 
 def _loads(

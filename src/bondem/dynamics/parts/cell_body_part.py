@@ -8,13 +8,14 @@ from bondem.boundary.conditions import Load
 from bondem.boundary.loads import Pressure, is_face
 from bondem.damage.breakage_part import facet_breakage
 from bondem.damage.crack_part import CrackingBody
-from bondem.damage.damage_part import BondParts, Joints, damage_of
+from bondem.damage.damage_part import BondParts, DamageTables, Joints
 from bondem.dynamics.parts.cell_part import BodyOfCells, cells
 from bondem.dynamics.parts.mass_part import mass_of_waves
 from bondem.dynamics.parts.shared_tables import SharedTables, apart
 from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_interaction import CellInteraction
 from bondem.interactions.cells.cell_tables import facet_release
+from bondem.interactions.row_sums import row_sums, symmetric_products
 from bondem.model.model import Model
 from bondem.model.state import State
 
@@ -37,7 +38,7 @@ def body_of_cells(
         return BondParts(cracking.parts(elastic), Joints.of_cracks(apart(model, state), state, cracking.joints))
     left = constants.damaged(state.integrity, layout.i, layout.j)
     body = BodyOfCells.of(model, left, state, shared, dashpots)
-    damage = damage_of(model.breaking, state, shared.blocks, len(body.facets.i))
+    damage = DamageTables.of(model.breaking, state, shared.blocks, len(body.facets.i))
     forces = cells(shared, model, state, body, damage=damage)
     parts = [forces, *mass_of_waves(model, shared, body)]
     if damage is not None:
@@ -53,10 +54,8 @@ def _pressed_moments(model: Model) -> Floats:
     for condition in model.boundary:
         if isinstance(condition, Load | Pressure) and is_face(condition.region):
             numbers, force = condition.on_facets(model.lattice)
-            cell, moment = free.cell[numbers], np.zeros((len(cells.volume), 6))
+            cell = free.cell[numbers]
             arm = free.centroid[numbers] - cells.centroid[cell]
-            for column, (a, b) in enumerate(((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))):
-                part = 0.5 * (arm[:, a] * force[:, b] + arm[:, b] * force[:, a])
-                moment[:, column] = np.bincount(cell, part, len(moment))
+            moment = row_sums(cell, symmetric_products(arm, force), len(cells.volume))
             found.append(moment[model.layout.order])
     return np.array(found).reshape(len(found), len(cells.volume), 6)

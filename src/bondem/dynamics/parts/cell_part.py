@@ -16,13 +16,13 @@ from bondem._tables.cell_tables import (
     FacetTractions,
     WallConstraints,
 )
-from bondem._tables.step_tables import Beams, Dashpots, StepBlocks
-from bondem._types import Ints
+from bondem._tables.step_tables import Beams, Dashpots
 from bondem.damage.damage_part import DamageTables
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.interactions.beams.beam_tables import beam_tables
 from bondem.interactions.cells.cell_constants import CellConstants
 from bondem.interactions.cells.cell_tables import cell_tables, gradient_tables
+from bondem.interactions.row_sums import rows_of_ends
 from bondem.interactions.step_part import Part, Passes
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -45,7 +45,7 @@ class BodyOfCells(NamedTuple):
     ) -> "BodyOfCells":
         """Return the tables of a run from a state, whose arrays they share, with dashpots of facets or None."""
         layout, period = model.layout, model.period
-        to_i = _places(shared.blocks, layout.i, len(layout.order))
+        to_i = rows_of_ends(shared.blocks, layout)
         facets, cells = cell_tables(constants, layout, period, state.integrity, to_i)
         dashed: tuple[tuple[Dashpots, Beams], ...] = ()
         if dashpots is not None:
@@ -162,20 +162,13 @@ def _changing(
     return present, beside, behind
 
 
-def _places(blocks: StepBlocks, i: np.ndarray, n: int) -> np.ndarray:
-    """Return the row of V θ to which each facet adds for its cell i, uint32, (m,); rows from n on link domains."""
-    row = blocks.row_i[: len(i)].astype(np.int64)
-    return np.where(row < blocks.parts, i, n + row - blocks.parts).astype(np.uint32)
-
-
 def _tractions(model: Model) -> tuple[FacetTractions, ...]:
     """Return the table of tractions on free facets, or an empty tuple without any."""
     constraints = model.constraints
     count = len(constraints.press_schedule)
     if count == 0:
         return ()
-    schedule: Ints = constraints.press_schedule
-    return (FacetTractions(constraints.press_value, schedule, np.zeros(count), np.zeros(count)),)
+    return (FacetTractions(constraints.press_value, constraints.press_schedule, np.zeros(count), np.zeros(count)),)
 
 
 def _strains(model: Model, state: State) -> tuple[CellStrains, ...]:

@@ -71,12 +71,7 @@ class ContactTables:
         self._sums = ContactSums(lines(n))
         walls = contacts.walls
         self._walls, self._turning = walls_at(walls, state.walls), walls.turning
-        self._motions = WallMotions(
-            walls.times, walls.values, walls.start, walls.drive_wall, walls.drive_component, walls.drive_schedule,
-            walls.drive_rate, walls.drive_axis, walls.servo_wall, walls.servo_schedule, walls.servo_speed,
-            walls.servo_mass, walls.servo_damping, walls.free_wall, walls.free_mass, walls.free_force,
-            walls.free_torque,
-        )  # fmt: skip
+        self._motions = WallMotions(**{name: getattr(walls, name) for name in WallMotions._fields})
         self._deepest = 0.0
         found = self._search.find(state.step)
         if found is not None:
@@ -92,9 +87,7 @@ class ContactTables:
             pairs.bond, self._joints.integrity, found.of_bond, self._period,
         )  # fmt: skip
         faces = self._faces
-        self._face_pairs = (
-            None if faces is None else faces.pairs(self._pairs, found.faces, found.whole, portions)
-        )  # fmt: skip
+        self._face_pairs = None if faces is None else faces.pairs(self._pairs, found.faces, found.whole, portions)
         self._near = NearPairs(
             np.zeros(c + 1, dtype=np.uint32), np.zeros(c + 1, dtype=np.uint32), np.empty((c, 8)),
             np.zeros((portions, 2), dtype=np.int64), _FRESH * found.reach, self._beyond,
@@ -116,9 +109,7 @@ class ContactTables:
         """Return the part of contacts with their present list."""
         s, law, walls, faces = self._shared, self._law, self._walls, self._face_pairs
         walled = len(walls.body) > 0
-        travel: Passes = [
-            steps.measure_travel(s.moving, self._travel), steps.check_travel(self._travel, walls, s.ledger)
-        ]  # fmt: skip
+        travel = [steps.measure_travel(s.moving, self._travel), steps.check_travel(self._travel, walls, s.ledger)]
         add = steps.add_pair_loads(law, self._pairs, self._near, self._sums)
         examined = s.moving, law, self._pairs, self._near, self._travel
         contacts: Passes = [steps.press_pairs(*examined), add]

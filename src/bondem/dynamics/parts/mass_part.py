@@ -8,6 +8,7 @@ from bondem.dynamics.parts.cell_part import BodyOfCells
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.interactions.step_part import Part
 from bondem.model.model import Model
+from bondem.specimen.ordering import starts
 
 
 def mass_of_waves(model: Model, shared: SharedTables, body: BodyOfCells) -> list[Part]:
@@ -16,9 +17,8 @@ def mass_of_waves(model: Model, shared: SharedTables, body: BodyOfCells) -> list
         return []
     layout, n = model.layout, len(model.layout.order)
     cell = body.walls.cell
-    wall_start = np.concatenate([[0], np.cumsum(np.bincount(cell, minlength=n))]).astype(np.int64)
     mass = CorrectedMass(
-        layout.in_start, layout.out_start, layout.out_bond, model.correction[layout.order], wall_start,
+        *layout.adjacency, model.correction[layout.order], starts(cell, n),
         np.argsort(cell, kind="stable").astype(np.int64), np.zeros((n, 6)), np.zeros(n), np.zeros((n, 6)),
     )  # fmt: skip
     of_cells = shared.moving, body.facets, body.walls, mass

@@ -5,7 +5,7 @@ import numpy as np
 from bondem._passes import steps
 from bondem._tables.step_tables import Dashpots, Resistance, StepBlocks
 from bondem.dynamics.damping import DampingTerms
-from bondem.dynamics.dashpots import bond_dashpots
+from bondem.dynamics.dashpot_rate import bond_dashpots
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.interactions.beams.bond_table import with_zeros
 from bondem.interactions.step_part import Part, Passes

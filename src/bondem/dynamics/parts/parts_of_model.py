@@ -5,7 +5,7 @@ from functools import singledispatch
 
 from bondem._tables.step_tables import Dashpots, Gauges, StepBlocks
 from bondem._types import PerBond
-from bondem.damage.damage_part import BondParts, Joints, damage_of
+from bondem.damage.damage_part import BondParts, DamageTables, Joints
 from bondem.dynamics.damping import DampingTerms
 from bondem.dynamics.gauge_tables import gauge_tables
 from bondem.dynamics.parts.beam_part import beams
@@ -39,7 +39,7 @@ def parts_of(
         contacts = [touching.part()]
         moments = [] if bonds.stresses is None else [touching.moments(bonds.stresses)]
     parts = [
-        boundary(shared),
+        boundary(model.constraints, shared),
         *contacts,
         *bonds.parts,
         *moments,
@@ -64,7 +64,7 @@ def _of_law(
     law: SteppingInteraction, model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, _: float
 ) -> BondParts:
     """Return the parts of bonds whose law provides its own passes, with its breakage."""
-    damage = damage_of(model.breaking, state, shared.blocks, len(with_twins(model.layout.i)))
+    damage = DamageTables.of(model.breaking, state, shared.blocks, len(with_twins(model.layout.i)))
 
     def failing(judge: Passes, remove: Passes, integrity: PerBond) -> Part:
         assert damage is not None

@@ -2,10 +2,12 @@
 
 from dataclasses import dataclass
 
+import numpy as np
+
+from bondem._cache_lines import exact_sums
+from bondem._tables.columns import HistoryColumn
 from bondem._tables.step_tables import Ledger, Moving, Rows, StepBlocks, Timeline
 from bondem._types import PerBond
-from bondem.dynamics.step_tables import new_ledger
-from bondem.model.constraints import Schedules
 from bondem.model.model import Model
 from bondem.model.state import State
 
@@ -19,8 +21,7 @@ class SharedTables:
         rows: rows of the boundary.
         blocks: division of a step into domains and blocks, and sums of forces.
         ledger: sums of energies for a record or for a check of the energy.
-        schedules: schedules of the boundary.
-        timeline: the functions of time of these schedules.
+        timeline: schedules of the boundary as functions of time.
         owned: True if elements are fixed, driven or loaded.
     """
 
@@ -28,7 +29,6 @@ class SharedTables:
     rows: Rows
     blocks: StepBlocks
     ledger: Ledger
-    schedules: Schedules
     timeline: Timeline
     owned: bool
 
@@ -36,16 +36,20 @@ class SharedTables:
     def of(cls, model: Model, state: State, blocks: StepBlocks) -> "SharedTables":
         """Return the tables of a run that begins from `state` and is divided into `blocks`."""
         constraints = model.constraints
-        times = constraints.schedules
         return cls(
             moving=Moving(state.pose, state.motion, state.acceleration, state.loss, state.rest),
             rows=constraints.rows(state.reaction, state.work),
             blocks=blocks,
             ledger=new_ledger(),
-            schedules=times,
-            timeline=Timeline(times.times, times.values, times.start),
+            timeline=constraints.timeline,
             owned=len(constraints.element) > 0,
         )
+
+
+def new_ledger() -> Ledger:
+    """Return a table of the energy balance with all sums zero."""
+    counts = np.zeros(3, dtype=np.int64), np.zeros(4, dtype=np.int64)
+    return Ledger(exact_sums(HistoryColumn.COUNT), counts[0], np.zeros(2), counts[1])
 
 
 def apart(model: Model, state: State) -> PerBond:

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from bondem._checks import instance
+from bondem._types import Mask
 from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondGeometry, BondLaw, BondStiffness
 from bondem.specimen.lattice import Lattice
@@ -28,6 +29,7 @@ def bond_stiffness(lattice: Lattice, bond: BondAssignment | None) -> tuple[BondS
 
     Raises:
         InputError: A bond follows no law, an entry is no bond law, a key is no region, or formulations differ.
+        EmptyRegionError: A region has no elements.
     """
     if bond is None:
         if len(lattice.pairs):
@@ -40,15 +42,12 @@ def bond_stiffness(lattice: Lattice, bond: BondAssignment | None) -> tuple[BondS
     if not isinstance(bond, Mapping) or not bond:
         raise InputError("bond= is not a bond law; give one, or a mapping {region: law, (region, region): law}")
     laws = [instance("Model", "bond", law, BondLaw, "a bond law") for law in bond.values()]
-    entries = [(ends_of("bond=", where), law) for where, law in zip(bond, laws, strict=True)]
+    ends = [ends_of("bond=", where, lattice) for where in bond]
     formulations = {law.formulation for law in bond.values()}
     if len(formulations) > 1:
         raise InputError("all bond laws of one model must share a formulation; choose 'total' or 'incremental'")
     table = BondStiffness.empty(len(lattice.pairs))
-    for (first, second), law in entries:
-        a, b = np.zeros((2, len(lattice.particles)), dtype=bool)
-        a[first.select(lattice)] = True
-        b[second.select(lattice)] = True
+    for (a, b), law in zip(ends, laws, strict=True):
         chosen = np.flatnonzero((a[i] & b[j]) | (b[i] & a[j]))
         table.put(chosen, law.stiffness(geometry.take(chosen)))
     bare = np.flatnonzero(np.isnan(table.kn) & lattice.connected[i])
@@ -61,13 +60,17 @@ def bond_stiffness(lattice: Lattice, bond: BondAssignment | None) -> tuple[BondS
     return table, formulations.pop()
 
 
-def ends_of(argument: str, where: object) -> tuple[Region, Region]:
-    """Return the regions at both ends of bonds for the key `where`, a region or a pair of regions.
+def ends_of(argument: str, where: object, lattice: Lattice) -> tuple[Mask, Mask]:
+    """Return masks of the elements at both ends of bonds for the key `where`, a region or a pair of them, (n,) each.
 
     Raises:
         InputError: The key is neither; the message begins with `argument`.
+        EmptyRegionError: A region has no elements.
     """
     pair = where if isinstance(where, tuple) else (where, where)
     if len(pair) != 2:
         raise InputError(f"{argument} names {len(pair)} regions for bonds of two ends; give (region, region): law")
-    return as_region(argument, pair[0]), as_region(argument, pair[1])
+    ends = np.zeros((2, len(lattice.particles)), dtype=bool)
+    for mask, region in zip(ends, [as_region(argument, side) for side in pair], strict=True):
+        mask[region.select(lattice)] = True
+    return ends[0], ends[1]

@@ -16,10 +16,10 @@ from bondem._threads import current_threads
 from bondem._types import Floats, PerBond, PerBond3, PerElement3
 from bondem.errors import InputError
 from bondem.interactions.beams.assignment import bond_stiffness
-from bondem.interactions.beams.beam_tables import beam_tables, loads_of_each
+from bondem.interactions.beams.beam_tables import loads_of_each
 from bondem.interactions.beams.bond_law import BondLaw, BondStiffness
 from bondem.interactions.beams.bond_strain import BondStrain
-from bondem.interactions.beams.bond_table import with_zeros
+from bondem.interactions.beams.bond_table import keep_columns, with_zeros
 from bondem.interactions.interaction import (
     Arrays,
     Boundary,
@@ -79,9 +79,8 @@ class BeamInteraction(Interaction):
         return Stiffness(bsr_array((rows.data, rows.indices, rows.indptr), shape=(size, size)))
 
     def loads(self, pose: Floats, arrays: Arrays) -> Floats:
-        stretched, integrity = self.table.stretched(arrays["rest_strain"]), arrays["integrity"]
-        beams, _ = beam_tables(stretched, self.layout, self.period, integrity, may_share=False)
-        on_i, on_j = loads_of_each(pose, beams, len(integrity))
+        beams = self._beams(arrays["rest_strain"], arrays["integrity"])
+        on_i, on_j = loads_of_each(pose, beams, len(arrays["integrity"]))
         return np.hstack([on_j[:, :3], on_i[:, 4:7], on_j[:, 4:7]])
 
     def small_loads(self, displacement: PerElement3, rotation: PerElement3, strain: PerBond) -> Floats:
@@ -115,9 +114,9 @@ class StoredBeamInteraction(BeamInteraction, SteppingInteraction):
     def tables(self, arrays: Arrays) -> tuple[Beams, StoredLoads]:
         """Return the beams and their stored loads, which share the array of the state.
 
-        Where there are fewer beams than a group, the array is a longer copy, made by `with_zeros`.
+        With fewer beams than a pass computes at once, the array is a longer copy, made by `with_zeros`.
         """
-        beams, _ = beam_tables(self.table, self.layout, self.period, arrays["integrity"], may_share=False)
+        beams = self._beams(np.zeros(0), arrays["integrity"])
         return beams, StoredLoads(np.ascontiguousarray(with_zeros(self.table.kb)), with_zeros(arrays["history"]))
 
     def loads(self, pose: Floats, arrays: Arrays) -> Floats:
@@ -127,19 +126,14 @@ class StoredBeamInteraction(BeamInteraction, SteppingInteraction):
         return loads.found[:, : len(arrays["integrity"])].T
 
     def parts(self, run: Run) -> LawParts:
-        moving, blocks, ledger, history = run.moving, run.blocks, run.ledger, run.arrays["history"]
+        moving, blocks, ledger = run.moving, run.blocks, run.ledger
         beams, stored = self.tables(run.arrays)
         loads: Passes = [steps.add_stored_loads(moving, beams, stored, blocks)]
         if run.dashpots is not None:
             loads.append(steps.add_dashpot_loads(moving, beams, run.dashpots, blocks))
-
-        def keep() -> None:
-            if stored.history is not history:
-                history[:] = stored.history[:, : history.shape[1]]
-
         part = Part(
             {"loads": loads, "guard": [steps.check_beams(moving, beams, ledger)]},
             record=lambda _: [steps.sum_stored_energies(moving, beams, stored, ledger)],
-            keep=keep,
+            keep=lambda: keep_columns(run.arrays["history"], stored.history),
         )
         return LawParts([part], run.arrays["integrity"])

@@ -168,6 +168,14 @@ class BondLaw(ABC):
     def stiffness(self, bonds: BondGeometry) -> BondStiffness:
         """Return the four stiffnesses and the contact point of each bond."""
 
+    def _of_beams(self, bonds: BondGeometry, section: "Section", ks: PerBond) -> BondStiffness:
+        """Return the stiffnesses of beams with the shear stiffness ks [N/m], (m,), and contact points at L/2."""
+        L = bonds.length
+        return BondStiffness(
+            kn=self.E * section.area / L, ks=ks, kb=self.E * section.second_moment / L,
+            kt=self.G * section.polar_moment / L, lever=0.5 * L, radius=section.radius,
+        )  # fmt: skip
+
 
 @dataclass(frozen=True)
 class Section:

@@ -57,13 +57,8 @@ class BondStrain:
         turned = rotation[j] - rotation[i]
         normal = (moved * direction).sum(axis=1)
         twist = (turned * direction).sum(axis=1)
-        return cls(
-            direction=direction,
-            normal=normal,
-            shear=moved - normal[:, None] * direction,
-            bend=turned - twist[:, None] * direction,
-            twist=twist,
-        )
+        shear, bend = moved - normal[:, None] * direction, turned - twist[:, None] * direction
+        return cls(direction, normal, shear, bend, twist)
 
     def forces(self, k: BondStiffness) -> Floats:
         """Return the force of each bond on its element i, tension pointing to j [N], (m, 3)."""
@@ -71,11 +66,6 @@ class BondStrain:
 
     def products(self, other: "BondStrain") -> Floats:
         """Return the factors of kn, ks, kb and kt of each bond in the work on another deformation, (4, m)."""
-        return np.stack(
-            [
-                self.normal * other.normal,
-                np.einsum("mi,mi->m", self.shear, other.shear),
-                np.einsum("mi,mi->m", self.bend, other.bend),
-                self.twist * other.twist,
-            ]
-        )
+        sheared = np.einsum("mi,mi->m", self.shear, other.shear)
+        bent = np.einsum("mi,mi->m", self.bend, other.bend)
+        return np.stack([self.normal * other.normal, sheared, bent, self.twist * other.twist])

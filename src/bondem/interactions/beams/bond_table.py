@@ -52,18 +52,10 @@ class BondTable:
         b = L - a
         k = kb - kt
         return cls(
-            direction=directions(lattice, layout),
-            length=L,
-            kn=stiffness.kn[order],
-            A=ks * a * a + k,
-            B=ks * a * b - k,
-            C=ks * b * b + k,
-            kt=kt,
-            ks=ks,
-            kb=kb,
-            lever=a,
+            direction=directions(lattice, layout), length=L, kn=stiffness.kn[order],
+            A=ks * a * a + k, B=ks * a * b - k, C=ks * b * b + k, kt=kt, ks=ks, kb=kb, lever=a,
             radius=stiffness.radius[order],
-        )
+        )  # fmt: skip
 
     def stretched(self, strain: PerBond) -> "BondTable":
         """Return the same bonds with rest lengths L (1 + ε*); the constants of moments are unchanged.
@@ -119,6 +111,12 @@ def with_twins(column: np.ndarray) -> np.ndarray:
 def with_zeros(columns: np.ndarray) -> np.ndarray:
     """Return columns of bonds (…, m), padded to GROUP entries with zeros."""
     return _longer(columns, np.zeros(1))
+
+
+def keep_columns(columns: np.ndarray, filled: np.ndarray) -> None:
+    """Copy the result of `with_zeros` back to its columns, (k, m), unless it is the same array."""
+    if filled is not columns:
+        columns[:] = filled[:, : columns.shape[1]]
 
 
 def _longer(columns: np.ndarray, value: np.ndarray) -> np.ndarray:

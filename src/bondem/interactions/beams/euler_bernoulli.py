@@ -22,13 +22,4 @@ class EulerBernoulli(BondLaw):
 
     def stiffness(self, bonds: BondGeometry) -> BondStiffness:
         section = Section(self.bond_radius(bonds))
-        L = bonds.length
-        EI = self.E * section.second_moment
-        return BondStiffness(
-            kn=self.E * section.area / L,
-            ks=12.0 * EI / L**3,
-            kb=EI / L,
-            kt=self.G * section.polar_moment / L,
-            lever=0.5 * L,
-            radius=section.radius,
-        )
+        return self._of_beams(bonds, section, 12.0 * (self.E * section.second_moment) / bonds.length**3)

@@ -35,12 +35,4 @@ class Obermayr(BondLaw):
 
     def stiffness(self, bonds: BondGeometry) -> BondStiffness:
         section = Section(self.bond_radius(bonds))
-        L = bonds.length
-        return BondStiffness(
-            kn=self.E * section.area / L,
-            ks=self.alpha_s * self.G * section.area / L,
-            kb=self.E * section.second_moment / L,
-            kt=self.G * section.polar_moment / L,
-            lever=0.5 * L,
-            radius=section.radius,
-        )
+        return self._of_beams(bonds, section, self.alpha_s * self.G * section.area / bonds.length)

@@ -42,10 +42,6 @@ class ParallelBond(BondLaw):
         kappa = self.kappa if self.kappa is not None else 2.0 * (1.0 + self.nu)
         kn = self.E * section.area / bonds.length
         return BondStiffness(
-            kn=kn,
-            ks=kn / kappa,
-            kb=0.25 * kn * section.radius**2,
-            kt=0.5 * kn / kappa * section.radius**2,
-            lever=0.5 * (bonds.length + bonds.radius_i - bonds.radius_j),
-            radius=section.radius,
-        )
+            kn=kn, ks=kn / kappa, kb=0.25 * kn * section.radius**2, kt=0.5 * kn / kappa * section.radius**2,
+            lever=0.5 * (bonds.length + bonds.radius_i - bonds.radius_j), radius=section.radius,
+        )  # fmt: skip

@@ -25,13 +25,5 @@ class Timoshenko(BondLaw):
     def stiffness(self, bonds: BondGeometry) -> BondStiffness:
         section = Section(self.bond_radius(bonds))
         L = bonds.length
-        EI = self.E * section.second_moment
         Phi = 20.0 * section.radius**2 * (1.0 + self.nu) / (3.0 * L**2)
-        return BondStiffness(
-            kn=self.E * section.area / L,
-            ks=12.0 * EI / (L**3 * (1.0 + Phi)),
-            kb=EI / L,
-            kt=self.G * section.polar_moment / L,
-            lever=0.5 * L,
-            radius=section.radius,
-        )
+        return self._of_beams(bonds, section, 12.0 * (self.E * section.second_moment) / (L**3 * (1.0 + Phi)))

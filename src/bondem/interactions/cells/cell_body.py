@@ -1,8 +1,7 @@
 """Access to the facets and cells of a lattice, for the cell law."""
 
-import numpy as np
-
 from bondem._types import Floats, Ints
+from bondem.interactions.row_sums import row_sums
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.tessellation.facets import Cells, Facets
 
@@ -21,8 +20,5 @@ def body_of(lattice: Lattice) -> tuple[Facets, Cells]:
 
 def sums_of_normals(cell: Ints, weight: Floats, normal: Floats, n: int) -> Floats:
     """Return Σ w n⊗n over the facets of each cell, in the unit of w, (n, 3, 3); w (k,), n (k, 3)."""
-    found = np.zeros((n, 3, 3))
-    for a in range(3):
-        for b in range(3):
-            found[:, a, b] = np.bincount(cell, weights=weight * normal[:, a] * normal[:, b], minlength=n)
-    return found
+    products = (weight[:, None] * normal)[:, :, None] * normal[:, None, :]
+    return row_sums(cell, products.reshape(-1, 9), n).reshape(n, 3, 3)

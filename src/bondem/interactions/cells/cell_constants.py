@@ -139,6 +139,11 @@ class CellConstants:
             slack=partial(_slack, body, G),
         )  # fmt: skip
 
+    @property
+    def modulus(self) -> PerElement:
+        """Young's modulus of each cell [Pa], (n,)."""
+        return self.G * (3.0 * self.lame + 2.0 * self.G) / (self.lame + self.G)
+
     def stress_of(self, swelling: PerElement) -> PerElement:
         """Return σ_p = ∂U/∂θ_p / V_p of each cell [Pa], (n,), for V θ without the openings of free facets [m³], (n,).
 
@@ -201,7 +206,7 @@ class CellConstants:
         return _rows(self.bend[NINE]).reshape(-1, 3, 3)
 
     def stretched(self, strain: PerBond, layout: Layout) -> "CellConstants":
-        """Return the constants with levers longer by stress-free strains ε*; see `strain`.
+        """Return the constants with levers multiplied by 1 + ε* of stress-free strains ε*.
 
         The levers to walls grow by the mean strain of the facets of their cell.
 
@@ -270,9 +275,7 @@ def _materials(body: Lattice, bond: CellAssignment) -> tuple[Floats, Floats, str
         return np.full(n, bond.G), np.full(n, bond.lame), bond.facet_rotation
     G, lame = np.full(n, np.nan), np.full(n, np.nan)
     for where, law in bond.items():
-        if not isinstance(where, Region) and not isinstance(where, tuple):
-            as_region("bond=", where)
-        if not isinstance(where, Region):
+        if isinstance(where, tuple):
             raise InputError("CellBond applies to cells; give {region: law}, not laws between two regions")
         chosen = as_region("bond=", where).select(body)
         G[chosen], lame[chosen] = law.G, law.lame

@@ -152,15 +152,10 @@ class CellInteraction(CellsAtAnyPose):
         return (facets.area, facets.span, facets.centroid)
 
     def modulus(self, volume: float) -> float:
-        return float(np.median(self._moduli))
-
-    @property
-    def _moduli(self) -> PerElement:
-        G, lame = self._own.G, self._own.lame
-        return G * (3.0 * lame + 2.0 * G) / (lame + G)
+        return float(np.median(self._own.modulus))
 
     def wave_speed(self, mass: PerElement) -> float:
-        return float(np.median(np.sqrt(self._moduli[self.layout.rank] * self.lattice.element_volume / mass)))
+        return float(np.median(np.sqrt(self._own.modulus[self.layout.rank] * self.lattice.element_volume / mass)))
 
     # ---- small motions
 

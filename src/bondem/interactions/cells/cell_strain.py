@@ -6,6 +6,7 @@ import numpy as np
 
 from bondem._types import Floats, PerElement, PerElement3, PerElement6
 from bondem.interactions.cells.cell_constants import CellConstants
+from bondem.interactions.row_sums import row_sums
 from bondem.specimen.lattice import Lattice
 
 
@@ -83,17 +84,14 @@ class CellStrain:
         load = np.zeros((len(body.particles), 6))
         for end, lever, sign in ((i, constants.lever_i, 1.0), (j, constants.lever_j, -1.0)):
             both = sign * np.hstack([force, np.cross(lever, force) + moment])
-            for d in range(6):
-                load[:, d] += np.bincount(end, weights=both[:, d], minlength=len(load))
+            load += row_sums(end, both, len(load))
         load[:, 3:] += at_wall
         return load + self.of_walls(len(load), constants)
 
     def of_walls(self, n: int, constants: CellConstants) -> PerElement6:
         """Return forces and torques of the walls on the elements that they hold [N, N·m], (n, 6)."""
         supports = constants.supports
-        values = supports.nodal(self.wall_gap, self.rotation, self.stress(constants))
-        parts = [np.bincount(supports.cell, weights=column, minlength=n) for column in values.T]
-        return np.stack(parts, axis=1).astype(float)
+        return row_sums(supports.cell, supports.nodal(self.wall_gap, self.rotation, self.stress(constants)), n)
 
     def work(self, other: "CellStrain", constants: CellConstants) -> float:
         """Return the work of these stresses on another deformation [J]; on itself it is twice the energy."""

@@ -9,21 +9,18 @@ from bondem._core import run_pass
 from bondem._passes import calls
 from bondem._tables.cell_tables import (
     CellDilatation,
-    CellEnergies,
-    CellPoses,
     DilatationGradients,
     ElasticFacets,
     FacetRelease,
     WallConstraints,
     WallTime,
 )
-from bondem._tables.step_tables import BeamSums
 from bondem._types import Floats, Ints, PerBond
 from bondem.geometry.rotations import turned_vectors
 from bondem.interactions.beams.bond_table import with_twins, with_zeros
 from bondem.interactions.cells.cell_constants import CellConstants
 from bondem.interactions.cells.dilatation_gradients import GradientConstants
-from bondem.specimen.ordering import Layout
+from bondem.specimen.ordering import Layout, starts
 
 #: Column of a pose that holds the stress λ θ of a cell [Pa].
 STRESS = 3
@@ -73,11 +70,10 @@ def gradient_tables(gradients: GradientConstants, n: int, walls: WallConstraints
     wall = gradients.wall
     cell = walls.cell[wall]
     by_cell = np.argsort(cell, kind="stable")
-    wall_start = np.concatenate([[0], np.cumsum(np.bincount(cell, minlength=layered))]).astype(np.int64)
     turned = turned_vectors(np.repeat(walls.base[wall, 3:], 2, axis=0), gradients.wall_way.reshape(-1, 3))
     return DilatationGradients(
         start, other, np.tile(spring, 2)[order], np.zeros(n), layer, following, np.ascontiguousarray(way),
-        wall_start, wall[by_cell], np.ascontiguousarray(turned.reshape(-1, 6)[by_cell]),
+        starts(cell, layered), wall[by_cell], np.ascontiguousarray(turned.reshape(-1, 6)[by_cell]),
         np.ascontiguousarray(gradients.weight), np.zeros((layered, 4)), np.zeros((layered, 3)),
     )  # fmt: skip
 
@@ -86,8 +82,7 @@ def _of_cells(i: Ints, j: Ints, n: int) -> tuple[Ints, Ints, np.ndarray]:
     """Return the start of the sides of each of n cells, the sides sorted by cell, and the cells opposite."""
     near, far = np.concatenate([i, j]), np.concatenate([j, i])
     order = np.argsort(near, kind="stable")
-    start = np.concatenate([[0], np.cumsum(np.bincount(near, minlength=n))]).astype(np.int64)
-    return start, order, far[order].astype(np.uint32)
+    return starts(near, n), order, far[order].astype(np.uint32)
 
 
 def facet_release(
@@ -103,33 +98,13 @@ def facet_release(
         walls: walls that hold facets of the cells.
     """
     n, (slack_i, slack_j) = len(constants.weight), constants.slack()
-    wall_start = np.concatenate([[0], np.cumsum(np.bincount(walls.cell, minlength=n))]).astype(np.int64)
     release = FacetRelease(
-        constants.weight, cells.weight, cells.given, slack_i, slack_j, layout.in_start,
-        layout.out_start, layout.out_bond, wall_start, np.argsort(walls.cell, kind="stable").astype(np.int64),
-        np.zeros(n, dtype=np.uint32), np.zeros(1, dtype=np.int64),
+        constants.weight, cells.weight, cells.given, slack_i, slack_j, *layout.adjacency, starts(walls.cell, n),
+        np.argsort(walls.cell, kind="stable").astype(np.int64), np.zeros(n, dtype=np.uint32),
+        np.zeros(1, dtype=np.int64),
     )  # fmt: skip
     run_pass(calls.weigh_cells(facets, release))
     return release
-
-
-def load_body(
-    all_cells: CellPoses, facets: ElasticFacets, cells: CellDilatation, gradients: DilatationGradients,
-    walls: WallConstraints, sums: Floats,
-) -> None:  # fmt: skip
-    """Store the stresses of cells in their poses, and add the loads of facets and walls to `sums`, (n, 8)."""
-    run_pass(calls.load_body(all_cells, facets, cells, gradients, walls, BeamSums(facets.i, facets.j, sums)))
-
-
-def body_energies(
-    all_cells: CellPoses, facets: ElasticFacets, cells: CellDilatation, gradients: DilatationGradients,
-    walls: WallConstraints,
-) -> tuple[float, float, float, float]:  # fmt: skip
-    """Return normal (with dilatation), shear, bending and twisting energy of facets, cells and walls [J]."""
-    found = np.empty(4)
-    run_pass(calls.measure_cell_energies(all_cells, facets, cells, gradients, walls, CellEnergies(found)))
-    normal, shear, bending, twisting = found.tolist()
-    return normal, shear, bending, twisting
 
 
 def place_supports(walls: WallConstraints, time: float) -> None:

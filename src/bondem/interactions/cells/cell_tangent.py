@@ -9,15 +9,22 @@ from scipy.sparse import bsr_array, csr_array
 from bondem._cache_lines import lines
 from bondem._core import run_pass
 from bondem._passes import calls
-from bondem._tables.cell_tables import CellDilatation, CellPoses, DilatationGradients, ElasticFacets, WallConstraints
+from bondem._tables.cell_tables import (
+    CellDilatation,
+    CellEnergies,
+    CellPoses,
+    DilatationGradients,
+    ElasticFacets,
+    WallConstraints,
+)
 from bondem._tables.damage_tables import FailureIndices, Strengths
-from bondem._tables.step_tables import Poses
+from bondem._tables.step_tables import BeamSums, Poses
 from bondem._tables.stiffness_tables import BondTangents
 from bondem._types import Floats, PerBond, PerElement6
 from bondem.geometry.rotations import relative_rotations, turned_vectors
 from bondem.interactions.beams.bond_table import BondTable
 from bondem.interactions.cells.cell_constants import CellConstants
-from bondem.interactions.cells.cell_tables import STRESS, body_energies, cell_tables, gradient_tables, load_body
+from bondem.interactions.cells.cell_tables import STRESS, cell_tables, gradient_tables
 from bondem.interactions.energy_parts import EnergyParts
 from bondem.interactions.interaction import Arrays, Interaction, SurfaceState
 from bondem.interactions.stiffness import Stiffness
@@ -47,7 +54,10 @@ class BodyTables:
     def of(
         cls, law: "CellsAtAnyPose", constants: CellConstants, integrity: PerBond, surface: SurfaceState | None = None
     ) -> "BodyTables":
-        """Return the tables of a body with facets of a given integrity [-], (m,); `surface` is that of `energy`."""
+        """Return the tables of a body with facets of a given integrity [-], (m,).
+
+        Walls and tractions on facets are those of `surface`, or of the constants if it is None.
+        """
         layout = law.layout
         base, motion, pressed = surface or (None, constants.supports.motion, constants.pressed)
         walls = constants.supports.table(layout, np.zeros(len(layout.order), dtype=np.int64), base)
@@ -58,7 +68,19 @@ class BodyTables:
 
     def load(self, pose: Floats, rest: Floats, sums: Floats) -> None:
         """Add force and torque of facets and walls on all cells to `sums`, (n, 8); store stresses in the poses."""
-        load_body(CellPoses(pose, rest), self.facets, self.cells, self.gradients, self.walls, sums)
+        to = BeamSums(self.facets.i, self.facets.j, sums)
+        run_pass(calls.load_body(CellPoses(pose, rest), *self.tables, to))
+
+    def energies(self, pose: Floats, rest: Floats) -> EnergyParts:
+        """Return the energies of facets, cells and walls in a pose; the normal one includes the dilatation."""
+        found = np.empty(4)
+        run_pass(calls.measure_cell_energies(CellPoses(pose, rest), *self.tables, CellEnergies(found)))
+        return EnergyParts(*found.tolist())
+
+    @property
+    def tables(self) -> tuple[ElasticFacets, CellDilatation, DilatationGradients, WallConstraints]:
+        """All four tables, in the order of the passes of a body."""
+        return self.facets, self.cells, self.gradients, self.walls
 
 
 class CellsAtAnyPose(Interaction):
@@ -74,8 +96,7 @@ class CellsAtAnyPose(Interaction):
         body.walls.wall[:] = 0.0
         body.load(pose, poses.rest, lines(len(pose)))  # stresses of cells, bending of layers
         body.cells.given[:] = 0.0
-        tables = body.facets, body.cells, body.gradients, body.walls
-        return product_by(len(pose), lambda by: calls.multiply_body(poses, by, *tables))
+        return product_by(len(pose), lambda by: calls.multiply_body(poses, by, *body.tables))
 
     @property
     def _rest(self) -> Floats:
@@ -86,8 +107,7 @@ class CellsAtAnyPose(Interaction):
         self, pose: Floats, rest: Floats, integrity: PerBond, strain: PerBond, surface: SurfaceState | None = None
     ) -> EnergyParts:
         constants = self.constants.stretched(strain, self.layout).damaged(integrity, self.layout.i, self.layout.j)
-        body = BodyTables.of(self, constants, integrity, surface)
-        return EnergyParts(*body_energies(CellPoses(pose, rest), body.facets, body.cells, body.gradients, body.walls))
+        return BodyTables.of(self, constants, integrity, surface).energies(pose, rest)
 
     def indices(self, pose: Floats, arrays: Arrays, kind: str, strengths: Strengths) -> PerBond:
         layout, constants = self.layout, self.constants.stretched(arrays["rest_strain"], self.layout)

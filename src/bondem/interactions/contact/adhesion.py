@@ -38,7 +38,7 @@ class Adhesion:
         number("Adhesion", "reach", self.reach, unit="m", above=0.0, advice="a positive gap")
 
     def pull_off(self, radius: Floats) -> Floats:
-        """Return the largest force between two spheres of each radius [m], or of each with a wall [N], (n,)."""
+        """Return the largest attraction [N], (n,), of two spheres of each radius [m], or of a sphere and a wall."""
         return self.strength * math.pi * radius**2
 
 

@@ -96,7 +96,7 @@ class ContactLaws:
 
     @property
     def of_beams(self) -> str:
-        """Name of an option that only spheres support, "parallel" or "adhesion"; empty if no law has one."""
+        """Name of an option of the laws that only spheres support, "parallel" or "adhesion"; empty for none."""
         return "parallel" if self.parallel else "adhesion" if self.beyond > 0.0 else ""
 
     @property
@@ -123,7 +123,7 @@ class ContactLaws:
         return rows[self.between], at_walls
 
     def of_pairs(self, i: Ints, j: Ints) -> tuple[Floats, Floats, Floats]:
-        """Return ks / kn, μ and β of pairs of elements (user's order), each (c,)."""
+        """Return ks / kn, μ and β [-] of the contacts of elements i and j, (c,) each; i and j in user's order."""
         _, soft, friction, beta, *_ = np.array([law.parameters for law in self.laws]).T
         law = self.between[self.kind[i], self.kind[j]]
         return soft[law], friction[law], beta[law]

@@ -167,12 +167,7 @@ def passage(
 ) -> float:  # fmt: skip
     """Return the least duration π √(m̄ D / F_c) of motion within the reach D of adhesion [s]; inf without adhesion.
 
-    Args:
-        adhesion: adhesion of the law.
-        radius: radii of the spheres [m], (n,).
-        mass: masses of the spheres [kg], (n,).
-        platens: masses of the walls that a force moves [kg], (s,).
-        walled: True if there are walls.
+    Further arguments are those of `ContactLaw.shortest`.
     """
     if adhesion is None:
         return math.inf
@@ -206,9 +201,9 @@ class LinearContact(ContactLaw):
             the rest length of the bond. False to measure all gaps from the spheres, with kn of this law.
         parallel: True if the contact also acts in parallel with intact bonds, with kn of this law before and after
             they break; gaps of bonded pairs are then those of any pair. For beams only.
-        rolling: coefficient μ_r of resistance to rolling [-]: a spring of stiffness ks R̄² against the rotation of one
-            sphere on the other, 1/R̄ = 1/Ri + 1/Rj (at a wall R̄ = R), with the limit μ_r R̄ F_n and without a dashpot
-            (type C of Ai et al., Powder Technology 206 (2011) 269–282). 0 for none.
+        rolling: coefficient μ_r of resistance to rolling [-], 0 for none. A spring of stiffness ks R̄² acts against
+            the rotation of one sphere on the other, up to the moment μ_r R̄ F_n and without a dashpot, with 1/R̄ =
+            1/Ri + 1/Rj (at a wall R̄ = R). This is type C of Ai et al., Powder Technology 206 (2011) 269–282.
         twisting: coefficient μ_w of resistance to rotation about the normal of the contact, like μ_r [-].
         adhesion: attraction up to a gap, in addition to repulsion; None for none. For beams and loose spheres.
 
@@ -243,19 +238,16 @@ class LinearContact(ContactLaw):
 
     @property
     def parameters(self) -> Floats:
-        """Parameters of the law that the compiled core reads; see `ContactLaw.parameters`."""
         own = [self.E, 1.0 / self.kappa, self.friction, self.damping, self.rolling, self.twisting, 0.0]
         return np.array([*own, *numbers_of(self.adhesion)])
 
     def stiffest(self, radius: Floats, mass: Floats, platens: Floats) -> tuple[tuple[float, float], ...]:
-        """Return bounds of the fastest motions of spheres in contact; arguments as for `ContactLaw.stiffest`."""
         kn = 0.5 * math.pi * self.E * radius
         delay = 2.0 * self.damping * float(np.sqrt(0.5 * mass / kn).max())
         return fastest(kn, self.kappa, delay, mass, platens, rough=self.friction > 0.0, rolls=self.rolls)
 
     @property
     def deepest(self) -> float:
-        """Overlap over the smaller radius up to which the law describes a contact [-]."""
         return _DEEPEST
 
     def shortest(self, radius: Floats, mass: Floats, platens: Floats, *, walled: bool) -> float:

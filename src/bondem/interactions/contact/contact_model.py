@@ -15,7 +15,7 @@ from bondem.interactions.contact.contact_assignment import ContactLaws
 from bondem.interactions.contact.contact_search import found_walls, new_wall_sources, walls_at
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.local_origin import local_rest
-from bondem.specimen.ordering import Layout
+from bondem.specimen.ordering import Layout, starts
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,10 +88,8 @@ class ContactModel:
         user = layout.order
         branch = lattice.particles.nearest(lattice.centre[user[later]] - lattice.centre[user[earlier]])
         distance = np.linalg.norm(branch, axis=1)
-        start = np.concatenate([[0], np.cumsum(np.bincount(later, minlength=n))]).astype(np.int64)
-        pairs = RestGaps(
-            start, earlier.astype(np.uint32), np.minimum(distance - radius[earlier] - radius[later], 0.0)
-        )
+        gap = np.minimum(distance - radius[earlier] - radius[later], 0.0)
+        pairs = RestGaps(starts(later, n), earlier.astype(np.uint32), gap)
         # the core finds the walls that each sphere at rest touches, so that only it evaluates shapes of walls
         count = len(walls.shape)
         still = walls_at(walls, walls_at_rest(count))

@@ -132,12 +132,10 @@ class HertzMindlin(ContactLaw):
 
     @property
     def hertzian(self) -> bool:
-        """True, because the stiffness is that of Hertz and Mindlin."""
         return True
 
     @property
     def parameters(self) -> Floats:
-        """Parameters of the law that the compiled core reads; see `ContactLaw.parameters`."""
         soft, mu, beta = 1.0 / self.kappa, self.friction, self.damping
         own = [self.modulus, soft, mu, beta, self.rolling, self.twisting, self.overlap]
         return np.array([*own, *numbers_of(self.adhesion)])

@@ -14,6 +14,7 @@ import math
 import numpy as np
 
 from bondem._types import Floats, Mask, PerBond
+from bondem.interactions.row_sums import row_sums
 from bondem.specimen.lattice import Lattice
 
 # Regular polyhedra: faces, and surface over that of the sphere inside, S / 4 π r².
@@ -49,9 +50,6 @@ def weighted_areas(lattice: Lattice) -> PerBond:
 def _open(lattice: Lattice, plain: PerBond, total: Floats) -> Mask:
     """Return a mask of the elements at the surface, (n,), given `plain` A0 of bonds and its sums per element."""
     i, j = lattice.pairs.T
-    normal = lattice.branch / lattice.length[:, None]
-    left = np.zeros((len(total), 3))
-    for d in range(3):
-        left[:, d] += np.bincount(i, weights=plain * normal[:, d], minlength=len(total))
-        left[:, d] -= np.bincount(j, weights=plain * normal[:, d], minlength=len(total))
+    areas = plain[:, None] * (lattice.branch / lattice.length[:, None])
+    left = row_sums(i, areas, len(total)) - row_sums(j, areas, len(total))
     return np.linalg.norm(left, axis=1) > _OPEN * total

@@ -5,7 +5,8 @@ from scipy.sparse import bsr_array
 
 from bondem._types import Floats
 from bondem.interactions.non_local.non_local_constants import NonLocalConstants
-from bondem.specimen.ordering import Layout
+from bondem.interactions.row_sums import row_sums
+from bondem.specimen.ordering import Layout, starts
 
 
 def local_stiffness(constants: NonLocalConstants, layout: Layout) -> bsr_array:
@@ -23,16 +24,14 @@ def local_stiffness(constants: NonLocalConstants, layout: Layout) -> bsr_array:
     diagonal = np.zeros((n, 6, 6))
     for end in range(2):
         own = np.swapaxes(B[end], 1, 2) @ PB[end]
-        for r in range(6):
-            for c in range(6):
-                diagonal[:, r, c] += np.bincount(ends[end], weights=own[:, r, c], minlength=n)
+        diagonal += row_sums(ends[end], own.reshape(m, 36), n).reshape(n, 6, 6)
     beside = np.swapaxes(B[0], 1, 2) @ PB[1]
     row = np.concatenate([np.arange(n), ends[0], ends[1]])
     column = np.concatenate([np.arange(n), ends[1], ends[0]])
     blocks = np.concatenate([diagonal, beside, np.swapaxes(beside, 1, 2)])
     order = np.lexsort((column, row))
-    indptr = np.concatenate([[0], np.cumsum(np.bincount(row, minlength=n))]).astype(np.int32)
-    return bsr_array((blocks[order], column[order].astype(np.int32), indptr), shape=(6 * n, 6 * n))
+    indptr, indices = starts(row, n).astype(np.int32), column[order].astype(np.int32)
+    return bsr_array((blocks[order], indices, indptr), shape=(6 * n, 6 * n))
 
 
 def _crossing(lever: Floats) -> Floats:

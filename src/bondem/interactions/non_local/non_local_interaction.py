@@ -15,18 +15,19 @@ from bondem._core import run_pass
 from bondem._passes import calls, steps
 from bondem._tables.damage_tables import BeamIntegrity, FailureIndices, Strengths
 from bondem._tables.non_local_tables import NonLocalBonds, SmallSprings, SmallSteps
-from bondem._tables.step_tables import Beams, LaggedStresses, Poses, StepBlocks
+from bondem._tables.step_tables import Beams, LaggedStresses, Poses
 from bondem._types import Floats, PerBond, PerBond3, PerElement3, PerElement6
 from bondem.errors import InputError
 from bondem.interactions.beams.beam_tables import beam_tables
 from bondem.interactions.beams.bond_law import BondStiffness
-from bondem.interactions.beams.bond_table import with_twins, with_zeros
+from bondem.interactions.beams.bond_table import keep_columns, with_twins, with_zeros
 from bondem.interactions.interaction import Arrays, Boundary, DamageOfRun, LawParts, Run, StateField
 from bondem.interactions.lagged_interaction import LaggedInteraction
 from bondem.interactions.non_local.local_stiffness import local_stiffness
 from bondem.interactions.non_local.non_local_constants import NonLocalConstants
 from bondem.interactions.non_local.non_local_law import NonLocal
 from bondem.interactions.non_local.non_local_strain import NonLocalStrain
+from bondem.interactions.row_sums import rows_of_ends
 from bondem.interactions.step_part import Part, Passes
 from bondem.interactions.stiffness import Stiffness
 from bondem.specimen.lattice import Lattice
@@ -127,7 +128,7 @@ class NonLocalInteraction(LaggedInteraction):
     def parts(self, run: Run) -> LawParts:
         moving, blocks, ledger, dashpots = run.moving, run.blocks, run.ledger, run.dashpots
         beams, bonds = self._tables(run.arrays)
-        stresses = self._stresses(run.arrays["stress"], self._rows_of_moments(blocks), int(blocks.part[-1]))
+        stresses = self._stresses(run.arrays["stress"], rows_of_ends(blocks, self.layout), int(blocks.part[-1]))
         dashes: Passes = [] if dashpots is None else [steps.add_dashpot_loads(moving, beams, dashpots, blocks)]
         stages: dict[str, Passes] = {"prepare": [steps.turn_stresses(moving, stresses)]}
         if run.damage is None and not run.touches:  # no pass needs the present stresses before the elements move
@@ -140,14 +141,8 @@ class NonLocalInteraction(LaggedInteraction):
             stages["stress"] = [steps.find_stresses(moving, stresses)]
             stages["loads"] = [steps.add_non_local_loads(bonds, blocks), *dashes]
         stages["guard"] = [steps.check_beams(moving, beams, ledger)]
-        stored = run.arrays["history"]
-
-        def keep() -> None:
-            if bonds.history is not stored:
-                stored[:] = bonds.history[:, : stored.shape[1]]
-
         energies: Passes = [steps.sum_non_local_energies(moving, beams, bonds, ledger)]
-        parts = [Part(stages, lambda _: energies, keep)]
+        parts = [Part(stages, lambda _: energies, lambda: keep_columns(run.arrays["history"], bonds.history))]
         if run.damage is not None:
             parts.append(_breakage(run, run.damage, beams, bonds, stresses))
         return LawParts(parts, beams.integrity, stresses)
@@ -176,15 +171,6 @@ class NonLocalInteraction(LaggedInteraction):
         """
         n = len(stress)
         return LaggedStresses(1.0 / self.constants.volume, stress, lines(n), lines(n + more), with_twins(to_i))
-
-    def _rows_of_moments(self, blocks: StepBlocks) -> np.ndarray:
-        """Return the row of the moment that each bond adds to for its element i, uint32, (m,).
-
-        Rows after those of the n elements are contributions of bonds between domains, in the order of `blocks.part`.
-        """
-        i = self.layout.i
-        row = blocks.row_i[: len(i)].astype(np.int64)
-        return np.where(row < blocks.parts, i, len(self.layout.order) + row - blocks.parts).astype(np.uint32)
 
 
 def _breakage(run: Run, damage: DamageOfRun, beams: Beams, bonds: NonLocalBonds, stresses: LaggedStresses) -> Part:

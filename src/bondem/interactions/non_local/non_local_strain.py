@@ -10,9 +10,8 @@ from bondem._tables.non_local_tables import ExtraForces
 from bondem._types import Floats, PerBond3, PerElement6
 from bondem.interactions.energy_parts import EnergyParts
 from bondem.interactions.non_local.non_local_constants import NonLocalConstants
+from bondem.interactions.row_sums import row_sums, symmetric_products
 from bondem.specimen.lattice import Lattice
-
-_SIX = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,11 +71,8 @@ class NonLocalStrain:
         """Return σ of each element by eq (1), its symmetric part xx, yy, zz, xy, xz, yz [Pa], (n, 6)."""
         i, j = self.lattice.pairs.T
         c, force, n = self.constants, self.force, len(self.lattice.particles)
-        found = np.zeros((n, 6))
-        for s, (a, b) in enumerate(_SIX):
-            for end, lever, half in ((i, c.lever_i, 0.5), (j, c.lever_j, -0.5)):
-                both = half * (lever[:, a] * force[:, b] + lever[:, b] * force[:, a])
-                found[:, s] += np.bincount(end, weights=both, minlength=n)
+        found = row_sums(i, symmetric_products(c.lever_i, force), n)
+        found -= row_sums(j, symmetric_products(c.lever_j, force), n)
         return found / c.volume[:, None]
 
     @property
@@ -97,6 +93,5 @@ class NonLocalStrain:
         load = np.zeros((len(self.lattice.particles), 6))
         for end, lever, sign in ((i, c.lever_i, 1.0), (j, c.lever_j, -1.0)):
             both = sign * np.hstack([force, np.cross(lever, force)])
-            for d in range(6):
-                load[:, d] += np.bincount(end, weights=both[:, d], minlength=len(load))
+            load += row_sums(end, both, len(load))
         return load

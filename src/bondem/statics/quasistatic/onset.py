@@ -6,7 +6,6 @@ import numpy as np
 
 from bondem._tables.stress_onset_tables import SofteningSearch
 from bondem._types import Floats, Ints, PerBond
-from bondem.damage.failure_passes import traction_indices
 from bondem.damage.failure_table import FailureTable
 from bondem.damage.proportional_onset import onset_factors, softening_along
 from bondem.damage.softening_table import SofteningTable
@@ -54,7 +53,7 @@ class TractionOnset:
 
     def factors(self, found: Loaded, whole: Ints, below: float, close: float) -> tuple[Ints, Floats]:
         """Return the facets that begin to fail first, and their factors; see `FacetOnset.factors`."""
-        index = traction_indices(self._body.weakened.normal, found.traction, self._body.area, self._table)[whole]
+        index = self._table.traction_indices(self._body.weakened.normal, found.traction, self._body.area)[whole]
         reached = np.divide(1.0, index, out=np.full(len(whole), np.inf), where=index > 0.0)
         least = min(below, float(reached.min(initial=np.inf)) * (1.0 + close))
         near = reached <= least

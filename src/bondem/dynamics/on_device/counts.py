@@ -1,0 +1,64 @@
+"""Numbers of indices of launches: functions of the run and of the tables of a pass."""
+
+from collections.abc import Callable
+from typing import TypeVar
+
+import numpy as np
+
+from bondem._tables.cell_tables import WallConstraints
+from bondem._tables.columns import BONDS_OF_PORTION, ELEMENTS_OF_PORTION
+from bondem._tables.step_tables import Rows
+from bondem.dynamics.on_device.translation import Count, Given, Translation
+
+_T = TypeVar("_T")
+
+
+def elements(run: Translation, _: Given) -> int:
+    """Return the number of elements."""
+    return run.span.n
+
+
+def bonds(run: Translation, _: Given) -> int:
+    """Return the number of bonds or facets."""
+    return run.span.m
+
+
+def portions_of_elements(run: Translation, _: Given) -> int:
+    """Return the number of portions of elements."""
+    return -(-run.span.n // ELEMENTS_OF_PORTION)
+
+
+def portions_of_bonds(run: Translation, _: Given) -> int:
+    """Return the number of portions of bonds or facets."""
+    return -(-run.span.m // BONDS_OF_PORTION)
+
+
+def free(run: Translation, _: Given) -> int:
+    """Return the number of elements that are not fixed, driven or loaded."""
+    return run.span.n - run.owners
+
+
+def owners(run: Translation, _: Given) -> int:
+    """Return the number of elements that are fixed, driven or loaded."""
+    return run.owners
+
+
+def one_thread(_: Translation, __: Given) -> int:
+    """Return 1, for a launch of one thread."""
+    return 1
+
+
+def length_of(kind: type[_T], column: Callable[[_T], np.ndarray]) -> Count:
+    """Return the `Count` of a launch over the rows of a column of a table of the pass."""
+    return lambda _, given: len(column(given[kind]))
+
+
+def elements_where(kind: type[_T], column: Callable[[_T], np.ndarray]) -> Count:
+    """Return the `Count` of a launch over elements, which is 0 if a column of a table of the pass is empty."""
+    return lambda run, given: run.span.n if len(column(given[kind])) else 0
+
+
+#: Number of rows of the boundary, one per element that is fixed, driven or loaded.
+rows = length_of(Rows, lambda of: of.force)
+#: Number of facets that walls hold.
+walls = length_of(WallConstraints, lambda of: of.cell)
