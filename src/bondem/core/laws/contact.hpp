@@ -94,8 +94,6 @@ template <class T, class Number> BONDEM_INLINE T sliding_limit(Number friction, 
     return 2.0 * root(bounded) * N / (1.0 + root(positive(1.0 - bounded * wide)));
 }
 
-template <class T> BONDEM_INLINE Vector3<T> tangential(Vector3<T> v, Vector3<T> n) { return minus(v, dot(v, n), n); }
-
 // A tangential vector a step later: turned about the normal, and into the new plane at its old length.
 template <class T> BONDEM_INLINE Vector3<T> turned_with(Vector3<T> s, Vector3<T> n, T angle) {
     const Vector3<T> in_plane = tangential(plus(s, angle, cross(n, s)), n);

@@ -6,8 +6,6 @@
 
 namespace bondem {
 
-using Byte = uint8_t;
-
 // Bonded facets, m of them; facets without force follow if they are fewer than a group of lanes.
 //
 // Levers are whole multiples of a pitch, shares and H are in single precision. Their conversion to doubles is exact,

@@ -5,10 +5,7 @@
 
 namespace bondem {
 
-// A component of a branch over the nearest periodic image [m]; the inverse edge of a free specimen is 0.
-template <class T> BONDEM_INLINE T over_nearest_image(T d, double edge, double inverse) {
-    return d - edge * nearest(d * inverse);
-}
+// A branch over the nearest periodic image [m].
 template <class T> BONDEM_INLINE Vector3<T> over_nearest_image(const Vector3<T> &d, const double *period) {
     return {over_nearest_image(d.x, period[0], period[3]), over_nearest_image(d.y, period[1], period[4]),
             over_nearest_image(d.z, period[2], period[5])};

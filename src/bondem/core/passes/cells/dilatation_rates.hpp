@@ -47,8 +47,7 @@ inline double dilatation_rate(const Array<double, 2> &pose, const ElasticFacets 
 }
 
 inline Rate acceleration_of(const CorrectedMass &mass, Index p) {
-    const double *a = &mass.acceleration(p, 0);
-    return {{a[0], a[1], a[2]}, {a[3], a[4], a[5]}};
+    return mass.acceleration.row<const Rate>(p);
 }
 inline Rate velocity_of(const Moving &all, Index p) {
     const double *v = &all.motion(p, 0);

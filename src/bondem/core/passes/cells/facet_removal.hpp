@@ -46,7 +46,7 @@ inline Removal removal_of_facet(const Moving &all, const ElasticFacets &facets, 
     const FacetShape<double> shape = columns.shape<double>(k);
     const OpenFacet<double> open = opened(ends, shape);
     const Vector normal = normal_of(facets, k);
-    const FacetEnergy<double> parts = facet_energy(ends, shape, normal, columns.stiffness(k, 1.0));
+    const BeamEnergy<double> parts = facet_energy(ends, shape, normal, columns.stiffness(k, 1.0));
     const double energy = facets.integrity(k) * (parts.normal + parts.shear + parts.bending + parts.twisting);
     return {energy, dot(open.gap, present_normal(ends, normal)), centre(all.pose.data, facets.i(k)) + open.arm_i};
 }

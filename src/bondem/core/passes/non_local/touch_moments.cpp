@@ -14,8 +14,7 @@ namespace {
 void add_to_stress(const double *pose, const LaggedStresses &stresses, Short p, Vector lever, Vector force) {
     const Quaternion<double> back = inverse(orientation(gather(pose, p)));
     const Stress<double> s = stresses.inverse(p) * symmetric_product(turned_by(back, lever), turned_by(back, force));
-    const double all[6] = {s.xx, s.yy, s.zz, s.xy, s.xz, s.yz};
-    for (Index c = 0; c < 6; c++) stresses.stress(p, c) += all[c];
+    for (Index c = 0; c < 6; c++) stresses.stress(p, c) += s[c];
 }
 
 }  // namespace

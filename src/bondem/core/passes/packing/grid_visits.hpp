@@ -18,15 +18,12 @@ inline VisitedCells visited_cells(Index centre, Index cells, bool periodic) {
 
 inline Index wrapped(Index at, Index cells) { return at < 0 ? at + cells : (at >= cells ? at - cells : at); }
 
-// Separations along an axis over the nearest periodic images, of as many spheres as there are lanes [m].
-inline Lanes nearest_image(Lanes apart, double edge, double inverse) { return apart - edge * nearest(apart * inverse); }
-
 // Mask of the members first … first + lanes - 1 of the grid whose gap to a sphere is at most `skin`, a bit each.
 inline unsigned near_bits(const SphereGrid &grid, const Period &period, Vector centre, double radius, Index first) {
     const auto column = [&](Index axis) { return load(&grid.place(axis, first)); };
-    const Lanes x = nearest_image(column(0) - centre.x, period.edge.x, period.inverse.x);
-    const Lanes y = nearest_image(column(1) - centre.y, period.edge.y, period.inverse.y);
-    const Lanes z = nearest_image(column(2) - centre.z, period.edge.z, period.inverse.z);
+    const Lanes x = over_nearest_image(column(0) - centre.x, period.edge.x, period.inverse.x);
+    const Lanes y = over_nearest_image(column(1) - centre.y, period.edge.y, period.inverse.y);
+    const Lanes z = over_nearest_image(column(2) - centre.z, period.edge.z, period.inverse.z);
     const Lanes reach = radius + column(3) + grid.skin;
     return bits_of(x * x + y * y + z * z <= reach * reach);
 }

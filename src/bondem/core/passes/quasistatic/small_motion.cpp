@@ -43,8 +43,7 @@ Half half_of(Vector whole, double s, bool closed, Vector normal) {
 
 void add_moment(const Array<double, 2> &moment, Index p, Vector arm, Vector force, double sign) {
     const Symmetric3<double> m = symmetric_product(arm, force);
-    const double parts[6] = {m.xx, m.yy, m.zz, m.xy, m.xz, m.yz};
-    for (Index c = 0; c < 6; c++) moment(p, c) += sign * parts[c];
+    for (Index c = 0; c < 6; c++) moment(p, c) += sign * m[c];
 }
 
 }  // namespace
