@@ -7,10 +7,7 @@
 namespace bondem {
 
 BONDEM_INLINE void put(const LoadsOfBonds &to, Index k, const BeamLoads<double> &loads) {
-    const Index m = to.load.shape[1];
-    const double all[9] = {loads.force.x, loads.force.y, loads.force.z, loads.on_i.x, loads.on_i.y,
-                           loads.on_i.z,  loads.on_j.x,  loads.on_j.y,  loads.on_j.z};
-    for (Index c = 0; c < 9; c++) to.load.data[c * m + k] = all[c];
+    keep_loads(to.load.data, to.load.shape[1], k, loads);
 }
 
 BONDEM_INLINE BeamLoads<double> loads_of(Index k, const Moving &all, const Beams &beams) {

@@ -109,7 +109,7 @@ inline void count_failures(Index, const Candidates &candidates, const EventLog &
 }
 
 BONDEM_INLINE BeamLoads<double> loads_in(const LoadsOfBonds &from, Index k) {
-    const auto at = [&](Index c) { return Vector{from.load(c, k), from.load(c + 1, k), from.load(c + 2, k)}; };
+    const auto at = [&](Index c) { return vector_at<double>(from.load.data, from.load.shape[1], c, k); };
     return {at(0), at(3), at(6)};
 }
 // Removes the failed beam at place e of the order of bonds, and writes the loads that its ends lose.

@@ -32,6 +32,12 @@ template <> BONDEM_INLINE Lanes number<Lanes>(const double *column, Index k) { r
 template <> BONDEM_INLINE Dual<Lanes> number<Dual<Lanes>>(const double *column, Index k) { return load(column + k); }
 #endif
 
+// Three rows of numbers of a table (…, m), from row `first` on.
+template <class T> BONDEM_INLINE Vector3<T> vector_at(const double *table, Index m, Index first, Index k) {
+    const double *column = table + first * m + k;
+    return {number<T>(column, 0), number<T>(column + m, 0), number<T>(column + 2 * m, 0)};
+}
+
 template <class T> BONDEM_INLINE Vector3<T> direction_of(const Beams &beams, Index k) {
     return {number<T>(beams.X0.data, k), number<T>(beams.Y0.data, k), number<T>(beams.Z0.data, k)};
 }
@@ -47,13 +53,30 @@ template <class Bonds> inline Ends<double> ends_of(const double *pose, const Bon
     return ends_of(gather(pose, bonds.i(k)), gather(pose, bonds.j(k)), bonds.period.data);
 }
 
+// Writes a number of one bond, or of the bonds of a group, but not of those of the group before.
+BONDEM_INLINE void keep_number(double *column, Index k, double a) { column[k] = a; }
 #if defined(BONDEM_LANES)
-
 // A group of as many bonds as there are lanes.
 struct Group {
     Index first;
     int known;  // how many of it belong to the group before
 };
+BONDEM_INLINE void keep_number(double *column, Group group, Lanes a) { store_behind(column + group.first, a, group.known); }
+#endif
+template <class Place, class T>
+BONDEM_INLINE void keep_vector(double *table, Index m, Index first, Place place, Vector3<T> a) {
+    for (Index c = 0; c < 3; c++) keep_number(table + (first + c) * m, place, a[c]);
+}
+// Writes the force and the torques of a bond to rows of a table (9, m).
+template <class Place, class Loads>
+BONDEM_INLINE void keep_loads(double *table, Index m, Place place, const Loads &loads) {
+    keep_vector(table, m, 0, place, loads.force);
+    keep_vector(table, m, 3, place, loads.on_i);
+    keep_vector(table, m, 6, place, loads.on_j);
+}
+
+#if defined(BONDEM_LANES)
+
 // Adds force and torques of lanes from `known` on to the sums of both ends of their bonds; for duals, derivatives.
 template <class Loads>
 BONDEM_INLINE void add_loads_of(double *sums, const Short *row_i, const Short *row_j, const Loads &loads, int known) {
