@@ -6,10 +6,11 @@
 namespace bondem {
 
 inline ExactSum &sum_of(const Ledger &ledger, Index column) { return exact_sum(ledger.sums, column); }
-// Calls by(sum) with an empty sum, and adds the result to a column of the balance.
-template <class By> inline void add_up(const Ledger &ledger, Index column, By by) {
+// Adds value(p) for p = first … last - 1 to a column of the balance.
+template <class Value> inline void add_up(const Ledger &ledger, Index column, Index first, Index last, Value value) {
     ExactSum sum = {};
-    by(sum);
+    for (Index p = first; p < last; p++)
+        if (const double one = value(p); one != 0.0) sum.add(one);
     sum_of(ledger, column).add_shared(sum);
 }
 

@@ -6,10 +6,7 @@
 
 namespace bondem {
 
-inline void adhere_one_pair(Index k, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
-                            const AdheringPairs &of) {
-    adhere_pair(all, c, pairs, of, k);
-}
+constexpr auto adhere_one_pair = &adhere_pair;
 inline void add_adhesion_of_element(Index p, const ContactPairs &pairs, const EarlierPairs &earlier, const AdheringPairs &of,
                                     const ContactSums &to) {
     for (Index k = pairs.start(p); k < pairs.start(p + 1); k++) add_adhesion(of, k, true, &to.sums(p, 0));

@@ -53,21 +53,16 @@ BONDEM_INLINE bool list_failing(Index k, const Verdict<double> &verdict, const B
     put_shared(candidates.any(0), Index(1));
     return true;
 }
-// Evaluates beam k if it is marked and unbroken; lists it and calls on_failure() if it fails.
-template <class Criterion, class OnFailure>
-BONDEM_INLINE void judge_one(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,
-                             const Strengths &strengths, const BondMarks &marks, const Candidates &candidates,
-                             OnFailure on_failure) {
+// Evaluates beam k if it is marked and unbroken; lists it and postpones its ends if it fails.
+template <class Criterion>
+BONDEM_INLINE void judge_beam(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,
+                              const Strengths &strengths, const BondMarks &marks, const Candidates &candidates,
+                              const Postponed &postponed) {
     if (marks.mark(k) == 0 || clock_of(span).first || !(beams.integrity(k) > 0.0)) return;
-    if (list_failing(k, verdict_of<Criterion>(all.pose.data, beams, strengths, k), marks, candidates)) on_failure();
+    if (list_failing(k, verdict_of<Criterion>(all.pose.data, beams, strengths, k), marks, candidates))
+        postpone_ends(postponed, beams, k);
 }
-#define BONDEM_JUDGE(_, name, Criterion)                                                                                 \
-    inline void judge_beam_by_##name(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,             \
-                                     const Strengths &strengths, const BondMarks &marks, const Candidates &candidates,   \
-                                     const Postponed &postponed) {                                                       \
-        judge_one<Criterion>(k, span, all, beams, strengths, marks, candidates,                                          \
-                             [&] { postpone_ends(postponed, beams, k); });                                               \
-    }
+#define BONDEM_JUDGE(_, name, Criterion) constexpr auto judge_beam_by_##name = &judge_beam<Criterion>;
 BONDEM_BEAM_CRITERIA(BONDEM_JUDGE, )
 #undef BONDEM_JUDGE
 

@@ -46,9 +46,6 @@ inline double dilatation_rate(const Array<double, 2> &pose, const ElasticFacets 
     return sum;
 }
 
-inline Rate acceleration_of(const CorrectedMass &mass, Index p) {
-    return mass.acceleration.row<const Rate>(p);
-}
 inline Rate velocity_of(const Moving &all, Index p) {
     const double *v = &all.motion(p, 0);
     return {{v[0], v[1], v[2]}, {v[4], v[5], v[6]}};
@@ -70,12 +67,13 @@ inline void find_acceleration(const Moving &all, const Rows &rows, const Correct
     }
 }
 
-inline void find_inertia(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass, Index p) {
-    const auto of = [&](Index q) { return acceleration_of(mass, q); };
+// Finds ρ β θ̈ of cell p by the accelerations of the elements.
+inline void find_inertia(Index p, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass) {
+    const auto of = [&](Index q) { return mass.acceleration.row<const Rate>(q); };
     mass.inertia(p) = mass.factor(p) * dilatation_rate(all.pose, facets, walls, mass, p, of);
 }
 // Finds the force Θᵀ ρ V β Θ a of the correction on element p.
-inline void find_inertia_force(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass, Index p) {
+inline void find_inertia_force(Index p, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass) {
     const FacetColumns columns(facets);
     Vector force = {}, torque = {};
     const auto add = [&](Index k, bool is_j) {

@@ -221,10 +221,8 @@ BONDEM_PASS(add_contact_loads, elements_of_blocks, "changes ContactSums.sums Ste
 
 void sum_pair_energies(const Range &range, const Moving &all, const ContactConstants &law, const ContactPairs &pairs,
                        const Ledger &ledger) {
-    add_up(ledger, history_column::contact, [&](ExactSum &sum) {
-        for (Index k = pairs.start(range.first); k < pairs.start(range.last); k++)
-            if (pairs.touch(k) == touching) sum.add(pair_energy(all.pose.data, law, pairs, k));
-    });
+    add_up(ledger, history_column::contact, pairs.start(range.first), pairs.start(range.last),
+           [&](Index k) { return pairs.touch(k) == touching ? pair_energy(all.pose.data, law, pairs, k) : 0.0; });
 }
 BONDEM_PASS(sum_pair_energies, of_elements, "")
 

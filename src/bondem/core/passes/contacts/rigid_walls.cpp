@@ -225,17 +225,17 @@ BONDEM_PASS(load_walls, of_rows, "")
 
 void sum_wall_energies(const Range &range, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                        const Walls &walls, const Ledger &ledger) {
-    add_up(ledger, history_column::contact, [&](ExactSum &sum) {
-        for (Index e = contacts.start(range.first); e < contacts.start(range.last); e++) {
-            if (contacts.touch(e) != touching) continue;
-            const double overlap = positive(contacts.gap(e) - surface_of(all, c, contacts, walls, e).gap);
-            const Vector s = contacts.memory.row<const Vector>(e);
-            const Short p = contacts.element(e);
-            const ContactRow &of = c.at_wall(p, contacts.wall(e));
-            with_law(c, of, [&](auto law) {
-                sum.add(contact_energy(law.at_wall(c.radius(p), overlap), of.soft, overlap, dot(s, s)));
-            });
-        }
+    add_up(ledger, history_column::contact, contacts.start(range.first), contacts.start(range.last), [&](Index e) {
+        double energy = 0.0;
+        if (contacts.touch(e) != touching) return energy;
+        const double overlap = positive(contacts.gap(e) - surface_of(all, c, contacts, walls, e).gap);
+        const Vector s = contacts.memory.row<const Vector>(e);
+        const Short p = contacts.element(e);
+        const ContactRow &of = c.at_wall(p, contacts.wall(e));
+        with_law(c, of, [&](auto law) {
+            energy = contact_energy(law.at_wall(c.radius(p), overlap), of.soft, overlap, dot(s, s));
+        });
+        return energy;
     });
 }
 BONDEM_PASS(sum_wall_energies, of_elements, "")

@@ -69,12 +69,10 @@ BONDEM_PASS(begin_softening, of_events, "")
 
 void sum_pressed_energies(const Range &range, const Moving &all, const Beams &beams, const SofteningBounds &bounds,
                           const Ledger &ledger) {
-    add_up(ledger, history_column::normal, [&](ExactSum &sum) {
-        for (Index k = range.first; k < range.last; k++) {
-            if (bounds.press(k) == 0.0) continue;
-            const double pressed = positive(beams.length(k) - length(ends_of(all.pose.data, beams, k).branch));
-            sum.add(0.5 * bounds.press(k) * pressed * pressed);
-        }
+    add_up(ledger, history_column::normal, range.first, range.last, [&](Index k) {
+        if (bounds.press(k) == 0.0) return 0.0;
+        const double pressed = positive(beams.length(k) - length(ends_of(all.pose.data, beams, k).branch));
+        return 0.5 * bounds.press(k) * pressed * pressed;
     });
 }
 BONDEM_PASS(sum_pressed_energies, of_bonds, "ends pose")
