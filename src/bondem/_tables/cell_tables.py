@@ -162,7 +162,7 @@ class CellStrains(NamedTuple):
     wall_still: Floats  #: 1 + ε* at each wall without the strains that change, (supports,)
     wall_part: Floats  #: strain at each wall at factor 1, (strains, supports)
     place: int  #: place of their work in the list of works
-    factor: Floats  #: rows: factors, their changes, ∂U/∂factor before and after [J], (4, strains)
+    factor: Floats  #: rows: factors a step ago and now, ∂U/∂factor [J] a step ago and now, (4, strains)
     power: Ints  #: exact sums of ∂U/∂factor [J], zero between steps, (strains, 68)
     due: Bytes  #: flags by `strain_due`: ∂U/∂factor is needed; levers have changed, (2,)
 

@@ -82,11 +82,9 @@ inline void rank_failing(Index e, const BondMarks &marks, const Candidates &cand
 // Calls on(k, true if p is end i of bond k) for the failing bonds of element p, in ascending order.
 template <class On>
 BONDEM_INLINE void for_each_failing_of(Index p, const BondsOfElements &bonds, const BondMarks &marks, On on) {
-    const auto fails = [&](Index k) { return marks.mark(k) == marked::fails; };
-    for (Index k = bonds.in_start(p); k < bonds.in_start(p + 1); k++)
-        if (fails(k)) on(k, false);
-    for (Index e = bonds.out_start(p); e < bonds.out_start(p + 1); e++)
-        if (fails(bonds.out_bond(e))) on(Index(bonds.out_bond(e)), true);
+    for_each_bond_of(bonds, p, [&](Index k, bool is_i) {
+        if (marks.mark(k) == marked::fails) on(k, is_i);
+    });
 }
 // Writes the event of the failed bond at place e of the order of bonds.
 BONDEM_INLINE void write_failure(Index e, const DeviceSpan &span, const Candidates &candidates, const EventLog &log,

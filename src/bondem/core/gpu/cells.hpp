@@ -28,8 +28,7 @@ inline void dilate_facet(Index k, const Moving &all, const ElasticFacets &facets
 }
 inline void gather_dilatation(Index p, const CellDilatation &cells, const BondsOfElements &bonds, const LoadsOfBonds &from) {
     double sum = cells.swelling(p);
-    for (Index k = bonds.in_start(p); k < bonds.in_start(p + 1); k++) sum += from.load(of_j, k);
-    for (Index e = bonds.out_start(p); e < bonds.out_start(p + 1); e++) sum += from.load(of_i, bonds.out_bond(e));
+    for_each_bond_of(bonds, p, [&](Index k, bool is_i) { sum += from.load(is_i ? of_i : of_j, k); });
     cells.swelling(p) = sum;
 }
 inline void set_stress(Index p, const Moving &all, const CellDilatation &cells) { stress_cell(all.pose, cells, p); }

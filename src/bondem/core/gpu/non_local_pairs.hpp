@@ -52,15 +52,11 @@ inline void gather_moments(Index p, const Moving &all, const NonLocalBonds &bond
     const Quaternion<double> q = orientation(gather(all.pose.data, Short(p)));
     const Rotation<double> of_i = matrix_of(q);  // as in `pair_pose`, bit by bit
     Stress<double> sum = {};
-    const auto add = [&](Vector lever, Index k) {
+    for_each_bond_of(of, p, [&](Index k, bool is_i) {
+        const PairShape<double> shape = pair_shape<double>(bonds, k);
+        const Vector lever = is_i ? turned_by(of_i, shape.lever_i) : -turned_by(q, shape.lever_j);
         sum = sum + symmetric_product(lever, output_at(bonds, force_column, k));
-    };
-    for (Index k = of.in_start(p); k < of.in_start(p + 1); k++)
-        add(-turned_by(q, pair_shape<double>(bonds, k).lever_j), k);
-    for (Index e = of.out_start(p); e < of.out_start(p + 1); e++) {
-        const Index k = of.out_bond(e);
-        add(turned_by(of_i, pair_shape<double>(bonds, k).lever_i), k);
-    }
+    });
     row_at(stresses.moment.data, Short(p)) = {{sum.xx, sum.yy, sum.zz, sum.xy, sum.xz, sum.yz, 0.0, 0.0}};
 }
 // Adds the pairs of element p to its stress: as the later element of a pair, then as the earlier one.

@@ -142,7 +142,7 @@ struct CellStrains {
     Array<const double, 1> wall_still;  // 1 + ε* at each wall without the strains that change, (supports,)
     Array<const double, 2> wall_part;  // strain at each wall at factor 1, (strains, supports)
     Index place;  // place of their work in the list of works
-    Array<double, 2> factor;  // rows: factors, their changes, ∂U/∂factor before and after [J], (4, strains)
+    Array<double, 2> factor;  // rows: factors a step ago and now, ∂U/∂factor [J] a step ago and now, (4, strains)
     Array<Index, 2> power;  // exact sums of ∂U/∂factor [J], zero between steps, (strains, exact_word::count)
     Array<Byte, 1> due;  // flags by `strain_due`: ∂U/∂factor is needed; levers have changed, (2,)
 };

@@ -18,6 +18,12 @@ template <class T> BONDEM_INLINE Ends<T> ends_of(const Row<T> &i, const Row<T> &
     return {branch(i, j, period), orientation(i), orientation(j)};
 }
 
+// Calls on(k, true if p is end i of bond k) for the bonds of element p, first those of which it is end j.
+template <class Bonds, class On> BONDEM_INLINE void for_each_bond_of(const Bonds &of, Index p, On on) {
+    for (Index k = of.in_start(p); k < of.in_start(p + 1); k++) on(k, false);
+    for (Index e = of.out_start(p); e < of.out_start(p + 1); e++) on(Index(of.out_bond(e)), true);
+}
+
 #if defined(BONDEM_LANES)
 template <class T> BONDEM_INLINE Ends<T> ends_of(const PairOfRows<T> &rows, const double *period) {
     return ends_of(rows.first, rows.second, period);

@@ -25,17 +25,15 @@ template <class Of>
 inline double dilatation_rate(const Array<double, 2> &pose, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass, Index p, Of of) {
     const FacetColumns columns(facets);
     double sum = 0.0;
-    const auto add = [&](Index k, bool is_j) {
+    for_each_bond_of(mass, p, [&](Index k, bool is_i) {
         const Ends<double> ends = ends_of(pose.data, facets, k);
         const FacetShape<double> shape = columns.shape<double>(k);
         const OpenFacet<double> open = opened(ends, shape);
         const Rate i = of(Index(facets.i(k))), j = of(Index(facets.j(k)));
         const Vector gap = j.linear + cross(j.angular, open.arm_j) - i.linear - cross(i.angular, open.arm_i);
-        const Vector share = is_j ? turned_by(ends.j, shape.share_j) : turned_by(ends.i, shape.share_i);
+        const Vector share = is_i ? turned_by(ends.i, shape.share_i) : turned_by(ends.j, shape.share_j);
         sum += facets.integrity(k) * dot(share, gap);
-    };
-    for (Index k = mass.in_start(p); k < mass.in_start(p + 1); k++) add(k, true);
-    for (Index e = mass.out_start(p); e < mass.out_start(p + 1); e++) add(Index(mass.out_bond(e)), false);
+    });
     const Rate own = of(p);
     const Quaternion<double> q = orientation(gather(pose.data, Short(p)));
     for (Index e = mass.wall_start(p); e < mass.wall_start(p + 1); e++) {
@@ -76,18 +74,16 @@ inline void find_inertia(Index p, const Moving &all, const ElasticFacets &facets
 inline void find_inertia_force(Index p, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass) {
     const FacetColumns columns(facets);
     Vector force = {}, torque = {};
-    const auto add = [&](Index k, bool is_j) {
+    for_each_bond_of(mass, p, [&](Index k, bool is_i) {
         const Ends<double> ends = ends_of(all.pose.data, facets, k);
         const FacetShape<double> shape = columns.shape<double>(k);
         const OpenFacet<double> open = opened(ends, shape);
         const Vector g = mass.inertia(facets.i(k)) * turned_by(ends.i, shape.share_i) +
                          mass.inertia(facets.j(k)) * turned_by(ends.j, shape.share_j);
-        const double sign = is_j ? facets.integrity(k) : -facets.integrity(k);
+        const double sign = is_i ? -facets.integrity(k) : facets.integrity(k);
         force = plus(force, sign, g);
-        torque = torque + cross(is_j ? open.arm_j : open.arm_i, sign * g);
-    };
-    for (Index k = mass.in_start(p); k < mass.in_start(p + 1); k++) add(k, true);
-    for (Index e = mass.out_start(p); e < mass.out_start(p + 1); e++) add(Index(mass.out_bond(e)), false);
+        torque = torque + cross(is_i ? open.arm_i : open.arm_j, sign * g);
+    });
     const Quaternion<double> q = orientation(gather(all.pose.data, Short(p)));
     for (Index e = mass.wall_start(p); e < mass.wall_start(p + 1); e++) {
         const Index g = mass.wall(e);

@@ -1,13 +1,9 @@
 // Growth of levers by the present stress-free strains: 1 + ε*.
 #pragma once
 #include "../../tables/cell_tables.hpp"
+#include "../boundary/strain_factors.hpp"
 
 namespace bondem {
-
-// Rows of `CellStrains.factor`.
-namespace strain_factor {
-enum : Index { now, change, before, after };
-}
 
 inline double growth_of(const CellStrains &strains, Index k) {
     double sum = strains.still(k);

@@ -63,8 +63,7 @@ inline void choose_axes(const Moving &all, const ElasticFacets &facets, const Ce
     for (const Short p : cells) {
         if (lists.leader(p) >= 0) own.add(cracks, lists.leader(p));
         add(p);
-        for (Index h = of.in_start(p); h < of.in_start(p + 1); h++) add(facets.i(h));
-        for (Index e = of.out_start(p); e < of.out_start(p + 1); e++) add(facets.j(of.in_start(0) + Index(of.out_bond(e))));
+        for_each_bond_of(of, p, [&](Index h, bool is_i) { add(is_i ? facets.j(h) : facets.i(h)); });
     }
     const PrincipalStress<double> here = principal((1.0 / around.volume) * around.sum);
     int first = 0;

@@ -88,10 +88,9 @@ inline void stretch_lever(const Array<int32_t, 2> &lever, const Array<int32_t, 2
 inline void stretch_cell(const ElasticFacets &facets, const FacetsOfCells &of_cells, const YieldingCells &cells, Index p) {
     const PlasticDeformation<double> &P = deformation_of(cells, p);
     cells.slipped(p) = cells.plastic(p, plastic_column::gamma);
-    for (Index k = of_cells.in_start(p); k < of_cells.in_start(p + 1); k++)
-        stretch_lever(facets.lever_j, cells.base_j, facets.pitch, P, k);
-    for (Index e = of_cells.out_start(p); e < of_cells.out_start(p + 1); e++)
-        stretch_lever(facets.lever_i, cells.base_i, facets.pitch, P, of_cells.in_start(0) + Index(of_cells.out_bond(e)));
+    for_each_bond_of(of_cells, p, [&](Index k, bool is_i) {
+        stretch_lever(is_i ? facets.lever_i : facets.lever_j, is_i ? cells.base_i : cells.base_j, facets.pitch, P, k);
+    });
 }
 // Updates the lever of wall g.
 inline void stretch_yielding_wall(const WallConstraints &walls, const YieldingCells &cells, Index g) {
