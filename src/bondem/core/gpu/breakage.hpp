@@ -33,11 +33,11 @@ BONDEM_INLINE void put_marked(Index k, const BeamLoads<double> &loads, const Loa
 }
 inline void load_marked_beam(Index k, const Moving &all, const Beams &beams, const LoadsOfBonds &to,
                              const FailureBounds &bounds, const BondMarks &marks) {
-    put_marked(k, loads_of(k, all, beams), to, bounds, marks);
+    put_marked(k, loads_of(k, all, beams, Own{beams}), to, bounds, marks);
 }
 inline void load_marked_uniform_beam(Index k, const Moving &all, const Beams &beams, const UniformBeams &uniform,
                                      const LoadsOfBonds &to, const FailureBounds &bounds, const BondMarks &marks) {
-    put_marked(k, loads_of(k, all, beams, uniform), to, bounds, marks);
+    put_marked(k, loads_of(k, all, beams, all_uniform(uniform)), to, bounds, marks);
 }
 
 // ---- evaluation
@@ -158,10 +158,11 @@ inline void keep_dashed_sum(Index e, const StepBlocks &blocks, const Dashpots &d
         row_at(dashpots.sums.data, Short(postponed.first_row + p)) = row_at(dashpots.sums.data, blocks.ready_row(e));
 }
 
-// Finds the acceleration of a postponed element by its kept sum, and opens its next step if the run continues.
+// Finds the acceleration of element p, if it is postponed, by its kept sum; opens its next step if the run continues.
 template <class Boundary, class Resisted>
 BONDEM_INLINE void resume(const DeviceSpan &span, const Moving &all, const Postponed &postponed, Index p,
                           const Boundary &row, const Resisted &resistance, Index r) {
+    if (!is_postponed(postponed, p)) return;
     Clock still = clock_of(span);
     still.dt = still.finish = still.begin = still.extra = 0.0;
     still.goes_on = 0;
@@ -172,23 +173,21 @@ BONDEM_INLINE void resume(const DeviceSpan &span, const Moving &all, const Postp
 }
 inline void resume_free(Index e, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
                         const Postponed &postponed) {
-    const Index p = blocks.ready(e);
-    if (is_postponed(postponed, p)) resume(span, all, postponed, p, NoRow{}, NoRow{}, -1);
+    resume(span, all, postponed, blocks.ready(e), NoRow{}, NoRow{}, -1);
 }
 inline void resume_resisted(Index e, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
                             const Resistance &resistance, const Postponed &postponed) {
-    const Index p = blocks.ready(e);
-    if (is_postponed(postponed, p)) resume(span, all, postponed, p, NoRow{}, resistance, -1);
+    resume(span, all, postponed, blocks.ready(e), NoRow{}, resistance, -1);
 }
 inline void resume_row(Index h, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks, const Rows &rows,
                        const Postponed &postponed) {
     const Index p = blocks.ready(blocks.first_owner(0) + h), r = rows.of(p);
-    if (is_postponed(postponed, p)) resume(span, all, postponed, p, BoundaryRow(rows, r), NoRow{}, r);
+    resume(span, all, postponed, p, BoundaryRow(rows, r), NoRow{}, r);
 }
 inline void resume_resisted_row(Index h, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
                                 const Rows &rows, const Resistance &resistance, const Postponed &postponed) {
     const Index p = blocks.ready(blocks.first_owner(0) + h), r = rows.of(p);
-    if (is_postponed(postponed, p)) resume(span, all, postponed, p, BoundaryRow(rows, r), resistance, r);
+    resume(span, all, postponed, p, BoundaryRow(rows, r), resistance, r);
 }
 inline void reopen_work_of_body(Index p, const DeviceSpan &span, const Moving &all, const BodyForces &body,
                                 const Postponed &postponed) {

@@ -2,9 +2,7 @@
 // of the boundary.
 #pragma once
 #include "../passes/cells/accumulation.hpp"
-#include "../passes/cells/cell_report.hpp"
-#include "../steps.hpp"
-#include "../tables/cell_tables.hpp"
+#include "../passes/cells/cell_passes.hpp"
 #include "../passes/cells/dilatation_rates.hpp"
 #include "../passes/cells/energies.hpp"
 #include "../passes/cells/gradients.hpp"

@@ -1,7 +1,7 @@
 // Forces that criteria of cracks need, stresses of cells, and facets that begin to crack, on a device: a thread
 // computes one facet or adds up one cell.
 #pragma once
-#include "../passes/cells/cell_stress.hpp"
+#include "../passes/cells/cell_passes.hpp"
 #include "../passes/cracks/onset_of_facets.hpp"
 #include "../passes/cracks/stress_state.hpp"
 #include "cells.hpp"

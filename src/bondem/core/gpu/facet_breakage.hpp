@@ -5,7 +5,7 @@
 // reads the reason for which its cell is postponed. Facets fail in their order: a thread finds the energy of its
 // facet without the facets that fail earlier.
 #pragma once
-#include "../passes/cells/facet_failure.hpp"
+#include "../passes/cells/cell_passes.hpp"
 #include "../passes/cells/facet_removal.hpp"
 #include "breakage.hpp"
 #include "cells.hpp"

@@ -4,12 +4,11 @@
 //
 // The stress of an element adds up its bonds and contacts in the order of the CPU.
 #pragma once
-#include "../passes/non_local/non_local_bonds.hpp"
+#include "../passes/non_local/non_local_passes.hpp"
 #include "../passes/non_local/own_stress.hpp"
 #include "../passes/non_local/pair_removal.hpp"
 #include "../passes/non_local/pair_verdict.hpp"
 #include "../passes/non_local/touch_levers.hpp"
-#include "../passes/non_local/touch_moments.hpp"
 #include "breakage.hpp"
 #include "contacts.hpp"
 
@@ -62,14 +61,12 @@ inline void gather_moments(Index p, const Moving &all, const NonLocalBonds &bond
 // Adds the pairs of element p to its stress: as the later element of a pair, then as the earlier one.
 inline void add_pair_moments_of_element(Index p, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                                         const EarlierPairs &earlier, const NearPairs &near, const LaggedStresses &stresses) {
-    const auto levers = [&](Index k) { return TouchLevers(c, pairs, k, branch_of(all.pose.data, pairs, k)); };
-    const auto force = [&](Index k) { return near.output.row<const Vector>(k); };
-    for (Index k = pairs.start(p); k < pairs.start(p + 1); k++)
-        if (pairs.touch(k) != separate) add_moment(stresses, Short(p), levers(k).of_second, force(k));
-    for (Index e = earlier.start(p); e < earlier.start(p + 1); e++) {
-        const Index k = earlier.pair(e);
-        if (pairs.touch(k) != separate) add_moment(stresses, Short(p), levers(k).of_first, -force(k));
-    }
+    for_each_pair_of(pairs, earlier.start, earlier.pair, p, [&](Index k, bool later) {
+        if (pairs.touch(k) == separate) return;
+        const TouchLevers lever(c, pairs, k, branch_of(all.pose.data, pairs, k));
+        const Vector force = near.output.row<const Vector>(k);
+        add_moment(stresses, Short(p), later ? lever.of_second : lever.of_first, later ? force : -force);
+    });
 }
 constexpr auto add_wall_moments_of_element = one_element<add_wall_moments>;
 inline void find_stress_of_element(Index p, const Moving &all, const LaggedStresses &stresses) {

@@ -2,7 +2,7 @@
 // beam or portion, and one thread adds up the work (`passes/boundary/strains.cpp`, `passes/cells/cell_strains.cpp`).
 #pragma once
 #include "../passes/boundary/strained_beam.hpp"
-#include "../passes/cells/cell_strains.hpp"
+#include "../passes/cells/cell_passes.hpp"
 #include "../passes/cells/strained_cells.hpp"
 #include "ranges.hpp"
 

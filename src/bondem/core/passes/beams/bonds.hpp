@@ -55,6 +55,23 @@ template <class T> BONDEM_INLINE BeamStiffness<T> stiffness_of(const Beams &beam
     return {share * number<T>(beams.kn.data, k), share * number<T>(beams.A.data, k), share * number<T>(beams.B.data, k),
             share * number<T>(beams.C.data, k), share * number<T>(beams.kt.data, k)};
 }
+// Stiffness of beams with constants of their own (`Own`), or with shared ones divided by their length (`Uniform`).
+struct Own {
+    const Beams &beams;
+    template <class T> BONDEM_INLINE BeamStiffness<T> stiffness(Index k) const {
+        return stiffness_of(beams, k, number<T>(beams.integrity.data, k));
+    }
+};
+struct Uniform {
+    const double *per_length;
+    double kn, A, B, kt;
+    template <class T> BONDEM_INLINE BeamStiffness<T> stiffness(Index k) const {
+        const T h = number<T>(per_length, k);
+        return {kn * h, A * h, B * h, A * h, kt * h};
+    }
+};
+inline Uniform all_uniform(const UniformBeams &by) { return {by.per_length.data, by.knL, by.AL, by.BL, by.ktL}; }
+
 template <class Bonds> inline Ends<double> ends_of(const double *pose, const Bonds &bonds, Index k) {
     return ends_of(gather(pose, bonds.i(k)), gather(pose, bonds.j(k)), bonds.period.data);
 }

@@ -1,5 +1,5 @@
 // Counts and energies of facets and cells for the guard and the history.
-#include "cell_report.hpp"
+#include "cell_passes.hpp"
 
 #include "../../registered.hpp"
 #include "energies.hpp"

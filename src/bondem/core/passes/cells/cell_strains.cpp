@@ -4,7 +4,7 @@
 // and the levers b of the reference without ε*,
 //
 //     ∂U/∂ε* = f · (R_j b_j - R_i b_i)
-#include "cell_strains.hpp"
+#include "cell_passes.hpp"
 
 #include "../../registered.hpp"
 #include "strained_cells.hpp"

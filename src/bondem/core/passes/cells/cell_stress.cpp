@@ -1,7 +1,7 @@
 // Moments of cells from the forces of their facets: V σ = sym Σ b⊗f, with b from the centre of the cell to the facet.
 //
 // Levers b and forces f are those of one instant, in space. The pass that sums forces sums b⊗f too.
-#include "cell_stress.hpp"
+#include "cell_passes.hpp"
 
 #include "../../registered.hpp"
 #include "facets.hpp"

@@ -1,7 +1,7 @@
 // The dispersion-corrected mass in a step: after all loads of the elements are summed, before they move.
 #include "../../ledger.hpp"
 #include "../../registered.hpp"
-#include "cell_report.hpp"
+#include "cell_passes.hpp"
 #include "dilatation_rates.hpp"
 
 namespace bondem {

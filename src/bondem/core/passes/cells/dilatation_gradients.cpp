@@ -1,7 +1,7 @@
 // Gradients of the dilatation in a step: after the stresses of the cells, before the loads of the facets.
 #include "../../ledger.hpp"
 #include "../../registered.hpp"
-#include "cell_report.hpp"
+#include "cell_passes.hpp"
 #include "gradients.hpp"
 
 namespace bondem {

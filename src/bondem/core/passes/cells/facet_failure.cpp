@@ -5,7 +5,7 @@
 // cell in the order of its facets: loads with the failed facets are subtracted, loads without them are added. Facets
 // are evaluated between the two passes over them, when stresses are known and no cell has moved. Candidates near to
 // failure are found with the stresses of the step before.
-#include "facet_failure.hpp"
+#include "cell_passes.hpp"
 
 #include "../../registered.hpp"
 #include "facet_removal.hpp"

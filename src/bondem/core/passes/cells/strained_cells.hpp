@@ -1,9 +1,22 @@
 // Facets and walls of cells whose stress-free strains change: their levers, and ∂U/∂factor of the strains.
 #pragma once
-#include "strain_growth.hpp"
+#include "../boundary/strain_factors.hpp"
 #include "walls.hpp"
 
 namespace bondem {
+
+// Growth 1 + ε* of the levers of facet k, and of wall w, at the present factors.
+inline double growth_of(const CellStrains &strains, Index k) {
+    double sum = strains.still(k);
+    for (Index g = 0; g < strains.schedule.size(); g++) sum += strains.factor(strain_factor::now, g) * strains.part(g, k);
+    return sum;
+}
+inline double wall_growth(const CellStrains &strains, Index w) {
+    double sum = strains.wall_still(w);
+    for (Index g = 0; g < strains.schedule.size(); g++)
+        sum += strains.factor(strain_factor::now, g) * strains.wall_part(g, w);
+    return sum;
+}
 
 // Sets the levers of facet k at the present factors; `stretch_wall` sets that of wall w.
 inline void stretch_facet(const CellStrains &strains, const ElasticFacets &facets, Index k) {

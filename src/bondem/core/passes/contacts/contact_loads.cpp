@@ -3,14 +3,13 @@
 // Most pairs of a list are bonded, or too far apart to touch before distances are measured again. Only the others are
 // evaluated in every step, in the order of the list, and touching pairs in groups of lanes. Sums have the order of
 // the list, so that no bit depends on threads. Listed pairs that do not touch add nothing to any sum.
-#include "contact_loads.hpp"
+#include "contact_passes.hpp"
 
 #include "../../ledger.hpp"
 #include "../../registered.hpp"
 #include "../../tables/columns.hpp"
 #include "face_contacts.hpp"
 #include "pairs.hpp"
-#include "travel.hpp"
 
 namespace bondem {
 namespace {

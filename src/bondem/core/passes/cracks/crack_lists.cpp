@@ -3,7 +3,7 @@
 // Unbroken cracks come first, then broken ones, each in the order of their facets: consecutive facets are near each
 // other, and so are their data. The halves of a cell are linked from the last facet to the first. Contributions to a
 // cell are added in that order, independent of the place of a crack in a list, so that a pause changes no bit.
-#include "crack_lists.hpp"
+#include "crack_passes.hpp"
 
 #include "../../registered.hpp"
 #include "carried.hpp"

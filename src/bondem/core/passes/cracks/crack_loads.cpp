@@ -1,5 +1,5 @@
 // Forces, torques and dissipation of cracks, and their sums on cells.
-#include "crack_loads.hpp"
+#include "crack_passes.hpp"
 
 #include "../../ledger.hpp"
 #include "../../registered.hpp"

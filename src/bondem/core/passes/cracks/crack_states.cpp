@@ -7,7 +7,7 @@
 #include "../../registered.hpp"
 #include "../../tables/cell_tables.hpp"
 #include "../../tables/crack_tables.hpp"
-#include "crack_lists.hpp"
+#include "crack_passes.hpp"
 #include "resting_cracks.hpp"
 #include "slides.hpp"
 #include "softening_cracks.hpp"

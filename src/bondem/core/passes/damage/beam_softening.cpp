@@ -5,13 +5,10 @@
 // A beam that reaches its strength softens in the same step, within the pass over all beams, so that its whole force
 // never acts beyond its strength. It is listed at the end of the step. It postpones no element, as its force
 // does not jump.
-#include "beam_softening.hpp"
+#include "softening_beam.hpp"
 
 #include "../../ledger.hpp"
 #include "../../registered.hpp"
-#include "../../tables/columns.hpp"
-#include "pipeline.hpp"
-#include "softening_beam.hpp"
 
 namespace bondem {
 

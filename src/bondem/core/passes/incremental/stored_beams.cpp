@@ -1,9 +1,8 @@
 // Beams of the incremental formulation: their stored loads advance by a step, and act on their elements.
-#include "stored_beams.hpp"
+#include "stored_columns.hpp"
 
 #include "../../ledger.hpp"
 #include "../../registered.hpp"
-#include "stored_columns.hpp"
 
 namespace bondem {
 

@@ -4,7 +4,7 @@
 // those of other bonds. Without failure and contacts no pass needs the stresses before the elements move: blocks find
 // forces, add them at once, and store none. A step of 0 finds the forces of a state again: extra forces, gaps and
 // stresses do not change.
-#include "non_local_bonds.hpp"
+#include "non_local_passes.hpp"
 
 #include "../../ledger.hpp"
 #include "../../registered.hpp"

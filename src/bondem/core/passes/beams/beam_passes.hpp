@@ -1,6 +1,7 @@
-// Counts and energies of beams for the guard and the history, on the CPU and on a device.
+// Passes over beams that several sources or a device call.
 #pragma once
 #include "../../steps.hpp"
+#include "../../tables/beam_softening_tables.hpp"
 
 namespace bondem {
 
@@ -9,5 +10,10 @@ namespace bondem {
 void check_beams(const Range &range, const Moving &all, const Beams &beams, const Ledger &ledger);
 // Sums normal, shear, bending and twisting energy of a portion [J].
 void sum_beam_energies(const Range &range, const Moving &all, const Beams &beams, const Ledger &ledger);
+// Adds forces and torques of all beams in given poses to the rows of the sums.
+Index load_beams(Index threads, const Poses &all, const Beams &beams, const BeamSums &to);
+// Adds forces and torques of all beams in given poses, where the beams differ in length only.
+Index load_uniform_beams(Index threads, const Poses &all, const Beams &beams, const UniformBeams &uniform,
+                         const BeamSums &to);
 
 }  // namespace bondem
