@@ -31,7 +31,7 @@ struct ModeSums {
     }
 };
 
-// Adds the counts of turned bonds and of numbers that are not finite in a portion to the balance.
+// Adds the numbers of bonds of a portion turned wide and lost, and of numbers that are not finite, to the balance.
 inline void count_turns(const Ledger &ledger, Index wide, Index lost, Index not_finite) {
     add_to_shared(ledger.turned(turn_count::wide), wide);
     add_to_shared(ledger.turned(turn_count::lost), lost);

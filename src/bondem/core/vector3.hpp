@@ -1,7 +1,7 @@
 // A vector in space, of numbers or of lanes of numbers.
 //
 // Products and sums are in one expression where they are rounded once (-ffp-contract=on fuses within an expression
-// only, so that every instruction set gives the same bits).
+// only, so that the bits are the same with every instruction set).
 #pragma once
 #include "lanes.hpp"
 

@@ -1,4 +1,5 @@
-// Failure of beams on a device, in the stages of the CPU (`passes/damage/pipeline.hpp`). Other bonds share functions.
+// Failure of beams on a device, in the stages of the CPU (`passes/damage/pipeline.hpp`). Facets and pairs of the
+// non-local law share some of these functions.
 //
 // Beams: a thread marks one beam as it computes its loads, and a thread evaluates one marked beam and lists it if it
 // fails, in any order. A thread finds the place of one failed beam in the order of bonds, and a thread removes it.

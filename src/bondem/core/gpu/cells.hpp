@@ -76,7 +76,7 @@ inline void load_facet(Index k, const Moving &all, const ElasticFacets &facets, 
     put(to, k, loads_of(all.pose.data, facets, k));
 }
 
-// ---- walls that hold facets
+// ---- walls that fix or support facets
 
 inline void place_wall(Index g, const DeviceSpan &span, const WallConstraints &walls) {
     place_support(walls, clock_of(span).time, g);

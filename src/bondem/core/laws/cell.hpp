@@ -19,7 +19,7 @@
 //     G = E / (2 (1 + ν))      λ = E ν / ((1 + ν) (1 - 2 ν))      c_p = 1/V_p Σ A d |m|²   over free facets
 //
 // v is the vector part of the relative rotation q_i* q_j and S the second moment of the facet about its centroid:
-// 2 v · H v is exactly (2 G / L) tr((1 - R_iᵀ R_j) S), the energy of a facet whose points do not open alike, and
+// 2 v · H v is exactly (2 G / L) tr((1 - R_iᵀ R_j) S), the energy of a facet whose points open differently, and
 // ½ ρ · H ρ for a small rotation ρ. λ_p is λ with the openings of free facets eliminated, at which their traction
 // vanishes. `bondem/interactions/cells/cell_constants.py` computes the constants once.
 //

@@ -82,7 +82,7 @@ BONDEM_INLINE void keep_number(double *column, Index k, double a) { column[k] = 
 // A group of as many bonds as there are lanes.
 struct Group {
     Index first;
-    int known;  // how many of it belong to the group before
+    int known;  // number of its bonds that belong to the group before
 };
 BONDEM_INLINE void keep_number(double *column, Group group, Lanes a) { store_behind(column + group.first, a, group.known); }
 #endif

@@ -5,8 +5,8 @@
 
 namespace bondem {
 
-// True if distances are measured in this step: it has no duration, or an element has moved too far since the last
-// time, or its place is not finite.
+// True if distances are measured in this step: the step has no duration, or an element has moved too far since the
+// last measurement, or a place is not finite.
 inline bool measures_anew(const Range &range, const NearPairs &near, const Travel &travel) {
     return range.clock.dt == 0.0 || !(travel.far(0) <= near.width);
 }

@@ -34,7 +34,7 @@ template <class T> BONDEM_INLINE StoredShape<T> stored_shape(const Beams &beams,
     return {number<T>(beams.length.data, k), number<T>(beams.lever.data, k)};
 }
 
-// Sums normal, shear, bending and twisting energy of a portion [J].
+// Sums normal, shear, bending and twisting energy of the beams of a portion, by their stored loads [J].
 void sum_stored_energies(const Range &range, const Moving &all, const Beams &beams, const StoredLoads &stored,
                          const Ledger &ledger);
 

@@ -7,7 +7,7 @@
 
 namespace bondem {
 
-// Sums normal and shear energy of the springs of a portion, and the work of extra forces [J].
+// Sums normal and shear energy of the springs of a portion of bonds, and the work of their extra forces [J].
 void sum_non_local_energies(const Range &range, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                             const Ledger &ledger);
 // Adds contacts with walls to the stresses of the elements of a portion.

@@ -52,7 +52,7 @@ inline void visit_neighbours(const SphereGrid &grid, const Period &period, Index
     for (Index u = x.first; u <= x.last; u++)
         for (Index v = y.first; v <= y.last; v++) {
             const Index base = (wrapped(u, a) * b + wrapped(v, b)) * c;
-            // cells along z stand one after the other, but for those beyond a periodic edge
+            // cells along z follow one another, but for those beyond a periodic edge
             if (z.first < 0) visit_cells(base + c - 1, base + c - 1);
             visit_cells(base + most(z.first, Index(0)), base + least(z.last, c - 1));
             if (z.last >= c) visit_cells(base, base);
