@@ -13,7 +13,7 @@ template <class Task> inline void for_each_task(Index threads, Index tasks, Task
 }
 // Calls on(i) for i = 0 … count - 1, in tasks of `size` each.
 template <class On> inline void for_each_in_tasks(Index threads, Index count, Index size, On on) {
-    for_each_task(threads, (count + size - 1) / size, [&](Index task) {
+    for_each_task(threads, (count + size - 1) / size, [=](Index task) {
         for (Index i = task * size; i < least((task + 1) * size, count); i++) on(i);
     });
 }

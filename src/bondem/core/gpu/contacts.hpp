@@ -1,4 +1,5 @@
-// Contacts on a device: a thread computes one listed pair, then one adds the forces of pairs and walls on an element.
+// Contacts on a device: a thread computes one listed pair, then a thread adds the forces of pairs and walls
+// on one element.
 //
 // Every pair of the list is evaluated in each step, so that distances need not be measured between two lists. If an
 // element or a wall moves beyond the reach of the list, the run stops: later launches do nothing, and the CPU

@@ -1,4 +1,4 @@
-// Rolling resistance on a device: a thread rolls one pair, then a thread adds the moments of pairs and walls
+// Rolling resistance on a device: a thread computes one pair, then a thread adds the moments of pairs and walls
 // on one element.
 #pragma once
 #include "../passes/contacts/rolling.hpp"

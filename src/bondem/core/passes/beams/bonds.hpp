@@ -1,4 +1,4 @@
-// Access of passes to the bonds of a table: one, or as many as there are lanes.
+// Access of passes to the bonds of a table: to one bond, or to as many as there are lanes.
 #pragma once
 #include "../../laws/beam.hpp"
 #include "../motion/moved_poses.hpp"

@@ -1,4 +1,4 @@
-// The dispersion-corrected mass in a step: after all loads of the elements are summed, before they move.
+// Passes of the dispersion-corrected mass, after the loads of the elements are summed and before the elements move.
 #include "../../ledger.hpp"
 #include "../../registered.hpp"
 #include "cell_passes.hpp"

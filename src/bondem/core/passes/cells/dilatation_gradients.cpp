@@ -1,4 +1,4 @@
-// Gradients of the dilatation in a step: after the stresses of the cells, before the loads of the facets.
+// Passes of the gradients of the dilatation, after the stresses of the cells and before the loads of the facets.
 #include "../../ledger.hpp"
 #include "../../registered.hpp"
 #include "cell_passes.hpp"

@@ -1,4 +1,4 @@
-// Rates of the dilatation, and the mass matrix that waves of pressure need.
+// Rates of the dilatation, and the mass matrix with which short waves of pressure keep their speed.
 //
 // Facets sample a sine over the distance of two centres, and the dilatation of a cell is a central difference, so
 // that waves of pressure of wave number k are too slow:

@@ -1,4 +1,4 @@
-// Access of passes to pairs of spheres in contact: one pair, or as many as there are lanes.
+// Access of passes to pairs of spheres in contact: to one pair, or to as many as there are lanes.
 //
 // The contact point divides the distance of the centres as the radii do, so that a contact has no net moment.
 #pragma once

@@ -1,4 +1,4 @@
-// Place of a wall, and its distance from the surface of a sphere.
+// Place, power and readings of a wall, and its distance from the surface of a sphere.
 #pragma once
 #include "../../tables/contact_tables.hpp"
 #include "../record/reading.hpp"

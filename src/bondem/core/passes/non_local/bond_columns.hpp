@@ -1,4 +1,5 @@
-// Access of passes to bonds of the non-local law, and to stresses of elements: one, or as many as there are lanes.
+// Access of passes to bonds of the non-local law and to stresses of elements, one at a time or as many as there are
+// lanes.
 #pragma once
 #include "../../laws/non_local.hpp"
 #include "../../select.hpp"

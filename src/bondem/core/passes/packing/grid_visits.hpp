@@ -1,4 +1,4 @@
-// Visits of the spheres near a sphere, cell by cell of their grid.
+// Search of the spheres near a sphere in the cells of their grid.
 #pragma once
 #include "../../lanes.hpp"
 #include "../../tables/packing_tables.hpp"

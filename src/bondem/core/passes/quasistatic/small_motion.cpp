@@ -15,7 +15,7 @@
 namespace bondem {
 namespace {
 
-// A half closes or opens where its force along the normal is beyond this share of its size.
+// Least part of the force of a half along the normal, as a share of its size, that closes or opens the half.
 constexpr double turns = 1e-9;
 
 Vector at(const Array<const double, 2> &rows, Index k) { return rows.row<const Vector>(k); }

@@ -1,4 +1,4 @@
-// Areas, volumes and moments of polygons and solids: sums over triangles, and over tetrahedra with the centre.
+// Areas, volumes and moments of polygons and solids: sums over triangles, and over tetrahedra from the centre of the element.
 #include "../../registered.hpp"
 #include "../../symmetric3.hpp"
 #include "../../tables/tessellation_tables.hpp"
