@@ -2,8 +2,9 @@
 
 `python -m tests.core.tables` writes them beside the headers. A criterion is a `BondCriterion` of
 `core/laws/criteria/`; its struct says whether facets of cells have it and whether beams soften by it. A pass over an
-index is an `inline void` function of `core/gpu/` whose first argument is an index, or a `constexpr` pointer to a
-function: a pass of the CPU that is called with the range of one index, or a function that other passes share. Functions of other kinds there are `BONDEM_INLINE`.
+index is an `inline void` function of `core/gpu/` whose first argument is an index, or a `constexpr` pointer there: to
+a pass of the CPU that is called with the range of one index, or to another function of an index. Functions of other
+kinds there are `BONDEM_INLINE`.
 """
 
 import re

@@ -44,7 +44,8 @@ template <class T> inline T length(Vector3<T> a) { return root(dot(a, a)); }
 // The part of v across a unit vector n.
 template <class T> inline Vector3<T> tangential(Vector3<T> v, Vector3<T> n) { return minus(v, dot(v, n), n); }
 
-// A component of a separation over the nearest periodic image; edge and inverse are 0 along an axis that is not periodic.
+// A component of a separation over the nearest periodic image; edge and inverse are 0 along an axis that is not
+// periodic.
 template <class T> BONDEM_INLINE T over_nearest_image(T d, double edge, double inverse) {
     return d - edge * nearest(d * inverse);
 }

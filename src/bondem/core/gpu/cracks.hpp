@@ -1,5 +1,5 @@
-// Cracks on a device: a thread computes one crack, or adds up one cell. There are no lists of cracks: places and halves
-// have the numbers of their facets, and the list of the halves of a cell is made by the thread of the cell.
+// Cracks on a device: a thread computes one crack, or adds up one cell. There are no lists of cracks: places and
+// halves have the numbers of their facets, and the list of the halves of a cell is made by the thread of the cell.
 //
 // Changes of a cell by several cracks are added by the thread of the cell, in the order of the CPU, from the flags of
 // its facets in this step: `flag` of active cracks, `waking` of resting ones.

@@ -125,8 +125,8 @@ BONDEM_INLINE FacetLoads<T> facet_loads(const Ends<T> &ends, const FacetShape<T>
     return facet_loads(ends, shape, opened(ends, shape), moment, stiffness.k, stress);
 }
 
-// Energy of a facet in four modes, without dilatation. `normal` is n in the reference; in space it is the mean of n of
-// both cells.
+// Energy of a facet in four modes, without dilatation. `normal` is n in the reference; in space it is the mean of n
+// of both cells.
 template <class T>
 BONDEM_INLINE BeamEnergy<T> facet_energy(const Ends<T> &ends, const FacetShape<T> &shape, Vector3<T> normal,
                                           const FacetStiffness<T> &stiffness) {

@@ -121,7 +121,7 @@ struct WallConstraints {
     Array<double, 2> wall;  // displacement of the wall now [m], (supports, 3)
     Array<double, 2> increment;  // displacement of the wall in this step [m], (supports, 3)
     Array<double, 2> load;  // force and torque on the cell [N, N·m], (supports, 6)
-    Array<const double, 1> friction;  // μ of a wall on which the facet may slide, NaN for one that fixes it, (supports,)
+    Array<const double, 1> friction;  // μ of a wall on which the facet may slide, NaN if it may not, (supports,)
     Array<const double, 2> inward;  // axis along which a wall with friction presses on the cell, (supports, 3)
 };
 // Tractions on free facets, which change the dilatation of their cells.

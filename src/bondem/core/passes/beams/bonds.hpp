@@ -84,7 +84,9 @@ struct Group {
     Index first;
     int known;  // number of its bonds that belong to the group before
 };
-BONDEM_INLINE void keep_number(double *column, Group group, Lanes a) { store_behind(column + group.first, a, group.known); }
+BONDEM_INLINE void keep_number(double *column, Group group, Lanes a) {
+    store_behind(column + group.first, a, group.known);
+}
 #endif
 template <class Place, class T>
 BONDEM_INLINE void keep_vector(double *table, Index m, Index first, Place place, Vector3<T> a) {

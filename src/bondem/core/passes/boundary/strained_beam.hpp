@@ -7,8 +7,9 @@ namespace bondem {
 
 // Stretch 1 + ε* of strained beam e at the present factors.
 inline double stretch_of(const Strain &strain, Index e) {
+    using namespace strain_factor;
     double stretch = strain.still(e);
-    for (Index g = 0; g < strain.schedule.size(); g++) stretch += strain.factor(strain_factor::now, g) * strain.part(g, e);
+    for (Index g = 0; g < strain.schedule.size(); g++) stretch += strain.factor(now, g) * strain.part(g, e);
     return stretch;
 }
 // Sets length, shear stiffness and lever of strained beam e at the present factors.

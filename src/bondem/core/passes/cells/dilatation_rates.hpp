@@ -66,12 +66,14 @@ inline void find_acceleration(const Moving &all, const Rows &rows, const Correct
 }
 
 // Finds ρ β θ̈ of cell p by the accelerations of the elements.
-inline void find_inertia(Index p, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass) {
+inline void find_inertia(Index p, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
+                         const CorrectedMass &mass) {
     const auto of = [&](Index q) { return mass.acceleration.row<const Rate>(q); };
     mass.inertia(p) = mass.factor(p) * dilatation_rate(all.pose, facets, walls, mass, p, of);
 }
 // Finds the force Θᵀ ρ V β Θ a of the correction on element p.
-inline void find_inertia_force(Index p, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass) {
+inline void find_inertia_force(Index p, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
+                               const CorrectedMass &mass) {
     const FacetColumns columns(facets);
     Vector force = {}, torque = {};
     for_each_bond_of(mass, p, [&](Index k, bool is_i) {

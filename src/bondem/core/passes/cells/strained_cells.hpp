@@ -7,8 +7,9 @@ namespace bondem {
 
 // Growth 1 + ε* of the levers of facet k, and of wall w, at the present factors.
 inline double growth_of(const CellStrains &strains, Index k) {
+    using namespace strain_factor;
     double sum = strains.still(k);
-    for (Index g = 0; g < strains.schedule.size(); g++) sum += strains.factor(strain_factor::now, g) * strains.part(g, k);
+    for (Index g = 0; g < strains.schedule.size(); g++) sum += strains.factor(now, g) * strains.part(g, k);
     return sum;
 }
 inline double wall_growth(const CellStrains &strains, Index w) {

@@ -1,5 +1,5 @@
-// A facet that a wall fixes or supports. Such a wall does not rotate, so that a gap is measured along fixed axes: with
-// the lever b of the facet and u the displacement of its centroid,
+// A facet that a wall fixes or supports. Such a wall does not rotate, so that a gap is measured along fixed axes:
+// with the lever b of the facet and u the displacement of its centroid,
 //
 //     δ = P (wall - u)      V θ += s · δ      U = ½ k |δ|² + 2 v · H v
 //     u = x + R b - its place in the reference

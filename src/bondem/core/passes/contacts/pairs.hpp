@@ -95,8 +95,8 @@ BONDEM_INLINE void over_listed_pairs(const Range &range, const ContactPairs &pai
 // Calls on(k, true if p is the later element) for the pairs of element p, first those of which it is the later one;
 // `earlier` lists the others from start(p) on.
 template <class Starts, class On>
-BONDEM_INLINE void for_each_pair_of(const ContactPairs &pairs, const Starts &start, const Array<const Short, 1> &earlier,
-                                    Index p, On on) {
+BONDEM_INLINE void for_each_pair_of(const ContactPairs &pairs, const Starts &start,
+                                    const Array<const Short, 1> &earlier, Index p, On on) {
     for (Index k = pairs.start(p); k < pairs.start(p + 1); k++) on(k, true);
     for (Index e = start(p); e < start(p + 1); e++) on(Index(earlier(e)), false);
 }

@@ -99,15 +99,18 @@ struct WallPlace {
 };
 
 // Surface of the wall of contact e, for the element of the contact.
-inline WallSurface surface_of(const Moving &all, const ContactConstants &c, const WallContacts &contacts, const Walls &walls, Index e) {
+inline WallSurface surface_of(const Moving &all, const ContactConstants &c, const WallContacts &contacts,
+                              const Walls &walls, Index e) {
     const Short p = contacts.element(e);
     return WallPlace(walls, contacts.wall(e)).surface(centre(all.pose.data, p), c.radius(p));
 }
 // The deepest overlap over radius of the elements of a portion with a wall, at least `deepest` [-].
-inline double deepest_at_walls(const Range &range, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
-                               const Walls &walls, double deepest) {
-    for (Index e = contacts.start(range.first); e < contacts.start(range.last); e++)
-        deepest = most(deepest, (contacts.gap(e) - surface_of(all, c, contacts, walls, e).gap) / c.radius(contacts.element(e)));
+inline double deepest_at_walls(const Range &range, const Moving &all, const ContactConstants &c,
+                               const WallContacts &contacts, const Walls &walls, double deepest) {
+    for (Index e = contacts.start(range.first); e < contacts.start(range.last); e++) {
+        const double overlap = contacts.gap(e) - surface_of(all, c, contacts, walls, e).gap;
+        deepest = most(deepest, overlap / c.radius(contacts.element(e)));
+    }
     return deepest;
 }
 

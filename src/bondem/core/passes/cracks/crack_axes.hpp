@@ -2,10 +2,10 @@
 //
 // Neighbouring cracks with different axes hinder each other, which costs 6 to 8 % of the fracture energy at a notch,
 // and 10 to 22 % where a body tears by turning. A crack takes the axes of the crack of its two cells that has lost
-// most integrity, if one of the three is within 45° of the largest principal stress around it: behind the front of a crack the
-// largest stress is often along it. Otherwise it takes those of the crack of both cells and all their neighbours that
-// has lost most, if its first is within 45°: with any of the three, cracks under mixed mode would not curve.
-// Otherwise it takes the principal directions of that stress, which is the mean over all these cells.
+// most integrity, if one of the three is within 45° of the largest principal stress around it: behind the front of a
+// crack the largest stress is often along it. Otherwise it takes those of the crack of both cells and all their
+// neighbours that has lost most, if its first is within 45°: with any of the three, cracks under mixed mode would not
+// curve. Otherwise it takes the principal directions of that stress, which is the mean over all these cells.
 #pragma once
 #include "../../laws/principal.hpp"
 #include "single_cracks.hpp"

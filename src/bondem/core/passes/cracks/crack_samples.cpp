@@ -136,7 +136,8 @@ template <class T> void bound(const StressBoundSamples &samples, Index e) {
     found(positive(T(bent - largest_pressure(principal(s))))), found(opened_at_most(bent, s));
 }
 
-// Calls on(number, e) for each sample, or with lanes for groups of them; samples after the last whole group one by one.
+// Calls on(number, e) for each sample, or with lanes for groups of them; samples after the last whole group one by
+// one.
 template <class On> void over(Index count, Index wide, On on) {
     Index e = 0;
     if (wide)
@@ -155,7 +156,8 @@ BONDEM_CALL(evaluate_softening, "")
 
 // Evaluates the law of cracks in samples, by single numbers or by lanes.
 Index evaluate_cracks(Index, const CrackSamples &samples) {
-    over(samples.given.shape[1], samples.wide, [&](auto number, Index e) { load_crack<decltype(number)>(samples, e); });
+    over(samples.given.shape[1], samples.wide,
+         [&](auto number, Index e) { load_crack<decltype(number)>(samples, e); });
     return 0;
 }
 BONDEM_CALL(evaluate_cracks, "")

@@ -1,5 +1,5 @@
-// Access of passes to the stored loads of beams of the incremental formulation: to one beam, or to as many as there are
-// lanes.
+// Access of passes to the stored loads of beams of the incremental formulation: to one beam, or to as many as there
+// are lanes.
 #pragma once
 #include "../../laws/incremental.hpp"
 #include "../../tables/incremental_tables.hpp"

@@ -1,4 +1,5 @@
-// Areas, volumes and moments of polygons and solids: sums over triangles, and over tetrahedra from the centre of the element.
+// Areas, volumes and moments of polygons and solids: sums over triangles, and over tetrahedra from the centre of the
+// element.
 #include "../../registered.hpp"
 #include "../../symmetric3.hpp"
 #include "../../tables/tessellation_tables.hpp"
@@ -39,7 +40,9 @@ Index measure_polygons(Index, const PolygonMeasures &polygons) {
             const double part = 0.5 * inverse * dot(cross(p, q), n);
             const Vector s = p + q;
             c = plus(c, part, s);
-            add_products(m, [&](double &sum, Index i, Index j) { sum += part * (p[i] * p[j] + s[i] * s[j] + q[i] * q[j]); });
+            add_products(m, [&](double &sum, Index i, Index j) {
+                sum += part * (p[i] * p[j] + s[i] * s[j] + q[i] * q[j]);
+            });
         }
         c = (2.0 * inverse / 3.0) * c;
         polygons.centroid.row<Vector>(f) = o + c;
