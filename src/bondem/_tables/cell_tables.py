@@ -137,7 +137,7 @@ class WallConstraints(NamedTuple):
     wall: Floats  #: displacement of the wall now [m], (supports, 3)
     increment: Floats  #: displacement of the wall in this step [m], (supports, 3)
     load: Floats  #: force and torque on the cell [N, N·m], (supports, 6)
-    friction: Floats  #: μ of a wall on which the facet may slide, NaN for one that fixes it, (supports,)
+    friction: Floats  #: μ of a wall on which the facet may slide, NaN if it may not, (supports,)
     inward: Floats  #: axis along which a wall with friction presses on the cell, (supports, 3)
 
 
