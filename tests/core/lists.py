@@ -2,8 +2,9 @@
 
 `python -m tests.core.tables` writes them beside the headers. A criterion is a `BondCriterion` of
 `core/laws/criteria/`; its struct says whether facets of cells have it and whether beams soften by it. A pass over an
-index is an `inline void` function of `core/gpu/` whose first argument is an index, or a pass of the CPU that is
-called with a turn of one index. Functions of other kinds there are `BONDEM_INLINE`.
+index is an `inline void` function of `core/gpu/` whose first argument is an index, or a `constexpr` pointer there: to
+a pass of the CPU that is called with the range of one index, or to another function of an index. Functions of other
+kinds there are `BONDEM_INLINE`.
 """
 
 import re
@@ -17,7 +18,7 @@ CRITERION = re.compile(r"^struct (\w+) : BondCriterion \{(.*?)^\};", re.DOTALL |
 FLAGS = {"BEAM": "", "FACET": "of_facets = true", "SOFTENING": "softens = true"}
 INDEX_PASS = re.compile(r"^inline void (\w+)\(Index\b|^constexpr auto (\w+) = ", re.MULTILINE)
 # A pass over an index for each criterion of a list.
-BY_CRITERION = re.compile(r"inline void (\w+)##name\(Index\b.*?^BONDEM_(\w+)_CRITERIA\(", re.DOTALL | re.MULTILINE)
+BY_CRITERION = re.compile(r"constexpr auto (\w+)##name = .*?^BONDEM_(\w+)_CRITERIA\(", re.DOTALL | re.MULTILINE)
 
 
 def written() -> dict[Path, str]:

@@ -188,7 +188,7 @@ def _words_of_pass(kernel: str, words: dict[str, tuple[str, list[str]]]) -> str:
 def _families() -> list[str]:
     """Return the beginnings of the names of passes that a macro makes for each criterion."""
     texts = (path.read_text() for path in (SOURCE / "core").rglob("*.[ch]pp"))
-    return sorted({of for text in texts for of in re.findall(r"(?:void |_AS\()(\w+_by_)##name", text)})
+    return sorted({of for text in texts for of in re.findall(r"(?:auto |_AS\()(\w+_by_)##name", text)})
 
 
 def _family(name: str) -> str:
@@ -212,7 +212,7 @@ def _place(module: str, name: str) -> str:
     of = _family(name)
     if module != "kernels":
         return _places().get(name) or _places()[of]
-    defined = re.compile(rf"(?:void {of}(?:##name)?\(Index|auto {of} =)")
+    defined = re.compile(rf"(?:void {of}\(Index|auto {of}(?:##name)? =)")
     return next(
         f"gpu/{path.name}"
         for path in sorted((SOURCE / "core/gpu").glob("*.hpp"))

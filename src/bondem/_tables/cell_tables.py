@@ -48,7 +48,7 @@ class DilatationGradients(NamedTuple):
     #: n × s of the cell and of the other one for both directions, n normal to the layer, signs for the cell as i
     #: [m²], (turns, 12)
     way: Floats
-    wall_start: Ints  #: start of the walls that hold cell p of a layer, (layered + 1,)
+    wall_start: Ints  #: start of the walls that fix cell p of a layer, (layered + 1,)
     wall: Ints  #: number of the wall, (layer_walls,)
     wall_way: Floats  #: n × s of the wall for both directions, in space [m²], (layer_walls, 6)
     weight: Floats  #: J λ / V² for both directions [Pa/m], (layered, 2)
@@ -118,7 +118,7 @@ class FacetRelease(NamedTuple):
 
 
 class WallConstraints(NamedTuple):
-    """Facets on the surface that walls hold, each by the half facet of its cell."""
+    """Facets on the surface that walls fix or support, each by the half facet of its cell."""
 
     cell: Ints  #: (supports,)
     row: Ints  #: row of the boundary that the cell owns, (supports,)
@@ -137,7 +137,7 @@ class WallConstraints(NamedTuple):
     wall: Floats  #: displacement of the wall now [m], (supports, 3)
     increment: Floats  #: displacement of the wall in this step [m], (supports, 3)
     load: Floats  #: force and torque on the cell [N, N·m], (supports, 6)
-    friction: Floats  #: μ of a wall on which the facet may slide, NaN for one that holds it, (supports,)
+    friction: Floats  #: μ of a wall on which the facet may slide, NaN if it may not, (supports,)
     inward: Floats  #: axis along which a wall with friction presses on the cell, (supports, 3)
 
 
@@ -162,7 +162,7 @@ class CellStrains(NamedTuple):
     wall_still: Floats  #: 1 + ε* at each wall without the strains that change, (supports,)
     wall_part: Floats  #: strain at each wall at factor 1, (strains, supports)
     place: int  #: place of their work in the list of works
-    factor: Floats  #: rows: factors, their changes, ∂U/∂factor before and after [J], (4, strains)
+    factor: Floats  #: rows: factors a step ago and now, ∂U/∂factor [J] a step ago and now, (4, strains)
     power: Ints  #: exact sums of ∂U/∂factor [J], zero between steps, (strains, 68)
     due: Bytes  #: flags by `strain_due`: ∂U/∂factor is needed; levers have changed, (2,)
 

@@ -4,7 +4,7 @@ from enum import IntEnum
 
 ELEMENTS_OF_PORTION = 1024  #: elements of a portion
 BONDS_OF_PORTION = 2048  #: bonds or facets of a portion
-STRESS_COLUMN = 3  #: column of a pose, `pose.stress`, that holds the stress λ θ of a cell [Pa]
+STRESS_COLUMN = 3  #: column of a pose, `pose.stress`, with the stress λ θ of a cell [Pa]
 
 
 class ExactWord(IntEnum):
@@ -176,7 +176,7 @@ class CrackNumber(IntEnum):
 
 class CrackKind(IntEnum):
     """Kinds of cracks. A crack of the material has an integrity for each direction. An isotropic one has a single
-    integrity: on a material plane, or at a cell without cohesion. `let_go`: of the material without grip.
+    integrity: on a material plane, or at a cell without cohesion. `let_go`: a crack of the material without grip.
     """
 
     OF_MATERIAL = 0

@@ -118,8 +118,8 @@ class Rows(NamedTuple):
     half: Floats  #: prescribed velocities over the step [m/s, rad/s], (rows, 6)
     full: Floats  #: prescribed velocities now, (rows, 6)
     reaction: Floats  #: minus the bond forces [N, N·m], (rows, 6)
-    support: Floats  #: loads of walls that hold facets of cells [N, N·m], empty without any, (*, 6)
-    #: works of loads, drives, walls that hold cells and tractions on each row, then of body forces and strains [J],
+    support: Floats  #: loads of walls on facets of cells [N, N·m], empty without any, (*, 6)
+    #: works of loads, drives, walls on facets and tractions on each row, then of body forces and strains [J],
     #: (works,)
     work: Floats
 

@@ -8,7 +8,7 @@ from bondem._types import Floats, Ints
 class TriangleTree(NamedTuple):
     """Triangles, and a tree of boxes around p pieces of them.
 
-    Box 1 holds all, box b boxes 2 b and 2 b + 1, and the last p boxes one piece each.
+    Box 1 contains all pieces, box b contains boxes 2 b and 2 b + 1, and each of the last p boxes contains one piece.
     """
 
     lower: Floats  #: lower corners of the boxes [m], (boxes, 3)

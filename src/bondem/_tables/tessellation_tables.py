@@ -71,7 +71,8 @@ class CellRoom(NamedTuple):
 class WallTree(NamedTuple):
     """Wall triangles in a tree of boxes, for the search of those near a cell.
 
-    Box 1 holds all, box b boxes 2 b and 2 b + 1, and the last p one triangle each or none.
+    Box 1 contains all triangles, box b contains boxes 2 b and 2 b + 1, and each of the last p boxes contains one
+    triangle or none.
     """
 
     corner: Floats  #: of the triangles [m], (triangles, 3, 3)

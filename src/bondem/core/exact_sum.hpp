@@ -106,7 +106,7 @@ struct ExactSum {
 };
 static_assert(sizeof(ExactSum) == exact_word::count * sizeof(Index));
 
-// Sum k of a table, a row each.
+// Sum k of a table with one sum per row.
 inline ExactSum &exact_sum(const Array<Index, 2> &sums, Index k) { return sums.row<ExactSum>(k); }
 
 }  // namespace bondem

@@ -43,37 +43,25 @@ typedef double LanesInMemory __attribute__((vector_size(lanes * 8), aligned(8)))
 typedef double FourInMemory __attribute__((vector_size(32), aligned(8)));
 typedef double Four __attribute__((vector_size(32)));
 
+// Functions of a number, lane by lane.
 #if defined(__clang__)
-BONDEM_INLINE Lanes root(Lanes a) { return __builtin_elementwise_sqrt(a); }
-BONDEM_INLINE Lanes nearest(Lanes a) { return __builtin_elementwise_rint(a); }
-BONDEM_INLINE Lanes absolute(Lanes a) { return __builtin_elementwise_abs(a); }
-#if defined(__AVX512F__)
-BONDEM_INLINE Four root(Four a) { return __builtin_elementwise_sqrt(a); }
-BONDEM_INLINE Four nearest(Four a) { return __builtin_elementwise_rint(a); }
-#endif
+#define BONDEM_EACH_LANE(Several, function, builtin) \
+    BONDEM_INLINE Several function(Several a) { return __builtin_elementwise_##builtin(a); }
 #else
-template <class Several, class Function> BONDEM_INLINE Several each_lane(Several a, Function f) {
-    for (unsigned n = 0; n < sizeof(Several) / sizeof(double); n++) a[n] = f(a[n]);
-    return a;
-}
-BONDEM_INLINE Lanes root(Lanes a) {
-    return each_lane(a, [](double x) { return root(x); });
-}
-BONDEM_INLINE Lanes nearest(Lanes a) {
-    return each_lane(a, [](double x) { return nearest(x); });
-}
-BONDEM_INLINE Lanes absolute(Lanes a) {
-    return each_lane(a, [](double x) { return absolute(x); });
-}
+#define BONDEM_EACH_LANE(Several, function, builtin)                                             \
+    BONDEM_INLINE Several function(Several a) {                                                  \
+        for (unsigned n = 0; n < sizeof(a) / sizeof(double); n++) a[n] = function(double(a[n])); \
+        return a;                                                                                \
+    }
+#endif
+BONDEM_EACH_LANE(Lanes, root, sqrt)
+BONDEM_EACH_LANE(Lanes, nearest, rint)
+BONDEM_EACH_LANE(Lanes, absolute, abs)
 #if defined(__AVX512F__)
-BONDEM_INLINE Four root(Four a) {
-    return each_lane(a, [](double x) { return root(x); });
-}
-BONDEM_INLINE Four nearest(Four a) {
-    return each_lane(a, [](double x) { return nearest(x); });
-}
+BONDEM_EACH_LANE(Four, root, sqrt)
+BONDEM_EACH_LANE(Four, nearest, rint)
 #endif
-#endif
+#undef BONDEM_EACH_LANE
 
 BONDEM_INLINE Lanes sign(Lanes a) {
     const Lanes zero = {}, one = zero + 1.0;

@@ -6,10 +6,11 @@
 namespace bondem {
 
 inline ExactSum &sum_of(const Ledger &ledger, Index column) { return exact_sum(ledger.sums, column); }
-// Calls by(sum) with an empty sum, and adds the result to a column of the balance.
-template <class By> inline void add_up(const Ledger &ledger, Index column, By by) {
+// Adds value(p) for p = first … last - 1 to a column of the balance.
+template <class Value> inline void add_up(const Ledger &ledger, Index column, Index first, Index last, Value value) {
     ExactSum sum = {};
-    by(sum);
+    for (Index p = first; p < last; p++)
+        if (const double one = value(p); one != 0.0) sum.add(one);
     sum_of(ledger, column).add_shared(sum);
 }
 
@@ -30,7 +31,7 @@ struct ModeSums {
     }
 };
 
-// Adds the counts of turned bonds and of numbers that are not finite in a portion to the balance.
+// Adds the numbers of bonds of a portion turned wide and lost, and of numbers that are not finite, to the balance.
 inline void count_turns(const Ledger &ledger, Index wide, Index lost, Index not_finite) {
     add_to_shared(ledger.turned(turn_count::wide), wide);
     add_to_shared(ledger.turned(turn_count::lost), lost);

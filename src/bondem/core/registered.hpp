@@ -27,13 +27,13 @@ template <class... Tables> struct TableNames {
     static constexpr const char *names[] = {TableName<Tables>::name..., nullptr};
 };
 
-// A pass of a step is called with a range and with pointers to its tables.
+// Returns the description of a pass of a step, which is called with a range and with pointers to its tables.
 template <auto pass, class... Tables>
 PassDescription described(const char *name, PassKind kind, const char *columns, void (*)(const Range &, const Tables &...)) {
     void *const address = reinterpret_cast<void *>(Called<pass>::call);
     return {name, columns, kind, address, TableNames<Tables...>::names, Index(sizeof...(Tables)), nullptr};
 }
-// Other passes are called with the number of threads and with a pointer to each table.
+// Returns the description of another pass, which is called with the number of threads and a pointer to each table.
 template <auto pass, class... Tables>
 PassDescription described(const char *name, const char *outcomes, Index (*)(Index, const Tables &...)) {
     void *const address = reinterpret_cast<void *>(pass);

@@ -43,9 +43,7 @@ class ElementPasses {
         late.goes_on = 0;
     }
     void call(const Entry &entry) {
-        if (entry.kind == divides_elements)
-            entry.call(range(clock, all), entry.tables);
-        else if (entry.kind == parts_of_shared)
+        if (entry.kind == divides_elements || entry.kind == parts_of_shared)
             entry.call(range(clock, all), entry.tables);
         else if (entry.kind == elements_of_blocks)
             entry.call(range(clock, division.going), entry.tables);

@@ -4,13 +4,13 @@
 // pass with a `Range`, which is the part of the step that it is called for, and with the tables that its entry names.
 // Its place in the list decides the time of its call, and its kind the parts that it runs over (`PassKind`). The
 // elements of a block are those whose last bond is in the block. A pass that divides them separates those that
-// continue from those that are postponed (`passes/damage/`): further passes over elements are called for either, for
-// the latter with a clock that stands still.
+// continue from those that are postponed (`passes/damage/`). Further passes over elements are called once for each of
+// these two groups, for the postponed ones with a clock that does not continue to the next step.
 //
-// Passes over blocks that follow each other go block by block, so that a block stays in the cache from its bonds to
-// the motion of its elements; each domain is on a thread of its own. Bonds that follow elements in the list begin
-// when all elements are done. At the end of a step postponed elements resume: a pass lists them all, passes over
-// elements find their acceleration with a clock that stands still, and others open the next step.
+// Successive passes over blocks are called block by block, so that a block stays in the cache from its bonds to the
+// motion of its elements; each domain has a thread of its own. A pass over bonds behind one over elements begins when
+// all elements are done. At the end of a step postponed elements resume: a pass lists them all, passes over elements
+// find their acceleration with a time step of 0, and others open the next step.
 #pragma once
 #include "tables/columns.hpp"
 #include "tables/step_tables.hpp"

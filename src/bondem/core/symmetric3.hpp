@@ -6,6 +6,10 @@ namespace bondem {
 
 template <class T> struct Symmetric3 {
     T xx, yy, zz, xy, xz, yz;
+
+    const T &operator[](Index c) const {
+        return c == 0 ? xx : c == 1 ? yy : c == 2 ? zz : c == 3 ? xy : c == 4 ? xz : yz;
+    }
 };
 
 template <class T> inline Vector3<T> operator*(Symmetric3<T> a, Vector3<T> v) {

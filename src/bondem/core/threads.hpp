@@ -11,5 +11,11 @@ void share_tasks(Index threads, Index tasks, void (*work)(Index task, void *data
 template <class Task> inline void for_each_task(Index threads, Index tasks, Task task) {
     share_tasks(threads, tasks, [](Index number, void *data) { (*static_cast<Task *>(data))(number); }, &task);
 }
+// Calls on(i) for i = 0 … count - 1, in tasks of `size` each.
+template <class On> inline void for_each_in_tasks(Index threads, Index count, Index size, On on) {
+    for_each_task(threads, (count + size - 1) / size, [=](Index task) {
+        for (Index i = task * size; i < least((task + 1) * size, count); i++) on(i);
+    });
+}
 
 }  // namespace bondem

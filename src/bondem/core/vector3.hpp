@@ -1,7 +1,7 @@
 // A vector in space, of numbers or of lanes of numbers.
 //
 // Products and sums are in one expression where they are rounded once (-ffp-contract=on fuses within an expression
-// only, so that every instruction set gives the same bits).
+// only, so that the bits are the same with every instruction set).
 #pragma once
 #include "lanes.hpp"
 
@@ -41,5 +41,13 @@ template <class T> inline Vector3<T> minus_cross(Vector3<T> c, Vector3<T> a, Vec
     return {c.x - a.y * b.z + a.z * b.y, c.y - a.z * b.x + a.x * b.z, c.z - a.x * b.y + a.y * b.x};
 }
 template <class T> inline T length(Vector3<T> a) { return root(dot(a, a)); }
+// The part of v across a unit vector n.
+template <class T> inline Vector3<T> tangential(Vector3<T> v, Vector3<T> n) { return minus(v, dot(v, n), n); }
+
+// A component of a separation over the nearest periodic image; edge and inverse are 0 along an axis that is not
+// periodic.
+template <class T> BONDEM_INLINE T over_nearest_image(T d, double edge, double inverse) {
+    return d - edge * nearest(d * inverse);
+}
 
 }  // namespace bondem

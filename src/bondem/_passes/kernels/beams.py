@@ -44,7 +44,7 @@ def load_uniform_beam(
 
 
 def sum_portion_of_beams(device_span: DeviceSpan, moving: Moving, beams: Beams, ledger: Ledger) -> Kernel:
-    """Sums normal, shear, bending and twisting energy of a portion [J].
+    """Sums normal, shear, bending and twisting energy of the beams of a portion [J].
 
     Over one index.
     """

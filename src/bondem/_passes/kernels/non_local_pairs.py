@@ -108,7 +108,7 @@ def relieve_element(
 def sum_portion_of_springs(
     device_span: DeviceSpan, moving: Moving, beams: Beams, non_local_bonds: NonLocalBonds, ledger: Ledger
 ) -> Kernel:
-    """Sums normal and shear energy of the springs of a portion, and the work of extra forces [J].
+    """Sums normal and shear energy of the springs of a portion of bonds, and the work of their extra forces [J].
 
     Over one index.
     """

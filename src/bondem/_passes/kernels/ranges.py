@@ -14,5 +14,5 @@ def count_record(device_span: DeviceSpan) -> Kernel:
 
 
 def set_clock(device_span: DeviceSpan, step_scheme: StepScheme, tick: Tick) -> Kernel:
-    """Advances the clock by `ahead` steps and sets its flags; a clock that stands still has coefficients of 0."""
+    """Advances the clock by `ahead` steps and sets its flags; for a step of no duration its coefficients are 0."""
     return Kernel("set_clock", (device_span, step_scheme, tick))

@@ -22,7 +22,7 @@ def read_part_of_gauge(moving: Moving, rows: Rows, gauges: Gauges, gauge_parts: 
 
 
 def sum_portion_of_elements(device_span: DeviceSpan, moving: Moving, ledger: Ledger) -> Kernel:
-    """Sums kinetic energies and losses of a portion [J].
+    """Sums kinetic energies and losses of a portion of elements [J].
 
     Over one index.
     """

@@ -23,7 +23,7 @@ def load_stored_beam(
 def sum_portion_of_stored(
     device_span: DeviceSpan, moving: Moving, beams: Beams, stored_loads: StoredLoads, ledger: Ledger
 ) -> Kernel:
-    """Sums normal, shear, bending and twisting energy of a portion [J].
+    """Sums normal, shear, bending and twisting energy of the beams of a portion, by their stored loads [J].
 
     Over one index.
     """

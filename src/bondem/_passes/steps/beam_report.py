@@ -17,7 +17,7 @@ def check_beams(moving: Moving, beams: Beams, ledger: Ledger) -> StepEntry:
 
 
 def sum_beam_energies(moving: Moving, beams: Beams, ledger: Ledger) -> StepEntry:
-    """Sums normal, shear, bending and twisting energy of a portion [J].
+    """Sums normal, shear, bending and twisting energy of the beams of a portion [J].
 
     Over bonds, in portions. Reads `pose` at both ends.
     """

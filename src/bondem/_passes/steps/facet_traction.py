@@ -9,8 +9,7 @@ from bondem._tables.step_tables import Moving, Rows, Timeline
 
 
 def add_traction_work(moving: Moving, facet_tractions: FacetTractions, rows: Rows) -> StepEntry:
-    """Adds half the work of tractions that change to the rows of their cells: by the stresses before, and by those
-    after.
+    """Adds half the work of tractions that change, by the present stresses, to the rows of their cells.
 
     Over elements of a block, then shared ones. Reads `pose.stress` of an element.
     """

@@ -39,7 +39,7 @@ def find_non_local_forces(
 
 
 def sum_non_local_energies(moving: Moving, beams: Beams, non_local_bonds: NonLocalBonds, ledger: Ledger) -> StepEntry:
-    """Sums normal and shear energy of the springs of a portion, and the work of extra forces [J].
+    """Sums normal and shear energy of the springs of a portion of bonds, and the work of their extra forces [J].
 
     Over bonds, in portions. Reads `pose` at both ends.
     """

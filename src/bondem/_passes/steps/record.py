@@ -24,7 +24,7 @@ def read_gauges(moving: Moving, rows: Rows, gauges: Gauges, history_rows: Histor
 
 
 def sum_element_energies(moving: Moving, ledger: Ledger) -> StepEntry:
-    """Sums kinetic energies and losses of a portion [J].
+    """Sums kinetic energies and losses of a portion of elements [J].
 
     Over elements, in portions.
     """

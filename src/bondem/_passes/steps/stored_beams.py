@@ -18,7 +18,7 @@ def add_stored_loads(moving: Moving, beams: Beams, stored_loads: StoredLoads, st
 
 
 def sum_stored_energies(moving: Moving, beams: Beams, stored_loads: StoredLoads, ledger: Ledger) -> StepEntry:
-    """Sums normal, shear, bending and twisting energy of a portion [J].
+    """Sums normal, shear, bending and twisting energy of the beams of a portion, by their stored loads [J].
 
     Over bonds, in portions. Reads `pose` at both ends.
     """

@@ -6,14 +6,11 @@
 
 namespace bondem {
 
-inline void adhere_one_pair(Index k, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
-                            const AdheringPairs &of) {
-    adhere_pair(all, c, pairs, of, k);
-}
+constexpr auto adhere_one_pair = &adhere_pair;
 inline void add_adhesion_of_element(Index p, const ContactPairs &pairs, const EarlierPairs &earlier, const AdheringPairs &of,
                                     const ContactSums &to) {
-    for (Index k = pairs.start(p); k < pairs.start(p + 1); k++) add_adhesion(of, k, true, &to.sums(p, 0));
-    for (Index e = earlier.start(p); e < earlier.start(p + 1); e++) add_adhesion(of, earlier.pair(e), false, &to.sums(p, 0));
+    for_each_pair_of(pairs, earlier.start, earlier.pair, p,
+                     [&](Index k, bool later) { add_adhesion(of, k, later, &to.sums(p, 0)); });
 }
 constexpr auto adhere_element_at_walls = one_element<adhere_at_walls>;
 constexpr auto sum_portion_of_adhesion = portion_of_elements<sum_adhesion_energies>;

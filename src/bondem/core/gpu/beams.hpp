@@ -1,36 +1,28 @@
 // Beams on a device: a thread computes one beam or dashpot, and writes the loads on its ends into `LoadsOfBonds`.
 #pragma once
-#include "../passes/beams/beam_report.hpp"
+#include "../passes/beams/beam_passes.hpp"
 #include "../passes/damage/beam_removal.hpp"
 #include "ranges.hpp"
 
 namespace bondem {
 
 BONDEM_INLINE void put(const LoadsOfBonds &to, Index k, const BeamLoads<double> &loads) {
-    const Index m = to.load.shape[1];
-    const double all[9] = {loads.force.x, loads.force.y, loads.force.z, loads.on_i.x, loads.on_i.y,
-                           loads.on_i.z,  loads.on_j.x,  loads.on_j.y,  loads.on_j.z};
-    for (Index c = 0; c < 9; c++) to.load.data[c * m + k] = all[c];
+    keep_loads(to.load.data, to.load.shape[1], k, loads);
 }
 
-BONDEM_INLINE BeamLoads<double> loads_of(Index k, const Moving &all, const Beams &beams) {
-    const BeamStiffness<double> stiffness = stiffness_of(beams, k, beams.integrity(k));
-    return beam_loads(ends_of(all.pose.data, beams, k), shape_of<double>(beams, k), stiffness);
-}
-// Loads of beam k in a model whose beams differ in length only.
-BONDEM_INLINE BeamLoads<double> loads_of(Index k, const Moving &all, const Beams &beams, const UniformBeams &uniform) {
-    const double h = uniform.per_length(k);
-    const double AL = uniform.AL * h;
-    const BeamStiffness<double> stiffness = {uniform.knL * h, AL, uniform.BL * h, AL, uniform.ktL * h};
+// Loads of beam k whose stiffness is of a kind, `Own` or `Uniform`.
+template <class Kind>
+BONDEM_INLINE BeamLoads<double> loads_of(Index k, const Moving &all, const Beams &beams, const Kind &kind) {
+    const BeamStiffness<double> stiffness = kind.template stiffness<double>(k);
     return beam_loads(ends_of(all.pose.data, beams, k), shape_of<double>(beams, k), stiffness);
 }
 
 inline void load_beam(Index k, const Moving &all, const Beams &beams, const LoadsOfBonds &to) {
-    put(to, k, loads_of(k, all, beams));
+    put(to, k, loads_of(k, all, beams, Own{beams}));
 }
 inline void load_uniform_beam(Index k, const Moving &all, const Beams &beams, const UniformBeams &uniform,
                               const LoadsOfBonds &to) {
-    put(to, k, loads_of(k, all, beams, uniform));
+    put(to, k, loads_of(k, all, beams, all_uniform(uniform)));
 }
 inline void load_dashpot(Index k, const Moving &all, const Beams &beams, const Dashpots &dashpots, const LoadsOfBonds &to) {
     put(to, k, loads_of_dashpot(all, beams, dashpots, k));

@@ -1,7 +1,6 @@
 // Boundary conditions on a device: a thread updates one row, driven degree of freedom or group of elements.
 #pragma once
 #include "../passes/boundary/following.hpp"
-#include "../passes/boundary/rows.hpp"
 #include "ranges.hpp"
 
 namespace bondem {

@@ -1,4 +1,5 @@
-// Failure of beams on a device, in the stages of the CPU (`passes/damage/pipeline.hpp`). Other bonds share functions.
+// Failure of beams on a device, in the stages of the CPU (`passes/damage/pipeline.hpp`). Facets and pairs of the
+// non-local law share some of these functions.
 //
 // Beams: a thread marks one beam as it computes its loads, and a thread evaluates one marked beam and lists it if it
 // fails, in any order. A thread finds the place of one failed beam in the order of bonds, and a thread removes it.
@@ -33,11 +34,11 @@ BONDEM_INLINE void put_marked(Index k, const BeamLoads<double> &loads, const Loa
 }
 inline void load_marked_beam(Index k, const Moving &all, const Beams &beams, const LoadsOfBonds &to,
                              const FailureBounds &bounds, const BondMarks &marks) {
-    put_marked(k, loads_of(k, all, beams), to, bounds, marks);
+    put_marked(k, loads_of(k, all, beams, Own{beams}), to, bounds, marks);
 }
 inline void load_marked_uniform_beam(Index k, const Moving &all, const Beams &beams, const UniformBeams &uniform,
                                      const LoadsOfBonds &to, const FailureBounds &bounds, const BondMarks &marks) {
-    put_marked(k, loads_of(k, all, beams, uniform), to, bounds, marks);
+    put_marked(k, loads_of(k, all, beams, all_uniform(uniform)), to, bounds, marks);
 }
 
 // ---- evaluation
@@ -53,21 +54,16 @@ BONDEM_INLINE bool list_failing(Index k, const Verdict<double> &verdict, const B
     put_shared(candidates.any(0), Index(1));
     return true;
 }
-// Evaluates beam k if it is marked and unbroken; lists it and calls on_failure() if it fails.
-template <class Criterion, class OnFailure>
-BONDEM_INLINE void judge_one(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,
-                             const Strengths &strengths, const BondMarks &marks, const Candidates &candidates,
-                             OnFailure on_failure) {
+// Evaluates beam k if it is marked and unbroken; lists it and postpones its ends if it fails.
+template <class Criterion>
+BONDEM_INLINE void judge_beam(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,
+                              const Strengths &strengths, const BondMarks &marks, const Candidates &candidates,
+                              const Postponed &postponed) {
     if (marks.mark(k) == 0 || clock_of(span).first || !(beams.integrity(k) > 0.0)) return;
-    if (list_failing(k, verdict_of<Criterion>(all.pose.data, beams, strengths, k), marks, candidates)) on_failure();
+    if (list_failing(k, verdict_of<Criterion>(all.pose.data, beams, strengths, k), marks, candidates))
+        postpone_ends(postponed, beams, k);
 }
-#define BONDEM_JUDGE(_, name, Criterion)                                                                                 \
-    inline void judge_beam_by_##name(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,             \
-                                     const Strengths &strengths, const BondMarks &marks, const Candidates &candidates,   \
-                                     const Postponed &postponed) {                                                       \
-        judge_one<Criterion>(k, span, all, beams, strengths, marks, candidates,                                          \
-                             [&] { postpone_ends(postponed, beams, k); });                                               \
-    }
+#define BONDEM_JUDGE(_, name, Criterion) constexpr auto judge_beam_by_##name = &judge_beam<Criterion>;
 BONDEM_BEAM_CRITERIA(BONDEM_JUDGE, )
 #undef BONDEM_JUDGE
 
@@ -87,11 +83,9 @@ inline void rank_failing(Index e, const BondMarks &marks, const Candidates &cand
 // Calls on(k, true if p is end i of bond k) for the failing bonds of element p, in ascending order.
 template <class On>
 BONDEM_INLINE void for_each_failing_of(Index p, const BondsOfElements &bonds, const BondMarks &marks, On on) {
-    const auto fails = [&](Index k) { return marks.mark(k) == marked::fails; };
-    for (Index k = bonds.in_start(p); k < bonds.in_start(p + 1); k++)
-        if (fails(k)) on(k, false);
-    for (Index e = bonds.out_start(p); e < bonds.out_start(p + 1); e++)
-        if (fails(bonds.out_bond(e))) on(Index(bonds.out_bond(e)), true);
+    for_each_bond_of(bonds, p, [&](Index k, bool is_i) {
+        if (marks.mark(k) == marked::fails) on(k, is_i);
+    });
 }
 // Writes the event of the failed bond at place e of the order of bonds.
 BONDEM_INLINE void write_failure(Index e, const DeviceSpan &span, const Candidates &candidates, const EventLog &log,
@@ -109,7 +103,7 @@ inline void count_failures(Index, const Candidates &candidates, const EventLog &
 }
 
 BONDEM_INLINE BeamLoads<double> loads_in(const LoadsOfBonds &from, Index k) {
-    const auto at = [&](Index c) { return Vector{from.load(c, k), from.load(c + 1, k), from.load(c + 2, k)}; };
+    const auto at = [&](Index c) { return vector_at<double>(from.load.data, from.load.shape[1], c, k); };
     return {at(0), at(3), at(6)};
 }
 // Removes the failed beam at place e of the order of bonds, and writes the loads that its ends lose.
@@ -165,10 +159,11 @@ inline void keep_dashed_sum(Index e, const StepBlocks &blocks, const Dashpots &d
         row_at(dashpots.sums.data, Short(postponed.first_row + p)) = row_at(dashpots.sums.data, blocks.ready_row(e));
 }
 
-// Finds the acceleration of a postponed element by its kept sum, and opens its next step if the run continues.
+// Finds the acceleration of element p, if it is postponed, by its kept sum; opens its next step if the run continues.
 template <class Boundary, class Resisted>
 BONDEM_INLINE void resume(const DeviceSpan &span, const Moving &all, const Postponed &postponed, Index p,
                           const Boundary &row, const Resisted &resistance, Index r) {
+    if (!is_postponed(postponed, p)) return;
     Clock still = clock_of(span);
     still.dt = still.finish = still.begin = still.extra = 0.0;
     still.goes_on = 0;
@@ -179,23 +174,21 @@ BONDEM_INLINE void resume(const DeviceSpan &span, const Moving &all, const Postp
 }
 inline void resume_free(Index e, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
                         const Postponed &postponed) {
-    const Index p = blocks.ready(e);
-    if (is_postponed(postponed, p)) resume(span, all, postponed, p, NoRow{}, NoRow{}, -1);
+    resume(span, all, postponed, blocks.ready(e), NoRow{}, NoRow{}, -1);
 }
 inline void resume_resisted(Index e, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
                             const Resistance &resistance, const Postponed &postponed) {
-    const Index p = blocks.ready(e);
-    if (is_postponed(postponed, p)) resume(span, all, postponed, p, NoRow{}, resistance, -1);
+    resume(span, all, postponed, blocks.ready(e), NoRow{}, resistance, -1);
 }
 inline void resume_row(Index h, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks, const Rows &rows,
                        const Postponed &postponed) {
     const Index p = blocks.ready(blocks.first_owner(0) + h), r = rows.of(p);
-    if (is_postponed(postponed, p)) resume(span, all, postponed, p, BoundaryRow(rows, r), NoRow{}, r);
+    resume(span, all, postponed, p, BoundaryRow(rows, r), NoRow{}, r);
 }
 inline void resume_resisted_row(Index h, const DeviceSpan &span, const Moving &all, const StepBlocks &blocks,
                                 const Rows &rows, const Resistance &resistance, const Postponed &postponed) {
     const Index p = blocks.ready(blocks.first_owner(0) + h), r = rows.of(p);
-    if (is_postponed(postponed, p)) resume(span, all, postponed, p, BoundaryRow(rows, r), resistance, r);
+    resume(span, all, postponed, p, BoundaryRow(rows, r), resistance, r);
 }
 inline void reopen_work_of_body(Index p, const DeviceSpan &span, const Moving &all, const BodyForces &body,
                                 const Postponed &postponed) {

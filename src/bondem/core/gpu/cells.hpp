@@ -2,9 +2,7 @@
 // of the boundary.
 #pragma once
 #include "../passes/cells/accumulation.hpp"
-#include "../passes/cells/cell_report.hpp"
-#include "../steps.hpp"
-#include "../tables/cell_tables.hpp"
+#include "../passes/cells/cell_passes.hpp"
 #include "../passes/cells/dilatation_rates.hpp"
 #include "../passes/cells/energies.hpp"
 #include "../passes/cells/gradients.hpp"
@@ -28,8 +26,7 @@ inline void dilate_facet(Index k, const Moving &all, const ElasticFacets &facets
 }
 inline void gather_dilatation(Index p, const CellDilatation &cells, const BondsOfElements &bonds, const LoadsOfBonds &from) {
     double sum = cells.swelling(p);
-    for (Index k = bonds.in_start(p); k < bonds.in_start(p + 1); k++) sum += from.load(of_j, k);
-    for (Index e = bonds.out_start(p); e < bonds.out_start(p + 1); e++) sum += from.load(of_i, bonds.out_bond(e));
+    for_each_bond_of(bonds, p, [&](Index k, bool is_i) { sum += from.load(is_i ? of_i : of_j, k); });
     cells.swelling(p) = sum;
 }
 inline void set_stress(Index p, const Moving &all, const CellDilatation &cells) { stress_cell(all.pose, cells, p); }
@@ -66,14 +63,8 @@ inline void find_acceleration_of(Index e, const Moving &all, const Rows &rows, c
     if (rows.of(p) < 0) find_acceleration(all, mass, sum, p);
     else find_acceleration(all, rows, mass, sum, p);
 }
-inline void find_dilatation_inertia_of(Index p, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
-                                       const CorrectedMass &mass) {
-    find_inertia(all, facets, walls, mass, p);
-}
-inline void find_inertia_force_of(Index p, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
-                                  const CorrectedMass &mass) {
-    find_inertia_force(all, facets, walls, mass, p);
-}
+constexpr auto find_dilatation_inertia_of = &find_inertia;
+constexpr auto find_inertia_force_of = &find_inertia_force;
 inline void add_inertia_force_of(Index e, const CorrectedMass &mass, const StepBlocks &blocks) {
     add_inertia_force(mass, &blocks.sums(blocks.ready_row(e), 0), blocks.ready(e));
 }
@@ -85,7 +76,7 @@ inline void load_facet(Index k, const Moving &all, const ElasticFacets &facets, 
     put(to, k, loads_of(all.pose.data, facets, k));
 }
 
-// ---- walls that hold facets
+// ---- walls that fix or support facets
 
 inline void place_wall(Index g, const DeviceSpan &span, const WallConstraints &walls) {
     place_support(walls, clock_of(span).time, g);

@@ -1,14 +1,14 @@
-// Contacts on a device: a thread computes one listed pair, then one adds the forces of pairs and walls on an element.
+// Contacts on a device: a thread computes one listed pair, then a thread adds the forces of pairs and walls
+// on one element.
 //
 // Every pair of the list is evaluated in each step, so that distances need not be measured between two lists. If an
 // element or a wall moves beyond the reach of the list, the run stops: later launches do nothing, and the CPU
 // makes a new list.
 #pragma once
-#include "../passes/contacts/contact_loads.hpp"
+#include "../passes/contacts/contact_passes.hpp"
 #include "../passes/contacts/face_contacts.hpp"
 #include "../passes/contacts/pairs.hpp"
 #include "../passes/contacts/wall_shapes.hpp"
-#include "../passes/contacts/rigid_walls.hpp"
 #include "record.hpp"
 
 namespace bondem {
@@ -26,16 +26,10 @@ constexpr auto move_all_walls = once<move_walls>;
 
 // ---- forces
 
-template <class Law>
-BONDEM_INLINE void press_one(const Law &law, const ContactRow &of, Index k, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+BONDEM_INLINE void press_one(Index k, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                              const NearPairs &near, double dt) {
-    const Short a = pairs.first(k), b = pairs.second(k);
-    const Row<double> i = gather(all.pose.data, a), j = gather(all.pose.data, b), past = gather(pairs.memory.data, Short(k));
-    const Spheres2<double> pair(c.radius(a), c.radius(b), pairs.reach(k), branch(i, j, pairs.period.data),
-                                Motion<double>(gather(all.motion.data, a)), Motion<double>(gather(all.motion.data, b)));
-    const ContactMemory<double> memory = {{past.column[0], past.column[1], past.column[2]},
-                                          {past.column[3], past.column[4], past.column[5]}};
-    const PairLoads<double> loads = pair_loads(law, of, pair, pairs.own(k), memory, dt);
+    const Vector *const past = &pairs.memory.row<Vector>(k);
+    const PairLoads<double> loads = present_loads(all, c, pairs, k, {past[0], past[1]}, dt);
     const Vector s = loads.contact.memory.stretch, h = loads.contact.memory.viscous, f = loads.contact.force;
     const Vector t = loads.torque;
     row_at(pairs.memory.data, Short(k)) = {{s.x, s.y, s.z, h.x, h.y, h.z, 0.0, 0.0}};
@@ -50,8 +44,7 @@ inline void press_pair(Index k, const DeviceSpan &span, const Moving &all, const
         pairs.touch(k) = separate;
         return;
     }
-    const ContactRow &of = law_of(c, pairs, k);
-    with_law(c, of, [&](auto law) { press_one(law, of, k, all, c, pairs, near, clock_of(span).dt); });
+    press_one(k, all, c, pairs, near, clock_of(span).dt);
 }
 // Computes the contact of pair k of a body of cells with cracks: by faces, or as spheres.
 inline void press_pair_or_faces(Index k, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
@@ -61,15 +54,13 @@ inline void press_pair_or_faces(Index k, const DeviceSpan &span, const Moving &a
     const double dt = clock_of(span).dt;
     const PairOf kind = press_faces(all, c, pairs, faces, k, dt);
     faces.close(k) = kind == PairOf::faces;
-    const ContactRow &of = law_of(c, pairs, k);
-    if (kind == PairOf::spheres) with_law(c, of, [&](auto law) { press_one(law, of, k, all, c, pairs, near, dt); });
+    if (kind == PairOf::spheres) press_one(k, all, c, pairs, near, dt);
 }
 // Adds forces of faces on element p: of pairs whose later element it is, then of pairs whose earlier element it is.
 inline void add_faces_of_element(Index p, const ContactPairs &pairs, const FacePairs &faces, const ContactSums &to) {
-    for (Index k = pairs.start(p); k < pairs.start(p + 1); k++)
-        if (faces.close(k) != 0) add_faces_to(faces, k, true, &to.sums(p, 0));
-    for (Index e = faces.earlier_start(p); e < faces.earlier_start(p + 1); e++)
-        if (faces.close(faces.earlier(e)) != 0) add_faces_to(faces, faces.earlier(e), false, &to.sums(p, 0));
+    for_each_pair_of(pairs, faces.earlier_start, faces.earlier, p, [&](Index k, bool later) {
+        if (faces.close(k) != 0) add_faces_to(faces, k, later, &to.sums(p, 0));
+    });
 }
 inline bool as_spheres(Byte touch) { return touch == touching || touch == parted; }
 // Adds forces of pairs on element p in their order: as the later element of a pair, then as the earlier one.
@@ -125,12 +116,7 @@ inline void measure_overlaps(Index b, const DeviceSpan &span, const Moving &all,
             const double overlap = pairs.reach(k) - length(branch_of(all.pose.data, pairs, k));
             deepest = most(deepest, overlap / least(c.radius(pairs.first(k)), c.radius(pairs.second(k))));
         }
-    for (Index e = contacts.start(range.first); e < contacts.start(range.last); e++) {
-        const Short p = contacts.element(e);
-        const WallSurface at = WallPlace(walls, contacts.wall(e)).surface(centre(all.pose.data, p), c.radius(p));
-        deepest = most(deepest, (contacts.gap(e) - at.gap) / c.radius(p));
-    }
-    travel.portion(b, 2) = deepest;
+    travel.portion(b, 2) = deepest_at_walls(range, all, c, contacts, walls, deepest);
 }
 constexpr auto sum_portion_of_pairs = portion_of_elements<sum_pair_energies>;
 constexpr auto sum_portion_of_faces = portion_of_elements<sum_face_energies>;

@@ -1,7 +1,7 @@
 // Forces that criteria of cracks need, stresses of cells, and facets that begin to crack, on a device: a thread
 // computes one facet or adds up one cell.
 #pragma once
-#include "../passes/cells/cell_stress.hpp"
+#include "../passes/cells/cell_passes.hpp"
 #include "../passes/cracks/onset_of_facets.hpp"
 #include "../passes/cracks/stress_state.hpp"
 #include "cells.hpp"
@@ -36,15 +36,13 @@ inline void load_stored_facet(Index k, const Moving &all, const ElasticFacets &f
 inline void gather_facet_moments(Index p, const FacetForces &stored, const BondsOfElements &bonds,
                                  const LoadsOfBonds &from, const FacetArms &arms) {
     double sum[7] = {};
-    const auto add = [&](Index k, Index side, double sign) {
-        const Vector f = {sign * from.load(0, k), sign * from.load(1, k), sign * from.load(2, k)};
-        const Vector arm = {arms.arm(side, k), arms.arm(side + 1, k), arms.arm(side + 2, k)};
+    for_each_bond_of(bonds, p, [&](Index k, bool is_i) {
+        const Vector f = (is_i ? -1.0 : 1.0) * Vector{from.load(0, k), from.load(1, k), from.load(2, k)};
+        const Vector arm = vector_at<double>(arms.arm.data, arms.arm.shape[1], is_i ? arm_of_i : arm_of_j, k);
         const Symmetric3<double> m = symmetric_product(arm, f);
-        const double each[7] = {m.xx, m.yy, m.zz, m.xy, m.xz, m.yz, arms.arm(bending_row, k)};
-        for (Index c = 0; c < 7; c++) sum[c] += each[c];
-    };
-    for (Index k = bonds.in_start(p); k < bonds.in_start(p + 1); k++) add(k, arm_of_j, 1.0);
-    for (Index e = bonds.out_start(p); e < bonds.out_start(p + 1); e++) add(bonds.out_bond(e), arm_of_i, -1.0);
+        for (Index c = 0; c < 6; c++) sum[c] += m[c];
+        sum[6] += arms.arm(bending_row, k);
+    });
     for (Index c = 0; c < 7; c++) stored.moment(p, c) = sum[c];
 }
 constexpr auto sum_moments_of_cell = one_element<sum_moments>;

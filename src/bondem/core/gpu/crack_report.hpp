@@ -16,11 +16,9 @@ inline void sum_portion_of_cracks(Index b, const DeviceSpan &span, const Moving 
 }
 inline void sum_portion_of_crushing(Index b, const DeviceSpan &span, const FacetStrengths &strengths,
                                     const CohesiveCracks &cracks, const Ledger &ledger) {
-    const Index last = least((b + 1) * bonds_of_portion, span.m);
-    add_up(ledger, history_column::crushing, [&](ExactSum &sum) {
-        for (Index k = b * bonds_of_portion; k < last; k++)
-            if (cracks.listed(k) != 0) sum.add(crushed_by_facet(strengths, cracks, k));
-    });
+    const Index first = b * bonds_of_portion, last = least(first + bonds_of_portion, span.m);
+    add_up(ledger, history_column::crushing, first, last,
+           [&](Index k) { return cracks.listed(k) != 0 ? crushed_by_facet(strengths, cracks, k) : 0.0; });
 }
 inline void write_all_crushing_of_facets(Index, const DeviceSpan &span, const Ledger &ledger, const EventLog &log,
                                          const HistoryRows &history) {

@@ -1,5 +1,5 @@
-// Cracks on a device: a thread treats one crack, or adds up one cell. There are no lists of cracks: places and halves
-// have the numbers of their facets, and the list of the halves of a cell is made by the thread of the cell.
+// Cracks on a device: a thread computes one crack, or adds up one cell. There are no lists of cracks: places and
+// halves have the numbers of their facets, and the list of the halves of a cell is made by the thread of the cell.
 //
 // Changes of a cell by several cracks are added by the thread of the cell, in the order of the CPU, from the flags of
 // its facets in this step: `flag` of active cracks, `waking` of resting ones.
@@ -8,9 +8,8 @@
 #include "../passes/contacts/handover.hpp"
 #include "../passes/cracks/carried.hpp"
 #include "../passes/cracks/crack_axes.hpp"
-#include "../passes/cracks/crack_loads.hpp"
+#include "../passes/cracks/crack_passes.hpp"
 #include "../passes/cracks/loaded_cracks.hpp"
-#include "../passes/cracks/opening.hpp"
 #include "../passes/cracks/opening_cracks.hpp"
 #include "../passes/cracks/resting_cracks.hpp"
 #include "../passes/cracks/softening_cracks.hpp"
@@ -25,11 +24,6 @@ BONDEM_INLINE bool leaves(Byte flag) { return flag == crack::calmed || flag == c
 BONDEM_INLINE void make_outdated(const CrackLists &lists, const ElasticFacets &facets, Index k) {
     put_shared(lists.outdated(facets.i(k)), Byte(1));
     put_shared(lists.outdated(facets.j(k)), Byte(1));
-}
-// Calls on(k, true if p is cell i of facet k) for the facets of cell p, in ascending order.
-template <class Facets, class On> BONDEM_INLINE void for_each_facet_of(const Facets &of, Index p, On on) {
-    for (Index k = of.in_start(p); k < of.in_start(p + 1); k++) on(k, false);
-    for (Index e = of.out_start(p); e < of.out_start(p + 1); e++) on(Index(of.out_bond(e)), true);
 }
 
 // ---- the beginning of a run
@@ -62,7 +56,7 @@ inline void follow_lever(Index k, const CellStrains &strains, const ElasticFacet
 template <class Facets>
 BONDEM_INLINE void link_cell(Index p, const CohesiveCracks &cracks, const CrackLists &lists, const Facets &of) {
     int32_t first = 0;
-    for_each_facet_of(of, p, [&](Index k, bool is_i) {
+    for_each_bond_of(of, p, [&](Index k, bool is_i) {
         if (!is_treated(cracks, k)) return;
         const Index half = half_of(k, is_i ? 0 : 1);
         lists.next(half) = first;
@@ -120,7 +114,7 @@ template <class Changes>
 BONDEM_INLINE bool change_base(Index p, const Moving &all, const ElasticFacets &facets, const CellSlack &slack,
                                const CohesiveCracks &cracks, const CrackLists &lists, double sign, Changes changes) {
     bool any = false;
-    for_each_facet_of(slack, p, [&](Index k, bool is_i) {
+    for_each_bond_of(slack, p, [&](Index k, bool is_i) {
         if (!changes(k)) return;
         any = true;
         const CrackFaces<double> at = SingleCrack(all.pose, facets, cracks, k).now;

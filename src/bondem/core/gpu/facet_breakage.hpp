@@ -5,7 +5,7 @@
 // reads the reason for which its cell is postponed. Facets fail in their order: a thread finds the energy of its
 // facet without the facets that fail earlier.
 #pragma once
-#include "../passes/cells/facet_failure.hpp"
+#include "../passes/cells/cell_passes.hpp"
 #include "../passes/cells/facet_removal.hpp"
 #include "breakage.hpp"
 #include "cells.hpp"
@@ -30,12 +30,7 @@ BONDEM_INLINE void judge_facet(Index k, const DeviceSpan &span, const Moving &al
     postpone_element(postponed, facets.i(k), postponed_for::own_facet);
     postpone_element(postponed, facets.j(k), postponed_for::own_facet);
 }
-#define BONDEM_JUDGE(_, name, Criterion)                                                                               \
-    inline void judge_facet_by_##name(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets, \
-                                      const Strengths &strengths, const BondMarks &marks,                              \
-                                      const Candidates &candidates, const Postponed &postponed) {                      \
-        judge_facet<Criterion>(k, span, all, facets, strengths, marks, candidates, postponed);                         \
-    }
+#define BONDEM_JUDGE(_, name, Criterion) constexpr auto judge_facet_by_##name = &judge_facet<Criterion>;
 BONDEM_FACET_CRITERIA(BONDEM_JUDGE, )
 #undef BONDEM_JUDGE
 

@@ -1,4 +1,4 @@
-// Calls a pass over an index for each index: a loop on the CPU, a thread each on a device.
+// Calls of a pass over an index for all indices: by a loop on the CPU, by one thread per index on a device.
 #pragma once
 #include "../steps.hpp"
 

@@ -1,4 +1,4 @@
-// Sorts a list that threads have filled in any order, by one thread: a heap, the largest on top.
+// Heap sort by one thread, for lists that threads have filled in any order.
 #pragma once
 #include "../scalars.hpp"
 

@@ -4,12 +4,11 @@
 //
 // The stress of an element adds up its bonds and contacts in the order of the CPU.
 #pragma once
-#include "../passes/non_local/non_local_bonds.hpp"
+#include "../passes/non_local/non_local_passes.hpp"
 #include "../passes/non_local/own_stress.hpp"
 #include "../passes/non_local/pair_removal.hpp"
 #include "../passes/non_local/pair_verdict.hpp"
 #include "../passes/non_local/touch_levers.hpp"
-#include "../passes/non_local/touch_moments.hpp"
 #include "breakage.hpp"
 #include "contacts.hpp"
 
@@ -52,28 +51,22 @@ inline void gather_moments(Index p, const Moving &all, const NonLocalBonds &bond
     const Quaternion<double> q = orientation(gather(all.pose.data, Short(p)));
     const Rotation<double> of_i = matrix_of(q);  // as in `pair_pose`, bit by bit
     Stress<double> sum = {};
-    const auto add = [&](Vector lever, Index k) {
+    for_each_bond_of(of, p, [&](Index k, bool is_i) {
+        const PairShape<double> shape = pair_shape<double>(bonds, k);
+        const Vector lever = is_i ? turned_by(of_i, shape.lever_i) : -turned_by(q, shape.lever_j);
         sum = sum + symmetric_product(lever, output_at(bonds, force_column, k));
-    };
-    for (Index k = of.in_start(p); k < of.in_start(p + 1); k++)
-        add(-turned_by(q, pair_shape<double>(bonds, k).lever_j), k);
-    for (Index e = of.out_start(p); e < of.out_start(p + 1); e++) {
-        const Index k = of.out_bond(e);
-        add(turned_by(of_i, pair_shape<double>(bonds, k).lever_i), k);
-    }
+    });
     row_at(stresses.moment.data, Short(p)) = {{sum.xx, sum.yy, sum.zz, sum.xy, sum.xz, sum.yz, 0.0, 0.0}};
 }
 // Adds the pairs of element p to its stress: as the later element of a pair, then as the earlier one.
 inline void add_pair_moments_of_element(Index p, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                                         const EarlierPairs &earlier, const NearPairs &near, const LaggedStresses &stresses) {
-    const auto levers = [&](Index k) { return TouchLevers(c, pairs, k, branch_of(all.pose.data, pairs, k)); };
-    const auto force = [&](Index k) { return near.output.row<const Vector>(k); };
-    for (Index k = pairs.start(p); k < pairs.start(p + 1); k++)
-        if (pairs.touch(k) != separate) add_moment(stresses, Short(p), levers(k).of_second, force(k));
-    for (Index e = earlier.start(p); e < earlier.start(p + 1); e++) {
-        const Index k = earlier.pair(e);
-        if (pairs.touch(k) != separate) add_moment(stresses, Short(p), levers(k).of_first, -force(k));
-    }
+    for_each_pair_of(pairs, earlier.start, earlier.pair, p, [&](Index k, bool later) {
+        if (pairs.touch(k) == separate) return;
+        const TouchLevers lever(c, pairs, k, branch_of(all.pose.data, pairs, k));
+        const Vector force = near.output.row<const Vector>(k);
+        add_moment(stresses, Short(p), later ? lever.of_second : lever.of_first, later ? force : -force);
+    });
 }
 constexpr auto add_wall_moments_of_element = one_element<add_wall_moments>;
 inline void find_stress_of_element(Index p, const Moving &all, const LaggedStresses &stresses) {

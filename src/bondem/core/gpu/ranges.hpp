@@ -54,7 +54,7 @@ template <auto pass> constexpr auto listed_element = &OneRange<pass>::listed;
 template <auto pass> constexpr auto portion_of_elements = &OneRange<pass>::elements;
 template <auto pass> constexpr auto portion_of_bonds = &OneRange<pass>::bonds;
 
-// Advances the clock by `ahead` steps and sets its flags; a clock that stands still has coefficients of 0.
+// Advances the clock by `ahead` steps and sets its flags; for a step of no duration its coefficients are 0.
 inline void set_clock(Index, const DeviceSpan &span, const StepScheme &scheme, const Tick &tick) {
     Clock &clock = clock_of(span);
     const double moving = tick.still ? 0.0 : 1.0;

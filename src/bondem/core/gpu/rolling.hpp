@@ -1,4 +1,4 @@
-// Rolling resistance on a device: a thread rolls one pair, then a thread adds the moments of pairs and walls
+// Rolling resistance on a device: a thread computes one pair, then a thread adds the moments of pairs and walls
 // on one element.
 #pragma once
 #include "../passes/contacts/rolling.hpp"
@@ -12,10 +12,9 @@ inline void roll_one_pair(Index k, const DeviceSpan &span, const Moving &all, co
 }
 inline void add_rolling_of_element(Index p, const ContactPairs &pairs, const EarlierPairs &earlier, const RolledPairs &of,
                                    const ContactSums &to) {
-    for (Index k = pairs.start(p); k < pairs.start(p + 1); k++)
-        if (as_spheres(pairs.touch(k))) add_rolling(of, k, true, &to.sums(p, 0));
-    for (Index e = earlier.start(p); e < earlier.start(p + 1); e++)
-        if (as_spheres(pairs.touch(earlier.pair(e)))) add_rolling(of, earlier.pair(e), false, &to.sums(p, 0));
+    for_each_pair_of(pairs, earlier.start, earlier.pair, p, [&](Index k, bool later) {
+        if (as_spheres(pairs.touch(k))) add_rolling(of, k, later, &to.sums(p, 0));
+    });
 }
 constexpr auto roll_element_at_walls = one_element<roll_at_walls>;
 constexpr auto sum_portion_of_rolling = portion_of_elements<sum_rolling_energies>;

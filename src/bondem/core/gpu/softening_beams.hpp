@@ -5,7 +5,6 @@
 // The stages are those of the CPU (`passes/damage/beam_softening.cpp`), in the same order of rows and bonds.
 #pragma once
 #include "../passes/contacts/handover.hpp"
-#include "../passes/damage/beam_softening.hpp"
 #include "../passes/damage/softening_beam.hpp"
 #include "breakage.hpp"
 #include "contacts.hpp"
@@ -38,13 +37,13 @@ BONDEM_INLINE void put_pressed(Index k, const Moving &all, const Beams &beams, B
 }
 inline void load_softening_beam(Index k, const Moving &all, const Beams &beams, const LoadsOfBonds &to,
                                 const SofteningBounds &bounds, const BondMarks &marks) {
-    const BeamLoads<double> loads = loads_of(k, all, beams);
+    const BeamLoads<double> loads = loads_of(k, all, beams, Own{beams});
     mark_one(k, loads, bounds, marks);
     put_pressed(k, all, beams, loads, to, bounds);
 }
 inline void load_softening_uniform_beam(Index k, const Moving &all, const Beams &beams, const UniformBeams &uniform,
                                         const LoadsOfBonds &to, const SofteningBounds &bounds, const BondMarks &marks) {
-    const BeamLoads<double> loads = loads_of(k, all, beams, uniform);
+    const BeamLoads<double> loads = loads_of(k, all, beams, all_uniform(uniform));
     mark_one(k, loads, bounds, marks);
     put_pressed(k, all, beams, loads, to, bounds);
 }
@@ -59,12 +58,7 @@ BONDEM_INLINE void begin_one(Index k, const DeviceSpan &span, const Moving &all,
     const BeamLoads<double> whole = loads_in(to, k);
     put_pressed(k, all, beams, {left * whole.force, left * whole.on_i, left * whole.on_j}, to, bounds);
 }
-#define BONDEM_BEGIN(_, name, Criterion)                                                                               \
-    inline void begin_beam_by_##name(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,           \
-                                     const LoadsOfBonds &to, const SofteningBounds &bounds, const BondMarks &marks,    \
-                                     const Candidates &candidates) {                                                   \
-        begin_one<Criterion>(k, span, all, beams, to, bounds, marks, candidates);                                      \
-    }
+#define BONDEM_BEGIN(_, name, Criterion) constexpr auto begin_beam_by_##name = &begin_one<Criterion>;
 BONDEM_SOFTENING_CRITERIA(BONDEM_BEGIN, )
 #undef BONDEM_BEGIN
 

@@ -1,7 +1,6 @@
 // Beams of the incremental formulation on a device: a thread integrates the stored loads of one beam
 // over the step, and writes the loads on its ends.
 #pragma once
-#include "../passes/incremental/stored_beams.hpp"
 #include "../passes/incremental/stored_columns.hpp"
 #include "beams.hpp"
 

@@ -2,8 +2,7 @@
 // beam or portion, and one thread adds up the work (`passes/boundary/strains.cpp`, `passes/cells/cell_strains.cpp`).
 #pragma once
 #include "../passes/boundary/strained_beam.hpp"
-#include "../passes/boundary/timeline.hpp"
-#include "../passes/cells/cell_strains.hpp"
+#include "../passes/cells/cell_passes.hpp"
 #include "../passes/cells/strained_cells.hpp"
 #include "ranges.hpp"
 
@@ -23,7 +22,7 @@ inline void add_work_of_strains(Index, const DeviceSpan &span, const Strain &str
 // ---- strains of cells
 
 inline void follow_cell_factors(Index, const DeviceSpan &span, const Timeline &timeline, const CellStrains &strains) {
-    strains.due(strain_due::levers) = follow_factors(clock_of(span), timeline, strains);
+    follow_factors(clock_of(span), timeline, strains);
 }
 inline void stretch_facet_of_step(Index k, const CellStrains &strains, const ElasticFacets &facets) {
     if (strains.due(strain_due::levers)) stretch_facet(strains, facets, k);
@@ -38,10 +37,8 @@ inline void begin_strain_portion(Index b, const DeviceSpan &span, const Moving &
 }
 inline void begin_cell_strains(Index, const DeviceSpan &span, const Moving &all, const CellStrains &strains,
                                const WallConstraints &walls) {
-    using namespace strain_factor;
-    if (!clock_of(span).first) return;
-    take_powers(all, strains, walls);
-    for (Index g = 0; g < strains.schedule.size(); g++) strains.factor(before, g) = strains.factor(after, g);
+    double none = 0.0;
+    if (clock_of(span).first) take_work(all, strains, walls, none);
 }
 constexpr auto add_work_of_cell_strains = once<add_strain_work>;
 

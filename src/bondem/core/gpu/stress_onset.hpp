@@ -12,14 +12,13 @@ namespace bondem {
 
 constexpr Index does_not_fail = -1;
 
-inline void judge_cell_by_mean_stress(Index p, const DeviceSpan &span, const StressesOfCells &stresses,
-                                      const StressFunction &by, const CandidateFacets &onset, const CrackOnset &cracks) {
-    if (clock_of(span).dt > 0.0) judge_cell_by<MeanStress>(stresses, by, onset, cracks, p);
+template <class Criterion>
+BONDEM_INLINE void judge_one_cell(Index p, const DeviceSpan &span, const StressesOfCells &stresses,
+                                  const StressFunction &by, const CandidateFacets &onset, const CrackOnset &cracks) {
+    if (clock_of(span).dt > 0.0) judge_cell_by<Criterion>(stresses, by, onset, cracks, p);
 }
-inline void judge_cell_by_cone(Index p, const DeviceSpan &span, const StressesOfCells &stresses, const StressFunction &by,
-                               const CandidateFacets &onset, const CrackOnset &cracks) {
-    if (clock_of(span).dt > 0.0) judge_cell_by<Cone>(stresses, by, onset, cracks, p);
-}
+constexpr auto judge_cell_by_mean_stress = &judge_one_cell<MeanStress>;
+constexpr auto judge_cell_by_cone = &judge_one_cell<Cone>;
 inline void judge_cell_by_size(Index p, const DeviceSpan &span, const StressesOfCells &stresses,
                                const CandidateFacets &onset, const CrackOnset &cracks) {
     if (clock_of(span).dt > 0.0) judge_cell_of_user(stresses, onset, cracks, p);
@@ -43,16 +42,11 @@ inline void find_stress_candidate(Index k, const DeviceSpan &span, const Moving 
 
 template <class Criterion>
 BONDEM_INLINE void index_candidate(Index c, const StressCandidates &candidates, const StressFunction &by) {
-    if (c >= candidates.number(0) || candidates.bond(c) == does_not_fail) return;
-    const double *s = candidates.stress.data + 9 * c;
-    candidates.found(c) = Criterion::index(Stress<double>{s[0], s[4], s[8], s[1], s[2], s[5]}, by.parameter.data);
+    if (c < candidates.number(0) && candidates.bond(c) != does_not_fail)
+        candidates.found(c) = Criterion::index(stress_in(candidates, c), by.parameter.data);
 }
-inline void index_candidate_by_mean_stress(Index c, const StressCandidates &candidates, const StressFunction &by) {
-    index_candidate<MeanStress>(c, candidates, by);
-}
-inline void index_candidate_by_cone(Index c, const StressCandidates &candidates, const StressFunction &by) {
-    index_candidate<Cone>(c, candidates, by);
-}
+constexpr auto index_candidate_by_mean_stress = &index_candidate<MeanStress>;
+constexpr auto index_candidate_by_cone = &index_candidate<Cone>;
 
 inline void mark_failing_facet(Index c, const Moving &all, const ElasticFacets &facets, const FacetForces &stored,
                                const StressesOfCells &stresses, const CrackOnset &cracks, const CandidateFacets &onset) {

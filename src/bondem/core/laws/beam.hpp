@@ -65,12 +65,8 @@ BONDEM_INLINE BeamLoads<T> beam_loads(const Ends<T> &ends, const BeamShape<T> &s
     return {force, plus(both, g1, cross(X1, X)), plus(-both, g2, cross(X2, X))};
 }
 
-// The energy in the four modes of a beam [J]; their sum is U.
-template <class T> struct BeamEnergy {
-    T normal, shear, bending, twisting;
-};
-
-// Energy of a beam in its four modes. Sines come from cross products, so that small deformations keep their digits.
+// Energy of a beam in its four modes, the parts of U. Sines come from cross products, so that small deformations keep
+// their digits.
 template <class T>
 BONDEM_INLINE BeamEnergy<T> beam_energy(const Ends<T> &ends, const BeamShape<T> &shape, const BeamStiffness<T> &k, T ks,
                                         T a) {

@@ -19,7 +19,7 @@
 //     G = E / (2 (1 + ν))      λ = E ν / ((1 + ν) (1 - 2 ν))      c_p = 1/V_p Σ A d |m|²   over free facets
 //
 // v is the vector part of the relative rotation q_i* q_j and S the second moment of the facet about its centroid:
-// 2 v · H v is exactly (2 G / L) tr((1 - R_iᵀ R_j) S), the energy of a facet whose points do not open alike, and
+// 2 v · H v is exactly (2 G / L) tr((1 - R_iᵀ R_j) S), the energy of a facet whose points open differently, and
 // ½ ρ · H ρ for a small rotation ρ. λ_p is λ with the openings of free facets eliminated, at which their traction
 // vanishes. `bondem/interactions/cells/cell_constants.py` computes the constants once.
 //
@@ -93,12 +93,19 @@ template <class T> BONDEM_INLINE RelativeTurn<T> relative_turn(Quaternion<T> p, 
     return {relative_cosine(p, q), plain - across, plain + across};
 }
 
-// The moment of 2 v · H v on i, in space [N·m]; its opposite acts on j.
-template <class T> BONDEM_INLINE Vector3<T> bending_moment(const Ends<T> &ends, const Symmetric3<T> &H) {
+// Energy 2 v · H v of the bending of a facet [J], and its torque on i in space [N·m]; the opposite torque acts on j.
+template <class T> struct FacetBending {
+    T energy;
+    Vector3<T> torque;
+};
+template <class T> BONDEM_INLINE FacetBending<T> facet_bending(const Ends<T> &ends, const Symmetric3<T> &H) {
     const RelativeTurn<T> turn = relative_turn(ends.i, ends.j);
-    const Vector3<T> h = turned_by(ends.i, H * turn.v);
+    const Vector3<T> resisted = H * turn.v, h = turned_by(ends.i, resisted);
     const Vector3<T> c = plus_cross(turn.w * h, turn.space, h);
-    return c + c;
+    return {2.0 * dot(turn.v, resisted), c + c};
+}
+template <class T> BONDEM_INLINE Vector3<T> bending_moment(const Ends<T> &ends, const Symmetric3<T> &H) {
+    return facet_bending(ends, H).torque;
 }
 
 // Force and torques of a facet at known stresses of both cells: minus the gradient of U. Callers pass the facet in
@@ -118,14 +125,10 @@ BONDEM_INLINE FacetLoads<T> facet_loads(const Ends<T> &ends, const FacetShape<T>
     return facet_loads(ends, shape, opened(ends, shape), moment, stiffness.k, stress);
 }
 
-// The energy of a facet without dilatation, in four modes [J].
-template <class T> struct FacetEnergy {
-    T normal, shear, bending, twisting;
-};
-
-// Energy of a facet in four modes. `normal` is n in the reference; in space it is the mean of n of both cells.
+// Energy of a facet in four modes, without dilatation. `normal` is n in the reference; in space it is the mean of n
+// of both cells.
 template <class T>
-BONDEM_INLINE FacetEnergy<T> facet_energy(const Ends<T> &ends, const FacetShape<T> &shape, Vector3<T> normal,
+BONDEM_INLINE BeamEnergy<T> facet_energy(const Ends<T> &ends, const FacetShape<T> &shape, Vector3<T> normal,
                                           const FacetStiffness<T> &stiffness) {
     const Vector3<T> gap = opened(ends, shape).gap, n = turned_by(ends.i, normal) + turned_by(ends.j, normal);
     const T opening = dot(gap, n), across = opening * opening / dot(n, n);

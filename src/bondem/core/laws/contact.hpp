@@ -4,7 +4,7 @@
 //
 // u is the overlap and ξ the stretch of the tangential spring. The spring turns with the pair, and slides where
 // Coulomb's limit is reached. F(u) and ks are those of a law (`linear_contact.hpp`, `hertz_mindlin.hpp`); the
-// dashpots are shares β of the critical damping of the masses that meet,
+// dashpots have shares β of the critical damping of both masses,
 //
 //     cn = 2 β √(kn m̄)      cs = 2 β √(ks m̄)      kn = dF/du,   1/m̄ = 1/m_i + 1/m_j
 //
@@ -16,9 +16,9 @@
 //
 //     F_t = 2 μ N / (1 + √(1 - 4 μ² N h))
 //
-// A spring that a law gives a stiffness of its own in every step (faces that slide out of each other) keeps its force
-// as it stiffens and its stretch as it softens, so that its energy never grows by the change (Thornton, Cummins and
-// Cleary, Powder Technology 233, 2013).
+// The stiffness of a spring may change from step to step, as between faces that slide out of each other. The spring
+// then keeps its force as it stiffens and its stretch as it softens, so that its energy never grows by the change
+// (Thornton, Cummins and Cleary, Powder Technology 233, 2013).
 //
 // Signs: the normal is from the first body to the second, velocities are of the second against the first, and the
 // force acts on the second body. Repulsion only.
@@ -93,8 +93,6 @@ template <class T, class Number> BONDEM_INLINE T sliding_limit(Number friction, 
     const T bounded = select(square * wide > all<T>(1.0), 1.0 / wide, square);
     return 2.0 * root(bounded) * N / (1.0 + root(positive(1.0 - bounded * wide)));
 }
-
-template <class T> BONDEM_INLINE Vector3<T> tangential(Vector3<T> v, Vector3<T> n) { return minus(v, dot(v, n), n); }
 
 // A tangential vector a step later: turned about the normal, and into the new plane at its old length.
 template <class T> BONDEM_INLINE Vector3<T> turned_with(Vector3<T> s, Vector3<T> n, T angle) {

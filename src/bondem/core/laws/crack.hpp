@@ -202,17 +202,6 @@ template <class T> BONDEM_INLINE Swelling<T> swelling_of(const SwellingHalf<T> &
     return sum;
 }
 
-// Energy of the bending of a whole facet [J], and its torque on i [N·m].
-template <class T> struct FacetBending {
-    T energy;
-    Vector3<T> torque;
-};
-template <class T> BONDEM_INLINE FacetBending<T> facet_bending(const Ends<T> &ends, const Symmetric3<T> &H) {
-    const RelativeTurn<T> turn = relative_turn(ends.i, ends.j);
-    const Vector3<T> resisted = H * turn.v, h = turned_by(ends.i, resisted);
-    const Vector3<T> c = plus_cross(turn.w * h, turn.space, h);
-    return {2.0 * dot(turn.v, resisted), c + c};
-}
 // T_b, the rms of tractions by bending [Pa]; `factor` is 4 k / A².
 template <class T> BONDEM_INLINE T bending_traction(const Ends<T> &ends, T factor, const Symmetric3<T> &H) {
     return root(positive(bending_square(ends, factor, H)));
@@ -224,7 +213,7 @@ template <class T> struct CrackFriction {
 };
 template <class T>
 BONDEM_INLINE CrackFriction<T> crack_friction(T k, T grip, Vector3<T> gap, Vector3<T> n, Vector3<T> slip, T limit) {
-    const Vector3<T> across = minus(gap, dot(gap, n), n), stretch = across - minus(slip, dot(slip, n), n);
+    const Vector3<T> across = tangential(gap, n), stretch = across - tangential(slip, n);
     const T stiff = (1.0 - grip) * k, size = stiff * length(stretch);
     const T share = select(size > limit, limit / size, all<T>(1.0));
     return {(stiff * share) * stretch, minus(across, share, stretch)};

@@ -13,5 +13,9 @@ template <class T> struct BeamLoads {
     Vector3<T> force;  // on j; its opposite on i [N]
     Vector3<T> on_i, on_j;  // torques [N·m]
 };
+// The energy of a bond in its four modes [J].
+template <class T> struct BeamEnergy {
+    T normal, shear, bending, twisting;
+};
 
 }  // namespace bondem

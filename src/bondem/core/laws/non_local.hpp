@@ -69,7 +69,6 @@ BONDEM_INLINE PairPose<T> pair_pose(Vector3<T> branch, const Rotation<T> &i, Qua
     const Vector3<T> a = turned_by(i, shape.lever_i), b = turned_by(j, shape.lever_j);
     return {1.0 / root(dot(both, both) + nothing) * both, a, b, branch + b - a};
 }
-template <class T> BONDEM_INLINE Vector3<T> across(Vector3<T> a, Vector3<T> n) { return minus(a, dot(a, n), n); }
 
 // The extra force e by the mean stress of the elements and the tangential spring force kt δ_t⁻ of the step before.
 template <class T>
@@ -95,7 +94,7 @@ template <class T> BONDEM_INLINE Vector3<T> spring_force(const PairPose<T> &now,
 template <class T>
 BONDEM_INLINE Vector3<T> extra_after(const PairStore<T> &before, const Stress<T> &mean, const PairPose<T> &now,
                                      const Rotation<T> &i, const PairStiffness<T> &k, const PairLaw &law) {
-    const Vector3<T> slip = k.kt * across(turned_by(i, before.gap), now.normal);
+    const Vector3<T> slip = k.kt * tangential(turned_by(i, before.gap), now.normal);
     return extra_force(mean, now.normal, k.area, slip, law);
 }
 // The stored values of a bond of integrity s after a step, at whose end the extra force is e [N].

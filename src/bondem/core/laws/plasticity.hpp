@@ -1,4 +1,4 @@
-// Cells that yield under their mean stress: a cohesion that falls with slip, a friction that stays.
+// Cells that yield under their mean stress, with a cohesion that falls with slip, and constant friction.
 //
 // Mohr and Coulomb, with σ_1 and σ_3 the largest and least principal stress and V the volume of the cell:
 //

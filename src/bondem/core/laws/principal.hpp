@@ -44,7 +44,7 @@ constexpr double rounding_square = 1e-34;
 
 template <int p, int q, class T>
 BONDEM_INLINE void clear_component(T *on, T *off, Vector3<T> *v, T floor) {
-    constexpr int r = 3 - p - q;  // off holds 01, 02 and 12, each at the sum of its numbers less 1
+    constexpr int r = 3 - p - q;  // off has the components 01, 02 and 12, each at the sum of its numbers less 1
     T &pq = off[p + q - 1], &pr = off[p + r - 1], &qr = off[q + r - 1];
     const T d = 0.5 * (on[q] - on[p]), size = absolute(d) + root(d * d + pq * pq), zero = {};
     const Mask<T> clears = pq * pq > floor;

@@ -6,8 +6,6 @@
 
 namespace bondem {
 
-using Byte = uint8_t;
-
 // Bonded facets, m of them; facets without force follow if they are fewer than a group of lanes.
 //
 // Levers are whole multiples of a pitch, shares and H are in single precision. Their conversion to doubles is exact,
@@ -45,7 +43,7 @@ struct DilatationGradients {
     Array<const Short, 1> next;  // cell on the other side, (turns,)
     // n × s of the cell and of the other one for both directions, n normal to the layer, signs for the cell as i [m²]
     Array<const double, 2> way;  // (turns, 12)
-    Array<const Index, 1> wall_start;  // start of the walls that hold cell p of a layer, (layered + 1,)
+    Array<const Index, 1> wall_start;  // start of the walls that fix cell p of a layer, (layered + 1,)
     Array<const Index, 1> wall;  // number of the wall, (layer_walls,)
     Array<const double, 2> wall_way;  // n × s of the wall for both directions, in space [m²], (layer_walls, 6)
     Array<const double, 2> weight;  // J λ / V² for both directions [Pa/m], (layered, 2)
@@ -104,7 +102,7 @@ struct FacetRelease {
     Array<Index, 1> changes;  // number of these cells, (1,)
 };
 
-// Facets on the surface that walls hold, each by the half facet of its cell.
+// Facets on the surface that walls fix or support, each by the half facet of its cell.
 struct WallConstraints {
     Array<const Index, 1> cell;  // (supports,)
     Array<const Index, 1> row;  // row of the boundary that the cell owns, (supports,)
@@ -123,7 +121,7 @@ struct WallConstraints {
     Array<double, 2> wall;  // displacement of the wall now [m], (supports, 3)
     Array<double, 2> increment;  // displacement of the wall in this step [m], (supports, 3)
     Array<double, 2> load;  // force and torque on the cell [N, N·m], (supports, 6)
-    Array<const double, 1> friction;  // μ of a wall on which the facet may slide, NaN for one that holds it, (supports,)
+    Array<const double, 1> friction;  // μ of a wall on which the facet may slide, NaN if it may not, (supports,)
     Array<const double, 2> inward;  // axis along which a wall with friction presses on the cell, (supports, 3)
 };
 // Tractions on free facets, which change the dilatation of their cells.
@@ -144,7 +142,7 @@ struct CellStrains {
     Array<const double, 1> wall_still;  // 1 + ε* at each wall without the strains that change, (supports,)
     Array<const double, 2> wall_part;  // strain at each wall at factor 1, (strains, supports)
     Index place;  // place of their work in the list of works
-    Array<double, 2> factor;  // rows: factors, their changes, ∂U/∂factor before and after [J], (4, strains)
+    Array<double, 2> factor;  // rows: factors a step ago and now, ∂U/∂factor [J] a step ago and now, (4, strains)
     Array<Index, 2> power;  // exact sums of ∂U/∂factor [J], zero between steps, (strains, exact_word::count)
     Array<Byte, 1> due;  // flags by `strain_due`: ∂U/∂factor is needed; levers have changed, (2,)
 };

@@ -7,7 +7,7 @@ namespace bondem {
 
 constexpr Index elements_of_portion = 1024;  // elements of a portion
 constexpr Index bonds_of_portion = 2048;  // bonds or facets of a portion
-constexpr Index stress_column = 3;  // column of a pose, `pose.stress`, that holds the stress λ θ of a cell [Pa]
+constexpr Index stress_column = 3;  // column of a pose, `pose.stress`, with the stress λ θ of a cell [Pa]
 
 // Words of a sum without rounding (`core/exact_sum.hpp`): its limbs, and flags of terms that are not finite.
 namespace exact_word { enum : Index { flags = 67, count }; }
@@ -96,7 +96,8 @@ namespace list_count { enum : Index { treated, resting, cells, parted }; }
 namespace crack_number { enum : Index { cracks, out_of_date }; }
 namespace crack {
 // Kinds of cracks. A crack of the material has an integrity for each direction. An isotropic one has a single
-// integrity: on a material plane, or at a cell without cohesion. `let_go`: of the material without grip.
+// integrity: on a material plane, or at a cell without cohesion. `let_go`: a crack of the
+// material without grip.
 enum CrackKind : int { of_material, isotropic, let_go };
 // Statuses of cracks: `active`, evaluated by itself in each step; `resting`, a facet of reduced stiffness; `parted`,
 // faces apart, no force.

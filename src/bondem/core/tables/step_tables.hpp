@@ -104,8 +104,8 @@ struct Rows {
     Array<double, 2> half;  // prescribed velocities over the step [m/s, rad/s], (rows, 6)
     Array<double, 2> full;  // prescribed velocities now, (rows, 6)
     Array<double, 2> reaction;  // minus the bond forces [N, N·m], (rows, 6)
-    Array<double, 2> support;  // loads of walls that hold facets of cells [N, N·m], empty without any, (*, 6)
-    // works of loads, drives, walls that hold cells and tractions on each row, then of body forces and strains [J]
+    Array<double, 2> support;  // loads of walls on facets of cells [N, N·m], empty without any, (*, 6)
+    // works of loads, drives, walls on facets and tractions on each row, then of body forces and strains [J]
     Array<double, 1> work;  // (works,)
 };
 // Piecewise linear functions of time, one after the other.

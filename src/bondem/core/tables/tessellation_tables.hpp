@@ -63,7 +63,8 @@ struct CellRoom {
 
 // Wall triangles in a tree of boxes, for the search of those near a cell.
 //
-// Box 1 holds all, box b boxes 2 b and 2 b + 1, and the last p one triangle each or none.
+// Box 1 contains all triangles, box b contains boxes 2 b and 2 b + 1, and each of the last p boxes contains one
+// triangle or none.
 struct WallTree {
     Array<const double, 3> corner;  // of the triangles [m], (triangles, 3, 3)
     // unit normal of each and its product with a point of the plane [-, m]

@@ -23,24 +23,21 @@ template <class Begin, class Ends, class Begins>
 inline void for_each_row(Index threads, const BlockRows &rows, const Array<const Short, 1> &i,
                          const Array<const Short, 1> &j, Begin begin, Ends ends, Begins begins) {
     constexpr Index rows_of_a_task = 64;
-    const Index n = rows.in_start.size() - 1;
-    for_each_task(threads, (n + rows_of_a_task - 1) / rows_of_a_task, [&](Index task) {
-        for (Index p = task * rows_of_a_task; p < least((task + 1) * rows_of_a_task, n); p++) {
-            Index slot = rows.indptr(p);
-            const Index diagonal = slot + rows.in_start(p + 1) - rows.in_start(p);
-            rows.indices(diagonal) = int32_t(p);
-            block_at(rows, diagonal).clear();
-            begin(diagonal);
-            for (Index k = rows.in_start(p); k < rows.in_start(p + 1); k++, slot++) {
-                rows.indices(slot) = int32_t(i(k));
-                ends(k, diagonal, slot);
-            }
-            slot++;
-            for (Index e = rows.out_start(p); e < rows.out_start(p + 1); e++, slot++) {
-                const Index k = rows.out_bond(e);
-                rows.indices(slot) = int32_t(j(k));
-                begins(k, diagonal, slot);
-            }
+    for_each_in_tasks(threads, rows.in_start.size() - 1, rows_of_a_task, [&](Index p) {
+        Index slot = rows.indptr(p);
+        const Index diagonal = slot + rows.in_start(p + 1) - rows.in_start(p);
+        rows.indices(diagonal) = int32_t(p);
+        block_at(rows, diagonal).clear();
+        begin(diagonal);
+        for (Index k = rows.in_start(p); k < rows.in_start(p + 1); k++, slot++) {
+            rows.indices(slot) = int32_t(i(k));
+            ends(k, diagonal, slot);
+        }
+        slot++;
+        for (Index e = rows.out_start(p); e < rows.out_start(p + 1); e++, slot++) {
+            const Index k = rows.out_bond(e);
+            rows.indices(slot) = int32_t(j(k));
+            begins(k, diagonal, slot);
         }
     });
 }

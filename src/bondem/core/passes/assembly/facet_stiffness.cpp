@@ -7,7 +7,7 @@
 namespace bondem {
 namespace {
 
-// [b]×, with [b]× v = b × v.
+// The matrix [b]×, with [b]× v = b × v.
 struct Crossing {
     double entry[3][3];
 

@@ -1,5 +1,5 @@
 // Forces and torques of beams, added to the sums of their elements in the order of the beams.
-#include "beam_loads.hpp"
+#include "beam_passes.hpp"
 
 #include "../../laws/damping.hpp"
 #include "../../registered.hpp"
@@ -12,24 +12,6 @@ namespace {
 
 // Distance in bonds at which first elements are prefetched; second elements follow one another in memory.
 constexpr Index ahead = 32;
-
-// Stiffness of beams with constants of their own (`Own`), or with shared ones divided by their length (`Uniform`).
-struct Own {
-    const Beams &beams;
-    template <class T> BONDEM_INLINE BeamStiffness<T> stiffness(Index k) const {
-        return stiffness_of(beams, k, number<T>(beams.integrity.data, k));
-    }
-};
-struct Uniform {
-    const double *per_length;
-    double kn, A, B, kt;
-    template <class T> BONDEM_INLINE BeamStiffness<T> stiffness(Index k) const {
-        const T h = number<T>(per_length, k);
-        return {kn * h, A * h, B * h, A * h, kt * h};
-    }
-};
-
-inline Uniform all_uniform(const UniformBeams &by) { return {by.per_length.data, by.knL, by.AL, by.BL, by.ktL}; }
 
 // Marking of beams that cannot fail, without effect.
 struct NoMarks {

@@ -1,5 +1,5 @@
 // Counts and energies of beams for the guard and the history.
-#include "beam_report.hpp"
+#include "beam_passes.hpp"
 
 #include "../../ledger.hpp"
 #include "../../registered.hpp"

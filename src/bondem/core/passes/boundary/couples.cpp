@@ -4,9 +4,7 @@
 // J = Σ w (s² 1 - s⊗s). The forces have no resultant. Torques on the elements supply the part of M that forces
 // cannot, such as the moment about a row of points, so that the total is M.
 #include "../../registered.hpp"
-#include "../motion/elements.hpp"
-#include "rows.hpp"
-#include "timeline.hpp"
+#include "following.hpp"
 
 namespace bondem {
 namespace {

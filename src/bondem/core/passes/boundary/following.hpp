@@ -35,4 +35,8 @@ inline void drive_at(Index e, const Clock &clock, const Timeline &timeline, cons
     }
 }
 
+// Adds moments on regions as forces and torques of their elements.
+void follow_couples(const Range &range, const Timeline &timeline, const CoupleTable &couples, const Moving &all,
+                    const Rows &rows);
+
 }  // namespace bondem

@@ -1,6 +1,4 @@
 // Loads and prescribed velocities of the rows of the boundary at the time of the clock.
-#include "rows.hpp"
-
 #include "../../registered.hpp"
 #include "following.hpp"
 

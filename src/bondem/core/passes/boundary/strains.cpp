@@ -1,8 +1,5 @@
-// Stress-free strains ε* of beams that change in time: rest lengths L (1 + ε*), and the work by the trapezoidal rule.
-//
-// A step does nothing if no strain changes in it or in the next one. The step before a change finds ∂U/∂factor.
+// Stress-free strains ε* of beams that change in time: rest lengths L (1 + ε*), and the work of the strains.
 #include "../../registered.hpp"
-#include "rows.hpp"
 #include "strained_beam.hpp"
 
 namespace bondem {

@@ -1,4 +1,4 @@
-// V θ and stresses of cells, for passes of a step and for given poses.
+// Sums V θ and stresses of cells, for passes of a step and for given poses.
 #pragma once
 #include "facets.hpp"
 

@@ -1,5 +1,5 @@
 // Counts and energies of facets and cells for the guard and the history.
-#include "cell_report.hpp"
+#include "cell_passes.hpp"
 
 #include "../../registered.hpp"
 #include "energies.hpp"
@@ -10,8 +10,7 @@ namespace {
 
 // Direction from centre i to centre j of facet k in the reference [-].
 Vector direction_at_rest(const Array<const double, 2> &rest, const ElasticFacets &facets, Index k) {
-    const Index i = facets.i(k), j = facets.j(k);
-    const Vector d = {rest(j, 0) - rest(i, 0), rest(j, 1) - rest(i, 1), rest(j, 2) - rest(i, 2)};
+    const Vector d = rest.row<const Vector>(facets.j(k)) - rest.row<const Vector>(facets.i(k));
     const Vector between = over_nearest_image(d, facets.period.data);
     return between / length(between);
 }
@@ -44,17 +43,15 @@ void sum_facet_energies(const Range &range, const Moving &all, const ElasticFace
 BONDEM_PASS(sum_facet_energies, of_bonds, "ends pose")
 
 void sum_dilatation_energies(const Range &range, const CellDilatation &cells, const Ledger &ledger) {
-    add_up(ledger, history_column::normal, [&](ExactSum &sum) {
-        for (Index p = range.first; p < range.last; p++) sum.add(take_dilatation_energy(cells, p));
-    });
+    add_up(ledger, history_column::normal, range.first, range.last,
+           [&](Index p) { return take_dilatation_energy(cells, p); });
 }
 BONDEM_PASS(sum_dilatation_energies, of_elements, "writes swelling")
 
 // Sums the energies of half facets at walls.
 void sum_energies_of_supports(const Range &, const Moving &all, const WallConstraints &walls, const Ledger &ledger) {
-    add_up(ledger, history_column::normal, [&](ExactSum &sum) {
-        for (Index g = 0; g < walls.cell.size(); g++) sum.add(energy_of_support(all.pose, all.rest, walls, g));
-    });
+    add_up(ledger, history_column::normal, 0, walls.cell.size(),
+           [&](Index g) { return energy_of_support(all.pose, all.rest, walls, g); });
 }
 BONDEM_PASS(sum_energies_of_supports, of_rows, "")
 

@@ -1,7 +1,7 @@
 // Moments of cells from the forces of their facets: V σ = sym Σ b⊗f, with b from the centre of the cell to the facet.
 //
 // Levers b and forces f are those of one instant, in space. The pass that sums forces sums b⊗f too.
-#include "cell_stress.hpp"
+#include "cell_passes.hpp"
 
 #include "../../registered.hpp"
 #include "facets.hpp"
@@ -46,16 +46,13 @@ void sum_moments(const Range &range, const Moving &all, const ElasticFacets &fac
     for (Index p = range.first; p < range.last; p++) {
         double *const moment = &stored.moment(p, 0);
         for (Index c = 0; c < 7; c++) moment[c] = 0.0;
-        const auto add_facet = [&](Index k, bool is_j) {
+        for_each_bond_of(of_cells, p, [&](Index k, bool is_i) {
             const Ends<double> ends = ends_of(all.pose.data, facets, k);
             const OpenFacet<double> open = opened(ends, columns.shape<double>(k));
             const Vector on_i = {stored.force(0, k), stored.force(1, k), stored.force(2, k)};
             const double bent = bending_square(ends, stored.bends(k), columns.stiffness(k, facets.integrity(k)).H);
-            add(moment, is_j ? symmetric_product(open.arm_j, -on_i) : symmetric_product(open.arm_i, on_i), bent);
-        };
-        for (Index k = of_cells.in_start(p); k < of_cells.in_start(p + 1); k++) add_facet(k, true);
-        for (Index e = of_cells.out_start(p); e < of_cells.out_start(p + 1); e++)
-            add_facet(Index(of_cells.out_bond(e)), false);
+            add(moment, is_i ? symmetric_product(open.arm_i, on_i) : symmetric_product(open.arm_j, -on_i), bent);
+        });
     }
 }
 BONDEM_PASS(sum_moments, of_elements, "ends pose; adds moment")

@@ -1,7 +1,7 @@
-// The dispersion-corrected mass in a step: after all loads of the elements are summed, before they move.
+// Passes of the dispersion-corrected mass, after the loads of the elements are summed and before the elements move.
 #include "../../ledger.hpp"
 #include "../../registered.hpp"
-#include "cell_report.hpp"
+#include "cell_passes.hpp"
 #include "dilatation_rates.hpp"
 
 namespace bondem {
@@ -20,13 +20,13 @@ BONDEM_PASS(find_accelerations, elements_of_blocks, "own Rows.force motion sums;
 
 // Computes ρ β θ̈ of the cells by the accelerations of the elements.
 void find_dilatation_inertia(const Range &range, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass) {
-    for (Index p = range.first; p < range.last; p++) find_inertia(all, facets, walls, mass, p);
+    for (Index p = range.first; p < range.last; p++) find_inertia(p, all, facets, walls, mass);
 }
 BONDEM_PASS(find_dilatation_inertia, of_elements, "own arm; ends CorrectedMass.acceleration pose; adds inertia")
 
 // Computes the forces of the correction on the elements.
 void find_inertia_forces(const Range &range, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass) {
-    for (Index p = range.first; p < range.last; p++) find_inertia_force(all, facets, walls, mass, p);
+    for (Index p = range.first; p < range.last; p++) find_inertia_force(p, all, facets, walls, mass);
 }
 BONDEM_PASS(find_inertia_forces, of_elements, "own arm; ends inertia pose; adds force")
 
@@ -39,9 +39,8 @@ BONDEM_PASS(add_inertia_forces, elements_of_blocks, "own force; changes sums")
 
 void subtract_dilatation_energies(const Range &range, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass,
                                   const Ledger &ledger) {
-    add_up(ledger, history_column::translation, [&](ExactSum &sum) {
-        for (Index p = range.first; p < range.last; p++) sum.subtract(surplus_of_kinetic_energy(all, facets, walls, mass, p));
-    });
+    add_up(ledger, history_column::translation, range.first, range.last,
+           [&](Index p) { return -surplus_of_kinetic_energy(all, facets, walls, mass, p); });
 }
 BONDEM_PASS(subtract_dilatation_energies, of_elements, "")
 

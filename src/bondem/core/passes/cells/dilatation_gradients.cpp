@@ -1,7 +1,7 @@
-// Gradients of the dilatation in a step: after the stresses of the cells, before the loads of the facets.
+// Passes of the gradients of the dilatation, after the stresses of the cells and before the loads of the facets.
 #include "../../ledger.hpp"
 #include "../../registered.hpp"
-#include "cell_report.hpp"
+#include "cell_passes.hpp"
 #include "gradients.hpp"
 
 namespace bondem {
@@ -45,9 +45,8 @@ BONDEM_PASS(add_layer_torques, elements_of_blocks, "own torque; changes sums")
 
 void sum_gradient_energies(const Range &range, const Moving &all, const CellDilatation &cells,
                            const WallConstraints &walls, const DilatationGradients &gradients, const Ledger &ledger) {
-    add_up(ledger, history_column::normal, [&](ExactSum &sum) {
-        for (Index p = range.first; p < range.last; p++) sum.add(energy_of_gradients(all.pose, cells, walls, gradients, p));
-    });
+    add_up(ledger, history_column::normal, range.first, range.last,
+           [&](Index p) { return energy_of_gradients(all.pose, cells, walls, gradients, p); });
 }
 BONDEM_PASS(sum_gradient_energies, of_elements, "ends pose; adds bend")
 

@@ -1,4 +1,4 @@
-// Rates of the dilatation, and the mass matrix that waves of pressure need.
+// Rates of the dilatation, and the mass matrix with which short waves of pressure keep their speed.
 //
 // Facets sample a sine over the distance of two centres, and the dilatation of a cell is a central difference, so
 // that waves of pressure of wave number k are too slow:
@@ -25,17 +25,15 @@ template <class Of>
 inline double dilatation_rate(const Array<double, 2> &pose, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass, Index p, Of of) {
     const FacetColumns columns(facets);
     double sum = 0.0;
-    const auto add = [&](Index k, bool is_j) {
+    for_each_bond_of(mass, p, [&](Index k, bool is_i) {
         const Ends<double> ends = ends_of(pose.data, facets, k);
         const FacetShape<double> shape = columns.shape<double>(k);
         const OpenFacet<double> open = opened(ends, shape);
         const Rate i = of(Index(facets.i(k))), j = of(Index(facets.j(k)));
         const Vector gap = j.linear + cross(j.angular, open.arm_j) - i.linear - cross(i.angular, open.arm_i);
-        const Vector share = is_j ? turned_by(ends.j, shape.share_j) : turned_by(ends.i, shape.share_i);
+        const Vector share = is_i ? turned_by(ends.i, shape.share_i) : turned_by(ends.j, shape.share_j);
         sum += facets.integrity(k) * dot(share, gap);
-    };
-    for (Index k = mass.in_start(p); k < mass.in_start(p + 1); k++) add(k, true);
-    for (Index e = mass.out_start(p); e < mass.out_start(p + 1); e++) add(Index(mass.out_bond(e)), false);
+    });
     const Rate own = of(p);
     const Quaternion<double> q = orientation(gather(pose.data, Short(p)));
     for (Index e = mass.wall_start(p); e < mass.wall_start(p + 1); e++) {
@@ -46,10 +44,6 @@ inline double dilatation_rate(const Array<double, 2> &pose, const ElasticFacets 
     return sum;
 }
 
-inline Rate acceleration_of(const CorrectedMass &mass, Index p) {
-    const double *a = &mass.acceleration(p, 0);
-    return {{a[0], a[1], a[2]}, {a[3], a[4], a[5]}};
-}
 inline Rate velocity_of(const Moving &all, Index p) {
     const double *v = &all.motion(p, 0);
     return {{v[0], v[1], v[2]}, {v[4], v[5], v[6]}};
@@ -71,26 +65,27 @@ inline void find_acceleration(const Moving &all, const Rows &rows, const Correct
     }
 }
 
-inline void find_inertia(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass, Index p) {
-    const auto of = [&](Index q) { return acceleration_of(mass, q); };
+// Finds ρ β θ̈ of cell p by the accelerations of the elements.
+inline void find_inertia(Index p, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
+                         const CorrectedMass &mass) {
+    const auto of = [&](Index q) { return mass.acceleration.row<const Rate>(q); };
     mass.inertia(p) = mass.factor(p) * dilatation_rate(all.pose, facets, walls, mass, p, of);
 }
 // Finds the force Θᵀ ρ V β Θ a of the correction on element p.
-inline void find_inertia_force(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass, Index p) {
+inline void find_inertia_force(Index p, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
+                               const CorrectedMass &mass) {
     const FacetColumns columns(facets);
     Vector force = {}, torque = {};
-    const auto add = [&](Index k, bool is_j) {
+    for_each_bond_of(mass, p, [&](Index k, bool is_i) {
         const Ends<double> ends = ends_of(all.pose.data, facets, k);
         const FacetShape<double> shape = columns.shape<double>(k);
         const OpenFacet<double> open = opened(ends, shape);
         const Vector g = mass.inertia(facets.i(k)) * turned_by(ends.i, shape.share_i) +
                          mass.inertia(facets.j(k)) * turned_by(ends.j, shape.share_j);
-        const double sign = is_j ? facets.integrity(k) : -facets.integrity(k);
+        const double sign = is_i ? -facets.integrity(k) : facets.integrity(k);
         force = plus(force, sign, g);
-        torque = torque + cross(is_j ? open.arm_j : open.arm_i, sign * g);
-    };
-    for (Index k = mass.in_start(p); k < mass.in_start(p + 1); k++) add(k, true);
-    for (Index e = mass.out_start(p); e < mass.out_start(p + 1); e++) add(Index(mass.out_bond(e)), false);
+        torque = torque + cross(is_i ? open.arm_i : open.arm_j, sign * g);
+    });
     const Quaternion<double> q = orientation(gather(all.pose.data, Short(p)));
     for (Index e = mass.wall_start(p); e < mass.wall_start(p + 1); e++) {
         const Index g = mass.wall(e);

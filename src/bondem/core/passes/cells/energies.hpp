@@ -8,9 +8,8 @@ namespace bondem {
 inline void sum_energies(Index first, Index last, const double *pose, const ElasticFacets &facets, ModeSums &sum) {
     const FacetColumns columns(facets);
     for (Index k = first; k < last; k++) {
-        const FacetEnergy<double> energy = facet_energy(ends_of(pose, facets, k), columns.shape<double>(k),
-                                                        normal_of(facets, k), columns.stiffness(k, 1.0));
-        sum.add(facets.integrity(k), energy);
+        sum.add(facets.integrity(k), facet_energy(ends_of(pose, facets, k), columns.shape<double>(k),
+                                                  normal_of(facets, k), columns.stiffness(k, 1.0)));
     }
 }
 

@@ -1,4 +1,4 @@
-// The second of two passes over facets: forces and torques, with the stresses of the cells from the first.
+// The second of two passes over facets: forces and torques, by the stresses that the first pass has found.
 #include "../../registered.hpp"
 #include "../../tables/cell_tables.hpp"
 #include "facets.hpp"

@@ -1,14 +1,13 @@
 // Facets, walls and neighbours of one cell, and the reasons for which a failure postpones the cell.
 #pragma once
-#include "../../tables/cell_tables.hpp"
 #include "../damage/pipeline.hpp"
+#include "facets.hpp"
 
 namespace bondem {
 
 // Calls on(k) for the facets of a cell, first those of which it is j; `for_each_wall_of` does so for its walls.
 template <class On> inline void for_each_facet_of(const FacetRelease &release, Index p, On on) {
-    for (Index k = release.in_start(p); k < release.in_start(p + 1); k++) on(k);
-    for (Index e = release.out_start(p); e < release.out_start(p + 1); e++) on(Index(release.out_bond(e)));
+    for_each_bond_of(release, p, [&](Index k, bool) { on(k); });
 }
 template <class On> inline void for_each_wall_of(const FacetRelease &release, Index p, On on) {
     for (Index e = release.wall_start(p); e < release.wall_start(p + 1); e++) on(release.wall(e));

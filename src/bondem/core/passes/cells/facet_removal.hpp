@@ -14,9 +14,9 @@ namespace bondem {
 // λ / V of a cell with its unbroken facets; failed facets open until they have no traction.
 template <class Left> inline double weight_left(const FacetRelease &release, Index p, Left left) {
     double inward = 0.0, outward = 0.0;
-    for (Index k = release.in_start(p); k < release.in_start(p + 1); k++) inward += (1.0 - left(k)) * release.slack_j(k);
-    for (Index e = release.out_start(p); e < release.out_start(p + 1); e++)
-        outward += (1.0 - left(release.out_bond(e))) * release.slack_i(release.out_bond(e));
+    for_each_bond_of(release, p, [&](Index k, bool is_i) {
+        (is_i ? outward : inward) += (1.0 - left(k)) * (is_i ? release.slack_i(k) : release.slack_j(k));
+    });
     return release.whole(p) / (release.whole(p) * (inward + outward) + 1.0);
 }
 
@@ -46,7 +46,7 @@ inline Removal removal_of_facet(const Moving &all, const ElasticFacets &facets, 
     const FacetShape<double> shape = columns.shape<double>(k);
     const OpenFacet<double> open = opened(ends, shape);
     const Vector normal = normal_of(facets, k);
-    const FacetEnergy<double> parts = facet_energy(ends, shape, normal, columns.stiffness(k, 1.0));
+    const BeamEnergy<double> parts = facet_energy(ends, shape, normal, columns.stiffness(k, 1.0));
     const double energy = facets.integrity(k) * (parts.normal + parts.shear + parts.bending + parts.twisting);
     return {energy, dot(open.gap, present_normal(ends, normal)), centre(all.pose.data, facets.i(k)) + open.arm_i};
 }

@@ -29,7 +29,8 @@ void follow_tractions(const Range &range, const Timeline &timeline, const FacetT
 }
 BONDEM_PASS(follow_tractions, of_rows, "writes given")
 
-// Adds half the work of tractions that change to the rows of their cells: by the stresses before, and by those after.
+// Adds half the work of tractions that change, by the present stresses, to the rows of their cells. A step calls it
+// before and after the stresses change.
 void add_traction_work(const Range &range, const Moving &all, const FacetTractions &tractions, const Rows &rows) {
     if (comes(tractions))
         for (Index e = range.first_owner; e < range.last; e++)

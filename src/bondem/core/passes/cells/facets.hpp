@@ -1,4 +1,4 @@
-// Access of passes to the facets of a table: one, or as many as there are lanes.
+// Access of passes to the facets of a table: to one facet, or to as many as there are lanes.
 #pragma once
 #include "../../laws/cell.hpp"
 #include "../../select.hpp"
@@ -68,7 +68,7 @@ BONDEM_INLINE T pull_squared(const Row<T> &i, const Row<T> &j, const Ends<T> &en
 
 // The normal of a facet in the reference.
 inline Vector normal_of(const ElasticFacets &facets, Index k) {
-    return {facets.normal(0, k), facets.normal(1, k), facets.normal(2, k)};
+    return vector_at<double>(facets.normal.data, facets.normal.shape[1], 0, k);
 }
 
 #if defined(BONDEM_LANES)

@@ -9,7 +9,7 @@
 //
 //     R_p (w m + v × m)
 //
-// A wall does not rotate. With v of the rotation of the cell since the wall began to hold it, the wall adds
+// A wall does not rotate. With v of the rotation of the cell since the wall began to fix it, the wall adds
 // -2 v · (n × s) to V χ, and the torque τ (w n × s + v × (n × s)).
 #pragma once
 #include "facets.hpp"
@@ -41,7 +41,7 @@ inline CellTurn<NumberOf<Pose>> layer_turn(const Pose &pose, const DilatationGra
     const auto turn = relative_turn(own, orientation(gather(pose, gradients.next(e))));
     return positive(turn.w, turn.v);
 }
-// Rotation of cell p since the wall of entry e began to hold it, in space.
+// Rotation of cell p since the wall of entry e began to fix it, in space.
 template <class Pose>
 inline CellTurn<NumberOf<Pose>> wall_turn(const Pose &pose, const WallConstraints &walls,
                                           const DilatationGradients &gradients, Index e) {
@@ -72,7 +72,7 @@ inline void bend_cell(const Pose &pose, const WallConstraints &walls, const Dila
         const Vector3<T> v = wall_turn(pose, walls, gradients, e).v;
         for (Index d = 0; d < 2; d++) sum[d] = sum[d] - 2.0 * dot(v, vector_of<T>(gradients.wall_way, e, d));
     }
-    const Index column = sizeof(T) > sizeof(double) ? 2 : 0;  // changes stand behind the values
+    const Index column = sizeof(T) > sizeof(double) ? 2 : 0;  // changes are behind the values
     for (Index d = 0; d < 2; d++) gradients.bend(p, column + d) = written(gradients.weight(p, d) * sum[d]);
 }
 template <class Pose>

@@ -1,27 +1,22 @@
 // Facets and walls of cells whose stress-free strains change: their levers, and ∂U/∂factor of the strains.
 #pragma once
-#include "../../exact_sum.hpp"
-#include "../boundary/timeline.hpp"
-#include "strain_growth.hpp"
+#include "../boundary/strain_factors.hpp"
 #include "walls.hpp"
 
 namespace bondem {
 
-// Updates the factors to the time of the clock. ∂U/∂factor is needed if a factor changes in this step or the next
-// one. Returns true if a factor has changed, and before the first step of a call.
-inline bool follow_factors(const Clock &clock, const Timeline &timeline, const CellStrains &strains) {
+// Growth 1 + ε* of the levers of facet k, and of wall w, at the present factors.
+inline double growth_of(const CellStrains &strains, Index k) {
     using namespace strain_factor;
-    const auto &factor = strains.factor;
-    bool changed = clock.first, needed = clock.first;
-    for (Index g = 0; g < strains.schedule.size(); g++) {
-        const double present = value_at(timeline, strains.schedule(g), clock.time), step = present - factor(now, g);
-        factor(change, g) = clock.first ? 0.0 : step;
-        factor(now, g) = present;
-        changed |= step != 0.0;
-        needed |= value_at(timeline, strains.schedule(g), clock.time + clock.dt) != present;
-    }
-    strains.due(strain_due::power) = changed || needed;
-    return changed;
+    double sum = strains.still(k);
+    for (Index g = 0; g < strains.schedule.size(); g++) sum += strains.factor(now, g) * strains.part(g, k);
+    return sum;
+}
+inline double wall_growth(const CellStrains &strains, Index w) {
+    double sum = strains.wall_still(w);
+    for (Index g = 0; g < strains.schedule.size(); g++)
+        sum += strains.factor(strain_factor::now, g) * strains.wall_part(g, w);
+    return sum;
 }
 
 // Sets the levers of facet k at the present factors; `stretch_wall` sets that of wall w.
@@ -55,8 +50,8 @@ inline void sum_powers(Index first, Index last, const double *pose, const CellSt
     }
 }
 
-// Adds ∂U/∂factor of walls to that of facets and cracks; reads and clears the sums.
-inline void take_powers(const Moving &all, const CellStrains &strains, const WallConstraints &walls) {
+// Adds ∂U/∂factor of walls to that of facets and cracks, and then the work of the strains [J].
+inline void take_work(const Moving &all, const CellStrains &strains, const WallConstraints &walls, double &work) {
     for (Index w = 0; w < strains.wall_still.size(); w++) {
         const Quaternion<double> q = orientation(gather(all.pose.data, Short(walls.cell(w))));
         const Vector arm = turned_by(q, walls.arm.row<const Vector>(w));
@@ -65,8 +60,7 @@ inline void take_powers(const Moving &all, const CellStrains &strains, const Wal
         for (Index g = 0; g < strains.schedule.size(); g++)
             exact_sum(strains.power, g).subtract(each * strains.wall_part(g, w));
     }
-    for (Index g = 0; g < strains.schedule.size(); g++)
-        strains.factor(strain_factor::after, g) = exact_sum(strains.power, g).take();
+    take_work(strains, work);
 }
 
 }  // namespace bondem

@@ -1,14 +1,14 @@
-// A facet that a wall holds. A wall keeps its orientation, so that a gap is measured along fixed axes: with the lever
-// b of the facet and u the displacement of its centroid,
+// A facet that a wall fixes or supports. Such a wall does not rotate, so that a gap is measured along fixed axes:
+// with the lever b of the facet and u the displacement of its centroid,
 //
 //     δ = P (wall - u)      V θ += s · δ      U = ½ k |δ|² + 2 v · H v
 //     u = x + R b - its place in the reference
 //
-// A wall with friction μ holds a facet along its face while |f_t| ≤ μ N, with the pressure N. Beyond, the facet
+// A wall with friction μ fixes a facet along its face while |f_t| ≤ μ N, with the pressure N. Beyond, the facet
 // slides: the wall moves with it until f_t is μ N, and the work ½ (f before + f after) · slip is lost to friction.
 //
 // P keeps the fixed axes, k = 2 G A / d is that of the half facet of the cell, and v the vector part of q q₀*, the
-// rotation of the cell since the wall holds it. A wall that begins to hold a moved face starts at the place of the
+// rotation of the cell since the wall fixes it. A wall that begins to fix a moved face starts at the place of the
 // face: `base` has the displacement there and q₀.
 #pragma once
 #include "../boundary/timeline.hpp"
@@ -34,7 +34,7 @@ inline SupportedFacet<NumberOf<Pose>> supported_facet(const Pose &pose, const Ar
     return {{gap(0), gap(1), gap(2)}, arm};
 }
 
-// The rotation q q₀* of a cell since its wall holds it.
+// The rotation q q₀* of a cell since its wall fixes it.
 template <class T> struct CellTurn {
     T w;
     Vector3<T> v;

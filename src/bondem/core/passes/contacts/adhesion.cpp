@@ -28,7 +28,7 @@ struct NearWall {
 void adhere_pairs(const Range &range, const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near,
                   const AdheringPairs &of) {
     const Index begin = pairs.start(range.first), end = begin + near.counts(range.block, 0);
-    for (Index e = begin; e < end; e++) adhere_pair(all, c, pairs, of, near.near(e));
+    for (Index e = begin; e < end; e++) adhere_pair(near.near(e), all, c, pairs, of);
 }
 BONDEM_PASS(adhere_pairs, of_elements, "ends pose")
 
@@ -59,21 +59,18 @@ BONDEM_PASS(adhere_at_walls, of_elements, "own pose; changes sums")
 
 void sum_adhesion_energies(const Range &range, const Moving &all, const ContactConstants &c,
                            const ContactPairs &pairs, const Ledger &ledger) {
-    add_up(ledger, history_column::contact, [&](ExactSum &sum) {
-        for (Index k = pairs.start(range.first); k < pairs.start(range.last); k++)
-            if (pairs.bond(k) < 0)
-                sum.add(adhesion_of(c, pairs, k).energy(length(branch_of(all.pose.data, pairs, k)) - pairs.reach(k)));
+    add_up(ledger, history_column::contact, pairs.start(range.first), pairs.start(range.last), [&](Index k) {
+        if (pairs.bond(k) >= 0) return 0.0;
+        return adhesion_of(c, pairs, k).energy(length(branch_of(all.pose.data, pairs, k)) - pairs.reach(k));
     });
 }
 BONDEM_PASS(sum_adhesion_energies, of_elements, "")
 
 void sum_adhesion_at_walls(const Range &range, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                            const Walls &walls, const Ledger &ledger) {
-    add_up(ledger, history_column::contact, [&](ExactSum &sum) {
-        for (Index e = contacts.start(range.first); e < contacts.start(range.last); e++) {
-            const NearWall near(all, c, contacts, walls, e);
-            sum.add(near.adhesion.energy(near.gap));
-        }
+    add_up(ledger, history_column::contact, contacts.start(range.first), contacts.start(range.last), [&](Index e) {
+        const NearWall near(all, c, contacts, walls, e);
+        return near.adhesion.energy(near.gap);
     });
 }
 BONDEM_PASS(sum_adhesion_at_walls, of_elements, "")

@@ -15,7 +15,8 @@ inline Adhesion adhesion_of(const ContactConstants &c, const ContactPairs &pairs
     return adhesion_of(law_of(c, pairs, k), c.radius(pairs.first(k)), c.radius(pairs.second(k)));
 }
 // Writes the adhesion of pair k as a force on its later element [N].
-inline void adhere_pair(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const AdheringPairs &of, Index k) {
+inline void adhere_pair(Index k, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+                        const AdheringPairs &of) {
     Vector force = {};
     if (pairs.bond(k) < 0) {
         const Vector d = branch_of(all.pose.data, pairs, k);

@@ -3,14 +3,13 @@
 // Most pairs of a list are bonded, or too far apart to touch before distances are measured again. Only the others are
 // evaluated in every step, in the order of the list, and touching pairs in groups of lanes. Sums have the order of
 // the list, so that no bit depends on threads. Listed pairs that do not touch add nothing to any sum.
-#include "contact_loads.hpp"
+#include "contact_passes.hpp"
 
 #include "../../ledger.hpp"
 #include "../../registered.hpp"
 #include "../../tables/columns.hpp"
 #include "face_contacts.hpp"
 #include "pairs.hpp"
-#include "travel.hpp"
 
 namespace bondem {
 namespace {
@@ -221,10 +220,8 @@ BONDEM_PASS(add_contact_loads, elements_of_blocks, "changes ContactSums.sums Ste
 
 void sum_pair_energies(const Range &range, const Moving &all, const ContactConstants &law, const ContactPairs &pairs,
                        const Ledger &ledger) {
-    add_up(ledger, history_column::contact, [&](ExactSum &sum) {
-        for (Index k = pairs.start(range.first); k < pairs.start(range.last); k++)
-            if (pairs.touch(k) == touching) sum.add(pair_energy(all.pose.data, law, pairs, k));
-    });
+    add_up(ledger, history_column::contact, pairs.start(range.first), pairs.start(range.last),
+           [&](Index k) { return pairs.touch(k) == touching ? pair_energy(all.pose.data, law, pairs, k) : 0.0; });
 }
 BONDEM_PASS(sum_pair_energies, of_elements, "")
 

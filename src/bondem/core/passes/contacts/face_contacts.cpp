@@ -14,10 +14,8 @@ BONDEM_PASS(add_face_loads, of_ranges, "adds sums")
 
 void sum_face_energies(const Range &range, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                        const FacePairs &faces, const Ledger &ledger) {
-    add_up(ledger, history_column::contact, [&](ExactSum &sum) {
-        for (Index k = pairs.start(range.first); k < pairs.start(range.last); k++)
-            if (pairs.touch(k) == facing) sum.add(face_energy(all, c, pairs, faces, k));
-    });
+    add_up(ledger, history_column::contact, pairs.start(range.first), pairs.start(range.last),
+           [&](Index k) { return pairs.touch(k) == facing ? face_energy(all, c, pairs, faces, k) : 0.0; });
 }
 BONDEM_PASS(sum_face_energies, of_elements, "")
 

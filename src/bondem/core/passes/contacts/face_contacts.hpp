@@ -42,12 +42,9 @@ struct ChosenFaces {
 inline bool has_faces(const FacePairs &of, Index k) { return of.listed(k) != 0 && of.plane(k) != 0.0; }
 // Calls on(facet) for the cracked facets of material planes of cell p.
 template <class On> inline void over_cracked_faces(const FacePairs &of, Short p, On on) {
-    for (Index k = of.in_start(p); k < of.in_start(p + 1); k++)
+    for_each_bond_of(of, p, [&](Index k, bool) {
         if (has_faces(of, k)) on(k);
-    for (Index e = of.out_start(p); e < of.out_start(p + 1); e++) {
-        const Index k = of.in_start(0) + Index(of.out_bond(e));
-        if (has_faces(of, k)) on(k);
-    }
+    });
 }
 // The outward normal of the face of facet k on cell p in the reference [-].
 inline Vector outward_normal(const FacePairs &of, Index k, Short p) {

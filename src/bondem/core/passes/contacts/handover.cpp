@@ -50,12 +50,6 @@ double hand_over(const Moving &all, const ContactConstants &c, const ContactPair
     return pair_energy(all.pose.data, c, pairs, k);
 }
 
-// Calls on(pair) for the listed pairs of cell p.
-template <class On> void over_pairs_of(const ContactPairs &pairs, const FacePairs &faces, Short p, On on) {
-    for (Index k = pairs.start(p); k < pairs.start(p + 1); k++) on(k);
-    for (Index e = faces.earlier_start(p); e < faces.earlier_start(p + 1); e++) on(Index(faces.earlier(e)));
-}
-
 }  // namespace
 
 // Begins contact where beams have broken in this step, on the sums that are kept for their ends.
@@ -108,15 +102,15 @@ void begin_face_contacts(const Range &, const Moving &all, const ContactPairs &p
     const auto over_all_pairs = [&](auto on) {
         over_parted([&](Index k, Short a, Short b, Index) {
             if (!has_faces(faces, k)) return;
-            over_pairs_of(pairs, faces, a, on);
-            over_pairs_of(pairs, faces, b, on);
+            for_each_pair_of(pairs, faces.earlier_start, faces.earlier, a, on);
+            for_each_pair_of(pairs, faces.earlier_start, faces.earlier, b, on);
         });
     };
     over_parted([&](Index k, Short, Short, Index pair) { mark_parting(pairs, faces, k, pair); });
     constexpr double unknown = infinity;
-    over_all_pairs([&](Index k) { faces.gained(k) = unknown; });
+    over_all_pairs([&](Index k, bool) { faces.gained(k) = unknown; });
     ExactSum &gained = exact_sum(faces.gained_sum, 0);
-    over_all_pairs([&](Index k) {
+    over_all_pairs([&](Index k, bool) {
         if (faces.gained(k) != unknown) return;
         faces.gained(k) = begin_by_faces(all, pairs, faces, k);
         gained.add(faces.gained(k));

@@ -1,4 +1,4 @@
-// Access of passes to pairs of spheres in contact: one pair, or as many as there are lanes.
+// Access of passes to pairs of spheres in contact: to one pair, or to as many as there are lanes.
 //
 // The contact point divides the distance of the centres as the radii do, so that a contact has no net moment.
 #pragma once
@@ -65,16 +65,16 @@ BONDEM_INLINE PairLoads<T> pair_loads(const Law &law, const Numbers &of, const S
 inline Vector branch_of(const double *pose, const ContactPairs &pairs, Index k) {
     return over_nearest_image(centre(pose, pairs.second(k)) - centre(pose, pairs.first(k)), pairs.period.data);
 }
-// Loads of pair k in its present position, with its memory of the previous step.
+// Loads of pair k in its present position over a step of dt, with its memory of the previous step.
 inline PairLoads<double> present_loads(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, Index k,
-                                       const ContactMemory<double> &memory) {
+                                       const ContactMemory<double> &memory, double dt = 0.0) {
     const Short a = pairs.first(k), b = pairs.second(k);
     const Motion<double> of_a(gather(all.motion.data, a)), of_b(gather(all.motion.data, b));
     const Vector d = branch_of(all.pose.data, pairs, k);
     const Spheres2<double> pair(c.radius(a), c.radius(b), pairs.reach(k), d, of_a, of_b);
     PairLoads<double> loads;
     const ContactRow &of = c.of(a, b);
-    with_law(c, of, [&](auto law) { loads = pair_loads(law, of, pair, pairs.own(k), memory, 0.0); });
+    with_law(c, of, [&](auto law) { loads = pair_loads(law, of, pair, pairs.own(k), memory, dt); });
     return loads;
 }
 // Calls on(pair, element, is_later) for the elements of a range in the listed pairs of each portion, in the order of
@@ -91,6 +91,14 @@ BONDEM_INLINE void over_listed_pairs(const Range &range, const ContactPairs &pai
             if (mine(b)) on(k, b, true);
         }
     }
+}
+// Calls on(k, true if p is the later element) for the pairs of element p, first those of which it is the later one;
+// `earlier` lists the others from start(p) on.
+template <class Starts, class On>
+BONDEM_INLINE void for_each_pair_of(const ContactPairs &pairs, const Starts &start,
+                                    const Array<const Short, 1> &earlier, Index p, On on) {
+    for (Index k = pairs.start(p); k < pairs.start(p + 1); k++) on(k, true);
+    for (Index e = start(p); e < start(p + 1); e++) on(Index(earlier(e)), false);
 }
 // True if a bond joins pair k.
 inline bool bonded(const ContactPairs &pairs, Index k) { return pairs.bond(k) >= 0 && pairs.joined(pairs.bond(k)) > 0.0; }

@@ -6,7 +6,7 @@
 // A free wall moves by the force of the elements and one of its own: half a kick before it moves, half when the
 // forces on it are known. It turns between both kicks of its angular momentum, about its principal axes in the order
 // 1 2 3 2 1 (Dullweber, Leimkuhler and McLachlan, J. Chem. Phys. 107, 1997). Its work is the trapezoid of its power.
-#include "rigid_walls.hpp"
+#include "contact_passes.hpp"
 
 #include "../../ledger.hpp"
 #include "../../registered.hpp"
@@ -14,7 +14,6 @@
 #include "../../tables/columns.hpp"
 #include "pairs.hpp"
 #include "seen_from_wall.hpp"
-#include "travel.hpp"
 #include "wall_shapes.hpp"
 
 namespace bondem {
@@ -109,11 +108,6 @@ ContactLoads<double> wall_loads(const Law &law, const ContactRow &of, const Seen
                                        seen.memory, dt);
 }
 
-WallSurface surface_of(const Moving &all, const ContactConstants &c, const WallContacts &contacts, const Walls &walls, Index e) {
-    const Short p = contacts.element(e);
-    return WallPlace(walls, contacts.wall(e)).surface(centre(all.pose.data, p), c.radius(p));
-}
-
 void press_wall(const Moving &all, const ContactConstants &c, const WallContacts &contacts, const Walls &walls,
                 const ContactSums &to, Index e, double dt) {
     const Short p = contacts.element(e);
@@ -184,11 +178,8 @@ BONDEM_PASS(press_walls, of_elements, "own motion pose; changes sums")
 // Keeps the deepest overlap over radius of the elements of a portion with a wall, in a step that measures distances.
 void measure_wall_overlaps(const Range &range, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                            const Walls &walls, const NearPairs &near, const Travel &travel) {
-    if (!measures_anew(range, near, travel)) return;
-    double deepest = travel.portion(range.block, 2);
-    for (Index e = contacts.start(range.first); e < contacts.start(range.last); e++)
-        deepest = most(deepest, (contacts.gap(e) - surface_of(all, c, contacts, walls, e).gap) / c.radius(contacts.element(e)));
-    travel.portion(range.block, 2) = deepest;
+    double &deepest = travel.portion(range.block, 2);
+    if (measures_anew(range, near, travel)) deepest = deepest_at_walls(range, all, c, contacts, walls, deepest);
 }
 BONDEM_PASS(measure_wall_overlaps, of_elements, "")
 
@@ -225,17 +216,17 @@ BONDEM_PASS(load_walls, of_rows, "")
 
 void sum_wall_energies(const Range &range, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                        const Walls &walls, const Ledger &ledger) {
-    add_up(ledger, history_column::contact, [&](ExactSum &sum) {
-        for (Index e = contacts.start(range.first); e < contacts.start(range.last); e++) {
-            if (contacts.touch(e) != touching) continue;
-            const double overlap = positive(contacts.gap(e) - surface_of(all, c, contacts, walls, e).gap);
-            const Vector s = contacts.memory.row<const Vector>(e);
-            const Short p = contacts.element(e);
-            const ContactRow &of = c.at_wall(p, contacts.wall(e));
-            with_law(c, of, [&](auto law) {
-                sum.add(contact_energy(law.at_wall(c.radius(p), overlap), of.soft, overlap, dot(s, s)));
-            });
-        }
+    add_up(ledger, history_column::contact, contacts.start(range.first), contacts.start(range.last), [&](Index e) {
+        double energy = 0.0;
+        if (contacts.touch(e) != touching) return energy;
+        const double overlap = positive(contacts.gap(e) - surface_of(all, c, contacts, walls, e).gap);
+        const Vector s = contacts.memory.row<const Vector>(e);
+        const Short p = contacts.element(e);
+        const ContactRow &of = c.at_wall(p, contacts.wall(e));
+        with_law(c, of, [&](auto law) {
+            energy = contact_energy(law.at_wall(c.radius(p), overlap), of.soft, overlap, dot(s, s));
+        });
+        return energy;
     });
 }
 BONDEM_PASS(sum_wall_energies, of_elements, "")

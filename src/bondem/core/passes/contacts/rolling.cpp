@@ -53,24 +53,20 @@ BONDEM_PASS(roll_at_walls, of_elements, "own motion; changes sums")
 
 void sum_rolling_energies(const Range &range, const ContactConstants &c, const ContactPairs &pairs, const RolledPairs &of,
                           const Ledger &ledger) {
-    add_up(ledger, history_column::contact, [&](ExactSum &sum) {
-        for (Index k = pairs.start(range.first); k < pairs.start(range.last); k++) {
-            const Vector rolled = of.rolled.row<const Vector>(k);
-            if (pairs.touch(k) == touching) sum.add(0.5 * rolling_stiffness(c, pairs, k) * dot(rolled, rolled));
-        }
+    add_up(ledger, history_column::contact, pairs.start(range.first), pairs.start(range.last), [&](Index k) {
+        const Vector rolled = of.rolled.row<const Vector>(k);
+        return pairs.touch(k) == touching ? 0.5 * rolling_stiffness(c, pairs, k) * dot(rolled, rolled) : 0.0;
     });
 }
 BONDEM_PASS(sum_rolling_energies, of_elements, "")
 
 void sum_rolling_at_walls(const Range &range, const ContactConstants &c, const WallContacts &contacts, const RolledWalls &of,
                           const Ledger &ledger) {
-    add_up(ledger, history_column::contact, [&](ExactSum &sum) {
-        for (Index e = contacts.start(range.first); e < contacts.start(range.last); e++) {
-            const Vector rolled = of.rolled.row<const Vector>(e);
-            const Short p = contacts.element(e);
-            if (contacts.touch(e) == touching)
-                sum.add(0.5 * rolling_stiffness_at_wall(c, c.at_wall(p, contacts.wall(e)), c.radius(p)) * dot(rolled, rolled));
-        }
+    add_up(ledger, history_column::contact, contacts.start(range.first), contacts.start(range.last), [&](Index e) {
+        const Vector rolled = of.rolled.row<const Vector>(e);
+        const Short p = contacts.element(e);
+        if (contacts.touch(e) != touching) return 0.0;
+        return 0.5 * rolling_stiffness_at_wall(c, c.at_wall(p, contacts.wall(e)), c.radius(p)) * dot(rolled, rolled);
     });
 }
 BONDEM_PASS(sum_rolling_at_walls, of_elements, "")

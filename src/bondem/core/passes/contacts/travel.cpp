@@ -3,7 +3,7 @@
 //
 // The motion of an element since the list was made is at most the sum of two: until distances were last measured, and
 // since then. So one pass over the elements serves both.
-#include "travel.hpp"
+#include "contact_passes.hpp"
 
 #include "../../registered.hpp"
 #include "pairs.hpp"

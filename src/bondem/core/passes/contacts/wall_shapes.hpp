@@ -1,4 +1,4 @@
-// Place of a wall, and its distance from the surface of a sphere.
+// Place, power and readings of a wall, and its distance from the surface of a sphere.
 #pragma once
 #include "../../tables/contact_tables.hpp"
 #include "../record/reading.hpp"
@@ -97,6 +97,22 @@ struct WallPlace {
         return {away - radius, plus(up * n, distance > 0.0 ? past / (distance * away) : 0.0, across)};
     }
 };
+
+// Surface of the wall of contact e, for the element of the contact.
+inline WallSurface surface_of(const Moving &all, const ContactConstants &c, const WallContacts &contacts,
+                              const Walls &walls, Index e) {
+    const Short p = contacts.element(e);
+    return WallPlace(walls, contacts.wall(e)).surface(centre(all.pose.data, p), c.radius(p));
+}
+// The deepest overlap over radius of the elements of a portion with a wall, at least `deepest` [-].
+inline double deepest_at_walls(const Range &range, const Moving &all, const ContactConstants &c,
+                               const WallContacts &contacts, const Walls &walls, double deepest) {
+    for (Index e = contacts.start(range.first); e < contacts.start(range.last); e++) {
+        const double overlap = contacts.gap(e) - surface_of(all, c, contacts, walls, e).gap;
+        deepest = most(deepest, overlap / c.radius(contacts.element(e)));
+    }
+    return deepest;
+}
 
 // Largest displacement of a wall [m] since the list of contacts was made, for elements within reach of their
 // places at that time.

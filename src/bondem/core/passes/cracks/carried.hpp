@@ -1,4 +1,4 @@
-// Σ b⊗f over the active cracks of a cell, with b the lever in the reference and f the force in space.
+// Sum Σ b⊗f over the active cracks of a cell, with b the lever in the reference and f the force in space.
 #pragma once
 #include "single_cracks.hpp"
 

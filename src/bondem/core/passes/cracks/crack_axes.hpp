@@ -2,10 +2,10 @@
 //
 // Neighbouring cracks with different axes hinder each other, which costs 6 to 8 % of the fracture energy at a notch,
 // and 10 to 22 % where a body tears by turning. A crack takes the axes of the crack of its two cells that has lost
-// most, if one of the three is within 45° of the largest principal stress around it: behind the front of a crack the
-// largest stress is often along it. Otherwise it takes those of the crack of both cells and all their neighbours that
-// has lost most, if its first is within 45°: with any of the three, cracks under mixed mode would not curve.
-// Otherwise it takes the principal directions of that stress, which is the mean over all these cells.
+// most integrity, if one of the three is within 45° of the largest principal stress around it: behind the front of a
+// crack the largest stress is often along it. Otherwise it takes those of the crack of both cells and all their
+// neighbours that has lost most, if its first is within 45°: with any of the three, cracks under mixed mode would not
+// curve. Otherwise it takes the principal directions of that stress, which is the mean over all these cells.
 #pragma once
 #include "../../laws/principal.hpp"
 #include "single_cracks.hpp"
@@ -17,7 +17,7 @@ namespace crack {
 constexpr double near_enough = 0.70710678118654752;  // cosine of 45°
 }
 
-// The crack that has lost most along its first axis; facet -1 if none has lost any.
+// The crack that has lost most integrity along its first axis; facet -1 if none has lost any.
 struct LeadingCrack {
     Index facet = -1;
     double left = 1.0;
@@ -27,7 +27,7 @@ struct LeadingCrack {
         if (s < left || (s == left && s < 1.0 && k < facet)) facet = k, left = s;
     }
 };
-// Finds the leading crack of cell p: the active crack of the material with a grip that has lost most.
+// Finds the leading crack of cell p: the active crack of the material with a grip that has lost most integrity.
 inline void find_leader(const CohesiveCracks &cracks, const CrackLists &lists, Index p) {
     LeadingCrack leader;
     for (Index h = lists.head(p); h > 0; h = lists.next(h)) {
@@ -52,8 +52,8 @@ struct CellsAround {
     }
 };
 
-// Chooses the axes of crack k of the material. It reads axes of cracks that have lost some of their first direction,
-// so that these axes do not change in this pass.
+// Chooses the axes of crack k of the material. Those of other cracks, which are read, do not change in this pass,
+// because these cracks have lost integrity along their first direction.
 inline void choose_axes(const Moving &all, const ElasticFacets &facets, const CellSlack &of,
                         const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists, Index k) {
     const Short cells[2] = {facets.i(k), facets.j(k)};
@@ -63,8 +63,7 @@ inline void choose_axes(const Moving &all, const ElasticFacets &facets, const Ce
     for (const Short p : cells) {
         if (lists.leader(p) >= 0) own.add(cracks, lists.leader(p));
         add(p);
-        for (Index h = of.in_start(p); h < of.in_start(p + 1); h++) add(facets.i(h));
-        for (Index e = of.out_start(p); e < of.out_start(p + 1); e++) add(facets.j(of.in_start(0) + Index(of.out_bond(e))));
+        for_each_bond_of(of, p, [&](Index h, bool is_i) { add(is_i ? facets.j(h) : facets.i(h)); });
     }
     const PrincipalStress<double> here = principal((1.0 / around.volume) * around.sum);
     int first = 0;

@@ -214,7 +214,7 @@ struct CrackGroup {
             for (int n = known; n < lanes; n++) all[n] = all[known - 1];
         return all > Lanes{};
     }
-    // Writes a flag at the places whose mask is set, and if there is one, sets the number of their portion to `as`.
+    // Writes a flag at the places whose mask is set; if any is set, the number of their portion becomes `as`.
     void flag(const Array<Byte, 1> &to, const Array<Index, 1> &of_portions, Index portion, Mask<Lanes> where, Byte value,
               Index as = 1) const {
         if (!any(where)) return;

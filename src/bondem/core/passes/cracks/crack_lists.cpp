@@ -3,7 +3,7 @@
 // Unbroken cracks come first, then broken ones, each in the order of their facets: consecutive facets are near each
 // other, and so are their data. The halves of a cell are linked from the last facet to the first. Contributions to a
 // cell are added in that order, independent of the place of a crack in a list, so that a pause changes no bit.
-#include "crack_lists.hpp"
+#include "crack_passes.hpp"
 
 #include "../../registered.hpp"
 #include "carried.hpp"
@@ -51,7 +51,7 @@ void list_cracks(const Range &, const ElasticFacets &facets, const CohesiveCrack
     if (cracks.size(crack_number::out_of_date) == 0) return;
     cracks.size(crack_number::out_of_date) = 0;
     for (Index q = 0; q < lists.size(list_count::cells); q++) lists.head(lists.cell(q)) = 0;
-    // broken cracks stand behind the others, so that groups of lanes have one or the other
+    // broken cracks are behind the others, so that groups of lanes have one or the other
     Index treated[2] = {}, resting[2] = {}, cells = 0;
     for (Index k = 0, m = cracks.integrity.size(); k < m; k++) {
         const bool whole = cracks.integrity(k) != 0.0;

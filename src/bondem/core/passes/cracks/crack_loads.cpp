@@ -1,5 +1,5 @@
 // Forces, torques and dissipation of cracks, and their sums on cells.
-#include "crack_loads.hpp"
+#include "crack_passes.hpp"
 
 #include "../../ledger.hpp"
 #include "../../registered.hpp"
@@ -59,24 +59,20 @@ BONDEM_PASS(add_crack_loads, elements_of_blocks, "own sum; changes loss sums")
 
 void sum_stressed_dilatation(const Range &range, const Moving &all, const CellDilatation &cells,
                              const Ledger &ledger) {
-    add_up(ledger, history_column::normal, [&](ExactSum &sum) {
-        for (Index p = range.first; p < range.last; p++) {
-            const double stress = all.pose(p, stress_column), weight = cells.weight(p);
-            if (weight != 0.0) sum.add(0.5 * stress * stress / weight);
-        }
+    add_up(ledger, history_column::normal, range.first, range.last, [&](Index p) {
+        const double stress = all.pose(p, stress_column), weight = cells.weight(p);
+        return weight != 0.0 ? 0.5 * stress * stress / weight : 0.0;
     });
 }
 BONDEM_PASS(sum_stressed_dilatation, of_elements, "")
 
 void sum_heat(const Range &range, const StressesOfCells &stresses, const YieldingCells &cells,
               const Ledger &ledger) {
-    add_up(ledger, history_column::plastic, [&](ExactSum &sum) {
-        for (Index p = range.first; p < range.last; p++) {
-            const double *const row = &cells.plastic(p, 0), *const s = &stresses.tensor(p, 0), *const e = row + 10;
-            if (row[9] == 0.0) continue;
-            const double work = s[0] * e[0] + s[1] * e[1] + s[2] * e[2] + 2.0 * (s[3] * e[3] + s[4] * e[4] + s[5] * e[5]);
-            sum.add(row[16] + 0.5 * stresses.volume(p) * work);
-        }
+    add_up(ledger, history_column::plastic, range.first, range.last, [&](Index p) {
+        const double *const row = &cells.plastic(p, 0), *const s = &stresses.tensor(p, 0), *const e = row + 10;
+        if (row[9] == 0.0) return 0.0;
+        const double work = s[0] * e[0] + s[1] * e[1] + s[2] * e[2] + 2.0 * (s[3] * e[3] + s[4] * e[4] + s[5] * e[5]);
+        return row[16] + 0.5 * stresses.volume(p) * work;
     });
 }
 BONDEM_PASS(sum_heat, of_elements, "")

@@ -64,7 +64,7 @@ inline Index half_of(Index k, Index side) { return 2 * k + 1 + side; }
 inline Index facet_of(Index half) { return (half - 1) >> 1; }
 
 namespace crack {
-// Change of a crack in a step: none; it loses integrity; it goes to rest; its faces part; it wakes from rest.
+// Change of a crack in a step: none; it loses integrity; it becomes resting; its faces part; it becomes active again.
 enum Flag : Byte { unchanged, fell, calmed, parts, wakes };
 // Columns of the loads of a half: force on its cell, energy lost to friction, torque, and its part of N
 // (`slides.hpp`); then its parts of R, K, Σ ± ω P f and C.

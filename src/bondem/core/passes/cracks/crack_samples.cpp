@@ -18,13 +18,7 @@ template <class T> struct ReadColumns {
     Index column = 0;
 
     ReadColumns(const Array<const double, 2> &table, Index e) : table(table), e(e) {}
-    T number() {
-        const double *at = &table(column++, e);
-        if constexpr (sizeof(T) == sizeof(double))
-            return *at;
-        else
-            return load(at);
-    }
+    T number() { return bondem::number<T>(&table(column++, e), 0); }
     Vector3<T> vector() {
         const T x = number(), y = number(), z = number();
         return {x, y, z};
@@ -45,11 +39,10 @@ template <class T> struct WriteColumns {
 
     WriteColumns(const Array<double, 2> &table, Index e) : table(table), e(e) {}
     void operator()(T a) {
-        double *at = &table(column++, e);
         if constexpr (sizeof(T) == sizeof(double))
-            *at = a;
+            table(column++, e) = a;
         else
-            store(at, a);
+            store(&table(column++, e), a);
     }
     void operator()(Vector3<T> a) {
         (*this)(a.x);
@@ -57,12 +50,6 @@ template <class T> struct WriteColumns {
         (*this)(a.z);
     }
 };
-template <class T> T column_at(const Array<const double, 1> &column, Index e) {
-    if constexpr (sizeof(T) == sizeof(double))
-        return column(e);
-    else
-        return load(&column(e));
-}
 
 template <class T> void soften(const SofteningSamples &samples, Index e) {
     ReadColumns<T> given(samples.given, e);
@@ -142,51 +129,49 @@ template <class T> void flow(const YieldSamples &samples, Index e) {
 
 template <class T> void bound(const StressBoundSamples &samples, Index e) {
     const Symmetric3<T> s = ReadColumns<T>(samples.stress, e).tensor();
-    const T bent = column_at<T>(samples.bent, e);
+    const T bent = number<T>(samples.bent.data, e);
     const PrincipalBounds<T> of = principal_bounds(s);
     WriteColumns<T> found(samples.found, e);
     found(of.largest), found(of.least);
     found(positive(T(bent - largest_pressure(principal(s))))), found(opened_at_most(bent, s));
 }
 
-// Calls one(e) for each sample, or several(e) for groups of them; samples after the last whole group one by one.
-template <class One, class Several> void over(Index count, Index wide, One one, Several several) {
+// Calls on(number, e) for each sample, or with lanes for groups of them; samples after the last whole group one by
+// one.
+template <class On> void over(Index count, Index wide, On on) {
     Index e = 0;
     if (wide)
-        for (; e + lanes <= count; e += lanes) several(e);
-    for (; e < count; e++) one(e);
+        for (; e + lanes <= count; e += lanes) on(Lanes{}, e);
+    for (; e < count; e++) on(0.0, e);
 }
 
 }  // namespace
 
 // Evaluates the softening of facets in samples, by single numbers or by lanes.
 Index evaluate_softening(Index, const SofteningSamples &samples) {
-    over(samples.given.shape[1], samples.wide, [&](Index e) { soften<double>(samples, e); },
-         [&](Index e) { soften<Lanes>(samples, e); });
+    over(samples.given.shape[1], samples.wide, [&](auto number, Index e) { soften<decltype(number)>(samples, e); });
     return 0;
 }
 BONDEM_CALL(evaluate_softening, "")
 
 // Evaluates the law of cracks in samples, by single numbers or by lanes.
 Index evaluate_cracks(Index, const CrackSamples &samples) {
-    over(samples.given.shape[1], samples.wide, [&](Index e) { load_crack<double>(samples, e); },
-         [&](Index e) { load_crack<Lanes>(samples, e); });
+    over(samples.given.shape[1], samples.wide,
+         [&](auto number, Index e) { load_crack<decltype(number)>(samples, e); });
     return 0;
 }
 BONDEM_CALL(evaluate_cracks, "")
 
 // Evaluates the flow of yielding cells in samples, by single numbers or by lanes.
 Index evaluate_yielding(Index, const YieldSamples &samples) {
-    over(samples.stress.shape[1], samples.wide, [&](Index e) { flow<double>(samples, e); },
-         [&](Index e) { flow<Lanes>(samples, e); });
+    over(samples.stress.shape[1], samples.wide, [&](auto number, Index e) { flow<decltype(number)>(samples, e); });
     return 0;
 }
 BONDEM_CALL(evaluate_yielding, "")
 
 // Evaluates bounds of principal stresses in samples, by single numbers or by lanes.
 Index evaluate_stress_bounds(Index, const StressBoundSamples &samples) {
-    over(samples.bent.size(), samples.wide, [&](Index e) { bound<double>(samples, e); },
-         [&](Index e) { bound<Lanes>(samples, e); });
+    over(samples.bent.size(), samples.wide, [&](auto number, Index e) { bound<decltype(number)>(samples, e); });
     return 0;
 }
 BONDEM_CALL(evaluate_stress_bounds, "")

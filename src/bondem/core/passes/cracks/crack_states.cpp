@@ -1,13 +1,13 @@
 // Changes of cracks in a step: softening, rest, waking and parting.
 //
 // A crack with one integrity for all directions, or without any, equals a facet of reduced stiffness to rounding
-// while it is open and does not soften: it is `resting` then, and computed with all other facets. It goes to rest
+// while it is open and does not soften: it is `resting` then, and computed with all other facets. It becomes so
 // below nine tenths of the traction at which it softens, and becomes `active` again at 0.98 of it, or where it
 // closes. A broken crack whose faces no longer face each other is `parted`: its cells then touch like any others.
 #include "../../registered.hpp"
 #include "../../tables/cell_tables.hpp"
 #include "../../tables/crack_tables.hpp"
-#include "crack_lists.hpp"
+#include "crack_passes.hpp"
 #include "resting_cracks.hpp"
 #include "slides.hpp"
 #include "softening_cracks.hpp"
@@ -61,8 +61,8 @@ struct HalvesAhead {
     }
 };
 
-// Makes a resting crack active. In this step it stands at the end of the list of active cracks; the next step puts it
-// in its place by the order of facets.
+// Makes a resting crack active. In this step the crack is the last one in the list of active cracks; the next step
+// lists all of them in the order of facets.
 void wake(const SingleCrack &one, const ElasticFacets &facets, const CohesiveCracks &cracks, const CrackLists &lists,
           Index k) {
     const Index e = lists.size(list_count::treated)++;

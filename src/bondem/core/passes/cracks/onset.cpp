@@ -8,8 +8,7 @@ namespace bondem {
 namespace {
 
 BONDEM_INLINE Vector3<Lanes> traction_of(const FacetForces &stored, Index m, Index k, Lanes area) {
-    const double *const f = stored.force.data + k;
-    return (1.0 / area) * Vector3<Lanes>{load(f), load(f + m), load(f + 2 * m)};
+    return (1.0 / area) * vector_at<Lanes>(stored.force.data, m, 0, k);
 }
 BONDEM_INLINE Lanes of_cells(const StressesOfCells &stresses, const Short *i, const Short *j, Index column,
                              bool smaller) {
@@ -56,8 +55,7 @@ void mark_cracking_facets(const Range &range, const Moving &all, const ElasticFa
         const Lanes bends = of_cells(stresses, i, j, 6, true);
         const auto place = [&]() -> FacetInBody<Lanes> {
             const Ends<Lanes> ends = ends_of(gather(all.pose.data, i), gather(all.pose.data, j), columns.period);
-            const double *const normal = facets.normal.data + k;
-            const Vector3<Lanes> n = {load(normal), load(normal + m), load(normal + 2 * m)};
+            const Vector3<Lanes> n = vector_at<Lanes>(facets.normal.data, m, 0, k);
             const Symmetric3<Lanes> H = columns.stiffness<Lanes>(k, bondem::all<Lanes>(1.0)).H;
             const Symmetric3<Lanes> mean = mean_stress(gather_sums(stresses.tensor.data, i, j));
             return {turned_by(ends.i, n), mean, bending_traction(ends, load(stored.bends.data + k), H)};

@@ -1,5 +1,5 @@
 // Opening of active cracks in a step, and the stresses of their cells (`opening_cracks.hpp`).
-#include "opening.hpp"
+#include "crack_passes.hpp"
 
 #include "../../registered.hpp"
 #include "opening_cracks.hpp"

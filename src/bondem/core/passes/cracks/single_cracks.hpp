@@ -67,12 +67,9 @@ inline void treat(const ElasticFacets &facets, const CohesiveCracks &cracks, Ind
 template <class Counts>
 inline double weight_with(const CellSlack &of, const CohesiveCracks &cracks, Index p, Counts counts) {
     double slack = 0.0;
-    const auto add = [&](Index k, const Array<const double, 1> &side) {
-        if (counts(k)) slack += (1.0 - cracks.integrity(k)) * side(k);
-    };
-    for (Index k = of.in_start(p); k < of.in_start(p + 1); k++) add(k, of.slack_j);
-    for (Index e = of.out_start(p); e < of.out_start(p + 1); e++)
-        add(of.in_start(0) + Index(of.out_bond(e)), of.slack_i);
+    for_each_bond_of(of, p, [&](Index k, bool is_i) {
+        if (counts(k)) slack += (1.0 - cracks.integrity(k)) * (is_i ? of.slack_i(k) : of.slack_j(k));
+    });
     return of.weight(p) / (1.0 + of.weight(p) * slack);
 }
 // True if crack k is active; `treated_as_facet` if it is resting or parted.

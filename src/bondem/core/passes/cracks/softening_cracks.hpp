@@ -8,8 +8,8 @@ namespace crack {
 // Largest loss of integrity of a facet in a step whose opening grows by a share `steady` at most, its increase with
 // larger growth, and the integrity that counts as zero.
 constexpr double fastest = 0.1, follows = 5.0, steady = 0.2, nothing_left = 1e-9;
-// Shares of the softening traction below which a crack goes to rest, and from which a resting one wakes; least share
-// of the force of a resting crack that opens it.
+// Shares of the softening traction: below `asleep` an active crack becomes resting, from `calm` on a resting crack
+// becomes active. Least part across a resting crack that is open, as a share of its force.
 constexpr double asleep = 0.9, calm = 0.98, grazing = 0.1;
 // A facet that is open along its own normal too loses its grip on traction along the crack while its faces move from
 // `apart` to `far_apart`, over the distance of its cells. A brittle facet, or one whose other directions have lost

@@ -1,8 +1,6 @@
 // Derivatives ∂U/∂factor of the energy by stress-free strains at a crack.
 #pragma once
-#include "../../exact_sum.hpp"
-#include "../cells/facets.hpp"
-#include "../cells/strain_growth.hpp"
+#include "../cells/strained_cells.hpp"
 #include "crack_rows.hpp"
 
 namespace bondem {

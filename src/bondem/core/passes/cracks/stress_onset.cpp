@@ -1,4 +1,5 @@
-// Facets that begin to crack by a function of the stress, on the CPU: candidates of a portion, then of all portions.
+// Facets that begin to crack by a function of the stress, on the CPU: a pass lists candidates by portion, and others
+// evaluate those of all portions.
 #include "../../laws/criteria/cone.hpp"
 #include "../../laws/criteria/mean_stress.hpp"
 #include "../../registered.hpp"

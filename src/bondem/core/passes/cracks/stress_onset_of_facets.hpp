@@ -98,8 +98,7 @@ inline Stress<double> stress_along(const Moving &all, const ElasticFacets &facet
 }
 // Stores the strength of the facet of candidate c.
 inline void keep_strength_along(const CandidateFacets &onset, Index c) {
-    const double *const s = onset.stress.data + 9 * c;
-    const double largest = largest_of(principal(Stress<double>{s[0], s[4], s[8], s[1], s[2], s[5]}));
+    const double largest = largest_of(principal(stress_in(onset, c)));
     const Index k = onset.bond(c);
     const double index = onset.found(c);
     // far below the criterion the index does not determine a strength

@@ -25,9 +25,8 @@ void find_stresses(const Range &range, const Moving &all, const FacetForces &sto
         const Symmetric3<double> more =
             c[has_cracks] != 0.0 ? turned_moment(orientation(gather(all.pose.data, Short(p))), c) : Symmetric3<double>{};
         double *const s = &stresses.tensor(p, 0);
-        s[0] = one * (m[0] + more.xx), s[1] = one * (m[1] + more.yy), s[2] = one * (m[2] + more.zz);
-        s[3] = one * (m[3] + more.xy), s[4] = one * (m[4] + more.xz), s[5] = one * (m[5] + more.yz);
-        s[6] = m[6];
+        for (Index d = 0; d < 6; d++) s[d] = one * (m[d] + more[d]);
+        s[tensor_column::bending] = m[6];
         put_size(stresses, p);
     }
 }

@@ -9,8 +9,7 @@
 namespace bondem {
 
 inline Symmetric3<double> tensor_of(const StressesOfCells &stresses, Index p) {
-    const double *s = &stresses.tensor(p, 0);
-    return {s[0], s[1], s[2], s[3], s[4], s[5]};
+    return stresses.tensor.row<const Symmetric3<double>>(p);
 }
 // Writes the size √(σ:σ) of the stress of cell p [Pa].
 inline void put_size(const StressesOfCells &stresses, Index p) {
@@ -26,8 +25,7 @@ inline void add_wall_stress(const Moving &all, const WallConstraints &walls, con
     const Index p = walls.cell(g);
     const Vector arm = turned_by(orientation(gather(all.pose.data, Short(p))), walls.arm.row<const Vector>(g));
     const Symmetric3<double> m = symmetric_product(arm, walls.load.row<Vector>(g));
-    const double more[6] = {m.xx, m.yy, m.zz, m.xy, m.xz, m.yz};
-    for (Index d = 0; d < 6; d++) stresses.tensor(p, d) += more[d] / stresses.volume(p);
+    for (Index d = 0; d < 6; d++) stresses.tensor(p, d) += m[d] / stresses.volume(p);
     put_size(stresses, p);
 }
 

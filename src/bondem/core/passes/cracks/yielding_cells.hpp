@@ -70,8 +70,7 @@ inline void flow(const Moving &all, const StressesOfCells &stresses, const Yield
     auto &P = *reinterpret_cast<PlasticDeformation<double> *>(row + deformation);
     const Symmetric3<double> &e = by.strain;
     P = deformed(P, turned_by(inverse(matrix_of(orientation(gather(all.pose.data, Short(p))))), e));
-    const double parts[6] = {e.xx, e.yy, e.zz, e.xy, e.xz, e.yz};
-    for (Index d = 0; d < 6; d++) row[increment + d] += parts[d];
+    for (Index d = 0; d < 6; d++) row[increment + d] += e[d];
     row[gamma] += by.gamma;
     row[heat] += 0.5 * stresses.volume(p) * work_of(tensor_of(stresses, p), strain_of(cells, p));
 }
@@ -89,10 +88,9 @@ inline void stretch_lever(const Array<int32_t, 2> &lever, const Array<int32_t, 2
 inline void stretch_cell(const ElasticFacets &facets, const FacetsOfCells &of_cells, const YieldingCells &cells, Index p) {
     const PlasticDeformation<double> &P = deformation_of(cells, p);
     cells.slipped(p) = cells.plastic(p, plastic_column::gamma);
-    for (Index k = of_cells.in_start(p); k < of_cells.in_start(p + 1); k++)
-        stretch_lever(facets.lever_j, cells.base_j, facets.pitch, P, k);
-    for (Index e = of_cells.out_start(p); e < of_cells.out_start(p + 1); e++)
-        stretch_lever(facets.lever_i, cells.base_i, facets.pitch, P, of_cells.in_start(0) + Index(of_cells.out_bond(e)));
+    for_each_bond_of(of_cells, p, [&](Index k, bool is_i) {
+        stretch_lever(is_i ? facets.lever_i : facets.lever_j, is_i ? cells.base_i : cells.base_j, facets.pitch, P, k);
+    });
 }
 // Updates the lever of wall g.
 inline void stretch_yielding_wall(const WallConstraints &walls, const YieldingCells &cells, Index g) {
@@ -112,8 +110,7 @@ inline void stretch_crack(const ElasticFacets &facets, const YieldingCells &cell
 
 // Work of load l on the free facets of cell p in its last increment of plastic strain, at full load [J].
 inline double yielding_work(const StressesOfCells &stresses, const YieldingCells &cells, Index l, Index p) {
-    const double *m = &stresses.pressed(l, p, 0);
-    return work_of({m[0], m[1], m[2], m[3], m[4], m[5]}, strain_of(cells, p));
+    return work_of(stresses.pressed.row<const Symmetric3<double>>(l, p), strain_of(cells, p));
 }
 // Adds the work of loads on free facets of cell p to the row that the cell owns.
 inline void add_yielding_work_of(const FacetTractions &tractions, const StressesOfCells &stresses, const YieldingCells &cells,

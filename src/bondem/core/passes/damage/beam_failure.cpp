@@ -1,4 +1,4 @@
-// Beams that fail at once: the criterion on their loads, and their removal.
+// Beams that fail without softening: the criterion on their loads, and their removal.
 #include "../../registered.hpp"
 #include "beam_removal.hpp"
 #include "beam_verdicts.hpp"

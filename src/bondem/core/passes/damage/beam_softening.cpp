@@ -5,13 +5,10 @@
 // A beam that reaches its strength softens in the same step, within the pass over all beams, so that its whole force
 // never acts beyond its strength. It is listed at the end of the step. It postpones no element, as its force
 // does not jump.
-#include "beam_softening.hpp"
+#include "softening_beam.hpp"
 
 #include "../../ledger.hpp"
 #include "../../registered.hpp"
-#include "../../tables/columns.hpp"
-#include "pipeline.hpp"
-#include "softening_beam.hpp"
 
 namespace bondem {
 
@@ -69,12 +66,10 @@ BONDEM_PASS(begin_softening, of_events, "")
 
 void sum_pressed_energies(const Range &range, const Moving &all, const Beams &beams, const SofteningBounds &bounds,
                           const Ledger &ledger) {
-    add_up(ledger, history_column::normal, [&](ExactSum &sum) {
-        for (Index k = range.first; k < range.last; k++) {
-            if (bounds.press(k) == 0.0) continue;
-            const double pressed = positive(beams.length(k) - length(ends_of(all.pose.data, beams, k).branch));
-            sum.add(0.5 * bounds.press(k) * pressed * pressed);
-        }
+    add_up(ledger, history_column::normal, range.first, range.last, [&](Index k) {
+        if (bounds.press(k) == 0.0) return 0.0;
+        const double pressed = positive(beams.length(k) - length(ends_of(all.pose.data, beams, k).branch));
+        return 0.5 * bounds.press(k) * pressed * pressed;
     });
 }
 BONDEM_PASS(sum_pressed_energies, of_bonds, "ends pose")

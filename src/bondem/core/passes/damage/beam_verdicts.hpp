@@ -1,4 +1,4 @@
-// Index of a criterion for beams: one, or as many as there are lanes.
+// Index of a criterion for one beam, or for as many as there are lanes.
 #pragma once
 #include "../../laws/angles.hpp"
 #include "../../laws/criteria/bond_criteria.hpp"

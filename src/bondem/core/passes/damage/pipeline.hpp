@@ -17,7 +17,7 @@
 //              of these bonds (`for_each_event`): contact where its ends press on each other, which adds to the kept
 //              sums, and stores a part of the energy.
 //     resume   `list_postponed` lists all postponed elements, and ends the failures of the step. They find their
-//              acceleration by the passes of motion, with a clock that stands still, and then open the next step.
+//              acceleration by the passes of motion, with a time step of 0, and then open the next step.
 //
 // Each criterion and each kind of bond provide two functions:
 //

@@ -1,5 +1,4 @@
 // One beam that softens: its onset, its row, its loss of integrity in a step, and the list of a portion of bonds.
-// Passes of the CPU and threads of a device call these functions.
 #pragma once
 #include "../../laws/beam_softening.hpp"
 #include "../../tables/beam_softening_tables.hpp"
@@ -130,5 +129,20 @@ inline void part_broken(const SofteningBounds &bounds, const SofteningBeams &sof
     soft.number(q) = unbroken;
     soft.parted(q) = count - unbroken;
 }
+
+// ---- passes that the CPU and a device call
+
+// Adds up the dissipation of all portions, and logs broken beams.
+void log_softened_beams(const Range &range, const Moving &all, const Beams &beams, const SofteningBeams &soft,
+                        const EventLog &log);
+// Writes the rows of beams that have begun to soften in this step, and adds up their dissipation.
+void begin_softening(const Range &range, const Candidates &candidates, const SofteningBounds &bounds,
+                     const SofteningBeams &soft, const EventLog &log);
+// Writes the energy that beams have released beyond their fracture energy in this run [J].
+void write_crushing_of_beams(const Range &range, const SofteningBounds &bounds, const SofteningBeams &soft,
+                             const EventLog &log, const HistoryRows &history);
+// Adds the energy of the pressure on softened beams of a portion to their normal energy.
+void sum_pressed_energies(const Range &range, const Moving &all, const Beams &beams, const SofteningBounds &bounds,
+                          const Ledger &ledger);
 
 }  // namespace bondem

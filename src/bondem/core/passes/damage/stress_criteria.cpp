@@ -13,10 +13,8 @@ using UserFunction = void (*)(Index count, const double *stress, const double *p
 // Evaluates a criterion of the core for many stresses.
 template <class Criterion> void evaluate(const StressCandidates &candidates, const StressFunction &by, Index count) {
     require(by.parameter.size() == Criterion::parameters);
-    for (Index c = 0; c < count; c++) {
-        const double *s = candidates.stress.data + 9 * c;
-        candidates.found(c) = Criterion::index(Stress<double>{s[0], s[4], s[8], s[1], s[2], s[5]}, by.parameter.data);
-    }
+    for (Index c = 0; c < count; c++)
+        candidates.found(c) = Criterion::index(stress_in(candidates, c), by.parameter.data);
 }
 // Stands for a criterion by the function of a user.
 struct OfUser {};

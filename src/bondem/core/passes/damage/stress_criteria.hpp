@@ -23,5 +23,10 @@ inline Index write_candidate(const Candidates &candidates, Index place, Index bo
     for (Index c = 0; c < 9; c++) candidates.stress.data[9 * place + c] = all[c];
     return place + 1;
 }
+// Reads the stress of candidate c.
+template <class Candidates> inline Stress<double> stress_in(const Candidates &candidates, Index c) {
+    const double *s = candidates.stress.data + 9 * c;
+    return {s[0], s[4], s[8], s[1], s[2], s[5]};
+}
 
 }  // namespace bondem

@@ -1,9 +1,8 @@
 // Beams of the incremental formulation: their stored loads advance by a step, and act on their elements.
-#include "stored_beams.hpp"
+#include "stored_columns.hpp"
 
 #include "../../ledger.hpp"
 #include "../../registered.hpp"
-#include "stored_columns.hpp"
 
 namespace bondem {
 
@@ -57,11 +56,8 @@ Index load_stored_beams(Index, const Poses &all, const Beams &beams, const Store
         const BeamLoads<double> one =
             stored_loads(history(k), ends_of(all.pose.data, beams, k).branch, stored_shape<double>(beams, k));
         const double s = beams.integrity(k);
-        for (Index c = 0; c < 3; c++) {
-            loads.found(c, k) = s * one.force[c];
-            loads.found(3 + c, k) = s * one.on_i[c];
-            loads.found(6 + c, k) = s * one.on_j[c];
-        }
+        const BeamLoads<double> left = {s * one.force, s * one.on_i, s * one.on_j};
+        keep_loads(loads.found.data, loads.found.shape[1], k, left);
     }
     return 0;
 }

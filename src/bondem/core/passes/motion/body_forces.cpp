@@ -1,4 +1,4 @@
-// Body forces on groups of elements, whose accelerations follow schedules. Their work is added for each half of a
+// Body forces on groups of elements, with accelerations that follow schedules. Their work is added for each half of a
 // step, by the velocity in that half.
 #include "body_forces.hpp"
 

@@ -1,4 +1,5 @@
-// Access of passes to bonds of the non-local law, and to stresses of elements: one, or as many as there are lanes.
+// Access of passes to bonds of the non-local law and to stresses of elements, one at a time or as many as there are
+// lanes.
 #pragma once
 #include "../../laws/non_local.hpp"
 #include "../../select.hpp"
@@ -10,21 +11,6 @@ namespace bondem {
 // First columns of the stored values of a bond, and of its loads.
 enum Stored : Index { gap_column, extra_column = 3, taken_column = 6 };
 enum Output : Index { force_column, on_i_column = 3, on_j_column = 6 };
-
-// Three columns of numbers of a table (…, m), from column `first` on.
-template <class T> BONDEM_INLINE Vector3<T> vector_at(const double *table, Index m, Index first, Index k) {
-    const double *column = table + first * m + k;
-    return {number<T>(column, 0), number<T>(column + m, 0), number<T>(column + 2 * m, 0)};
-}
-// Writes a column of one bond, or of the bonds of a group, but not of those of the group before.
-BONDEM_INLINE void keep_number(double *column, Index k, double a) { column[k] = a; }
-#if defined(BONDEM_LANES)
-BONDEM_INLINE void keep_number(double *column, Group group, Lanes a) { store_behind(column + group.first, a, group.known); }
-#endif
-template <class Place, class T>
-BONDEM_INLINE void keep_vector(double *table, Index m, Index first, Place place, Vector3<T> a) {
-    for (Index c = 0; c < 3; c++) keep_number(table + (first + c) * m, place, a[c]);
-}
 
 template <class T> BONDEM_INLINE PairShape<T> pair_shape(const NonLocalBonds &bonds, Index k) {
     const Index m = bonds.normal.shape[1];
@@ -78,11 +64,7 @@ BONDEM_INLINE void keep_store(const NonLocalBonds &bonds, Place place, T s, cons
 }
 template <class Place, class T>
 BONDEM_INLINE void keep_output(const NonLocalBonds &bonds, Place place, const NonLocalLoads<T> &loads) {
-    double *const data = bonds.output.data;
-    const Index m = bonds.output.shape[1];
-    keep_vector(data, m, force_column, place, loads.force);
-    keep_vector(data, m, on_i_column, place, loads.on_i);
-    keep_vector(data, m, on_j_column, place, loads.on_j);
+    keep_loads(bonds.output.data, bonds.output.shape[1], place, loads);
 }
 inline Vector output_at(const NonLocalBonds &bonds, Output first, Index k) {
     return vector_at<double>(bonds.output.data, bonds.output.shape[1], first, k);

@@ -4,7 +4,7 @@
 // those of other bonds. Without failure and contacts no pass needs the stresses before the elements move: blocks find
 // forces, add them at once, and store none. A step of 0 finds the forces of a state again: extra forces, gaps and
 // stresses do not change.
-#include "non_local_bonds.hpp"
+#include "non_local_passes.hpp"
 
 #include "../../ledger.hpp"
 #include "../../registered.hpp"
@@ -169,7 +169,7 @@ Index find_small_extra_forces(Index, const SmallPairs &pairs, const ExtraForces 
     for (Index k = 0; k < pairs.area.size(); k++) {
         const auto stress = [&](Index end) { return pairs.stress.row<const Stress<double>>(pairs.pairs(k, end)); };
         const Vector n = pairs.normal.row<const Vector>(k);
-        const Vector slip = pairs.kt(k) * across(pairs.gap.row<const Vector>(k), n);
+        const Vector slip = pairs.kt(k) * tangential(pairs.gap.row<const Vector>(k), n);
         extra.force.row<Vector>(k) = extra_force(mean_of(stress(0), stress(1)), n, pairs.area(k), slip, law);
     }
     return 0;
@@ -214,7 +214,7 @@ Index take_small_steps(Index, const SmallPairs &pairs, const SmallSprings &sprin
             Vector &gap = run.gap.row<Vector>(k);
             const Stress<double> mean =
                 mean_of(run.stress.row<const Stress<double>>(i), run.stress.row<const Stress<double>>(j));
-            const Vector extra = extra_force(mean, n_k, pairs.area(k), pairs.kt(k) * across(gap, n_k), law);
+            const Vector extra = extra_force(mean, n_k, pairs.area(k), pairs.kt(k) * tangential(gap, n_k), law);
             gap = opened(run.motion);
             const PairStiffness<double> stiffness = {pairs.area(k), springs.kn(k), pairs.kt(k)};
             Vector force = spring_force(PairPose<double>{n_k, a, b, gap}, stiffness) + extra;

@@ -5,7 +5,7 @@
 // entry of its own. The bond is then subtracted from the stresses of the elements, which the next step uses.
 #include "../../registered.hpp"
 #include "../../tables/damage_tables.hpp"
-#include "non_local_bonds.hpp"
+#include "non_local_passes.hpp"
 #include "pair_removal.hpp"
 #include "pair_verdict.hpp"
 

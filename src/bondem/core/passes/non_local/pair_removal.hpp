@@ -26,8 +26,7 @@ inline void relieve(const Moving &all, const LaggedStresses &stresses, Short p, 
     const Vector own = turned_by(inverse(orientation(gather(all.pose.data, p))), force);
     const double sign = is_i ? 1.0 : -1.0;
     const Stress<double> s = (sign * stresses.inverse(p)) * symmetric_product(is_i ? shape.lever_i : shape.lever_j, own);
-    const double all_of[6] = {s.xx, s.yy, s.zz, s.xy, s.xz, s.yz};
-    for (Index c = 0; c < 6; c++) stresses.stress(p, c) -= all_of[c];
+    for (Index c = 0; c < 6; c++) stresses.stress(p, c) -= s[c];
 }
 inline void end_pair(const NonLocalBonds &bonds, const BeamIntegrity &state, Index k) {
     for (Index c = 0; c < bonds.output.size(); c++) bonds.output(c, k) = 0.0;

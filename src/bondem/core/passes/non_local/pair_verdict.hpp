@@ -7,7 +7,7 @@
 
 namespace bondem {
 
-// Columns of a stress in global axes that hold bounds of its largest and its least principal stress.
+// Columns of a stress in global axes with bounds of its largest and its least principal stress.
 enum BoundColumn : Index { largest_column = 6, least_column };
 
 // An index that is at least that of the criterion, by the rows of both elements: σ1 of a mean is at most the mean of

@@ -17,8 +17,7 @@ struct TouchLevers {
 };
 inline void add_moment(const LaggedStresses &stresses, Short p, Vector lever, Vector force) {
     const Stress<double> s = symmetric_product(lever, force);
-    const double all[6] = {s.xx, s.yy, s.zz, s.xy, s.xz, s.yz};
-    for (Index c = 0; c < 6; c++) stresses.moment(p, c) += all[c];
+    for (Index c = 0; c < 6; c++) stresses.moment(p, c) += s[c];
 }
 
 }  // namespace bondem

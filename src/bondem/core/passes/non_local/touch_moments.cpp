@@ -1,6 +1,6 @@
 // Contributions of contacts to the stresses of elements of the non-local law: their force, at the lever from the
 // centre of the element to where it touches another one, or a wall.
-#include "touch_moments.hpp"
+#include "non_local_passes.hpp"
 
 #include "../../registered.hpp"
 #include "../contacts/wall_shapes.hpp"
@@ -14,8 +14,7 @@ namespace {
 void add_to_stress(const double *pose, const LaggedStresses &stresses, Short p, Vector lever, Vector force) {
     const Quaternion<double> back = inverse(orientation(gather(pose, p)));
     const Stress<double> s = stresses.inverse(p) * symmetric_product(turned_by(back, lever), turned_by(back, force));
-    const double all[6] = {s.xx, s.yy, s.zz, s.xy, s.xz, s.yz};
-    for (Index c = 0; c < 6; c++) stresses.stress(p, c) += all[c];
+    for (Index c = 0; c < 6; c++) stresses.stress(p, c) += s[c];
 }
 
 }  // namespace
@@ -58,9 +57,8 @@ void add_wall_moments(const Range &range, const Moving &all, const ContactConsta
     for (Index e = contacts.start(range.first); e < contacts.start(range.last); e++)
         if (contacts.touch(e) == touching) {
             const Short p = contacts.element(e);
-            const double radius = c.radius(p);
-            const WallSurface at = WallPlace(walls, contacts.wall(e)).surface(centre(all.pose.data, p), radius);
-            add_moment(stresses, p, (radius + at.gap) * at.normal, contacts.output.row<const Vector>(e));
+            const WallSurface at = surface_of(all, c, contacts, walls, e);
+            add_moment(stresses, p, (c.radius(p) + at.gap) * at.normal, contacts.output.row<const Vector>(e));
         }
 }
 BONDEM_PASS(add_wall_moments, of_elements, "own pose; changes moment")

@@ -1,4 +1,4 @@
-// Visits of the spheres near a sphere, cell by cell of their grid.
+// Search of the spheres near a sphere in the cells of their grid.
 #pragma once
 #include "../../lanes.hpp"
 #include "../../tables/packing_tables.hpp"
@@ -18,15 +18,12 @@ inline VisitedCells visited_cells(Index centre, Index cells, bool periodic) {
 
 inline Index wrapped(Index at, Index cells) { return at < 0 ? at + cells : (at >= cells ? at - cells : at); }
 
-// Separations along an axis over the nearest periodic images, of as many spheres as there are lanes [m].
-inline Lanes nearest_image(Lanes apart, double edge, double inverse) { return apart - edge * nearest(apart * inverse); }
-
 // Mask of the members first … first + lanes - 1 of the grid whose gap to a sphere is at most `skin`, a bit each.
 inline unsigned near_bits(const SphereGrid &grid, const Period &period, Vector centre, double radius, Index first) {
     const auto column = [&](Index axis) { return load(&grid.place(axis, first)); };
-    const Lanes x = nearest_image(column(0) - centre.x, period.edge.x, period.inverse.x);
-    const Lanes y = nearest_image(column(1) - centre.y, period.edge.y, period.inverse.y);
-    const Lanes z = nearest_image(column(2) - centre.z, period.edge.z, period.inverse.z);
+    const Lanes x = over_nearest_image(column(0) - centre.x, period.edge.x, period.inverse.x);
+    const Lanes y = over_nearest_image(column(1) - centre.y, period.edge.y, period.inverse.y);
+    const Lanes z = over_nearest_image(column(2) - centre.z, period.edge.z, period.inverse.z);
     const Lanes reach = radius + column(3) + grid.skin;
     return bits_of(x * x + y * y + z * z <= reach * reach);
 }
@@ -55,7 +52,7 @@ inline void visit_neighbours(const SphereGrid &grid, const Period &period, Index
     for (Index u = x.first; u <= x.last; u++)
         for (Index v = y.first; v <= y.last; v++) {
             const Index base = (wrapped(u, a) * b + wrapped(v, b)) * c;
-            // cells along z stand one after the other, but for those beyond a periodic edge
+            // cells along z follow one another, but for those beyond a periodic edge
             if (z.first < 0) visit_cells(base + c - 1, base + c - 1);
             visit_cells(base + most(z.first, Index(0)), base + least(z.last, c - 1));
             if (z.last >= c) visit_cells(base, base);

@@ -45,12 +45,10 @@ Index sort_and_count_neighbours(Index threads, const SphereGrid &grid) {
     sort_into_cells(threads, grid);
     const Index n = grid.sphere.size();
     const Period period(grid.period);
-    for_each_task(threads, (n + block - 1) / block, [&](Index task) {
-        for (Index i = task * block; i < least((task + 1) * block, n); i++) {
-            Index count = 0;
-            visit_neighbours(grid, period, i, [&](Index j) { return j != i; }, [&](Index) { count++; });
-            grid.start(i + 1) = count;
-        }
+    for_each_in_tasks(threads, n, block, [&](Index i) {
+        Index count = 0;
+        visit_neighbours(grid, period, i, [&](Index j) { return j != i; }, [&](Index) { count++; });
+        grid.start(i + 1) = count;
     });
     grid.start(0) = 0;
     for (Index i = 0; i < n; i++) grid.start(i + 1) += grid.start(i);
@@ -60,14 +58,11 @@ BONDEM_CALL(sort_and_count_neighbours, "")
 
 // Lists the neighbours of spheres that are sorted and counted, start[n] numbers in all.
 Index list_neighbours(Index threads, const SphereGrid &grid, const NeighbourLists &lists) {
-    const Index n = grid.sphere.size();
     const Period period(grid.period);
-    for_each_task(threads, (n + block - 1) / block, [&](Index task) {
-        for (Index i = task * block; i < least((task + 1) * block, n); i++) {
-            Index k = grid.start(i);
-            visit_neighbours(
-                grid, period, i, [&](Index j) { return j != i; }, [&](Index j) { lists.neighbour(k++) = Short(j); });
-        }
+    for_each_in_tasks(threads, grid.sphere.size(), block, [&](Index i) {
+        Index k = grid.start(i);
+        visit_neighbours(
+            grid, period, i, [&](Index j) { return j != i; }, [&](Index j) { lists.neighbour(k++) = Short(j); });
     });
     return 0;
 }

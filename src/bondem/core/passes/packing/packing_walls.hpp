@@ -9,7 +9,7 @@ namespace bondem {
 
 // Largest gap to a wall of the grid, over the radius of a sphere, at which they touch.
 constexpr double touch = 1e-6;
-// Largest number of rounds of `carried_by_grid`: walls that meet at a right angle need one, at 45° about 30.
+// Largest number of rounds of `carried_by_grid`: walls at a right angle need one, walls at 45° about 30.
 constexpr int most_rounds = 30;
 
 inline bool has_grid(const PackingWalls &walls) { return walls.depth.all() > 0; }

@@ -24,7 +24,8 @@ enum Relaxed : Index { converged, out_of_date, exhausted, loose };
 enum Sum { power, force_square, speed_square, overlap, contacts, deepest, farthest, eased_square };
 enum Fire { time_step, mixing, downhill };
 
-// FIRE: first and longest step (the stiffest sphere is stable up to about 0.7), mixing, downhill steps to accelerate.
+// Parameters of FIRE: first and longest time step (the stiffest sphere is stable up to about 0.7), first mixing, and
+// downhill steps before it accelerates.
 constexpr double first_step = 0.15, longest_step = 0.45, first_mixing = 0.25, patience = 10.0;
 // Longest step between walls on a grid: a sphere pressed into a rounded edge oscillates fast.
 constexpr double longest_step_on_grid = 0.25;

@@ -15,7 +15,7 @@
 namespace bondem {
 namespace {
 
-// A half closes or opens where its force along the normal is beyond this share of its size.
+// Least part of the force of a half along the normal, as a share of its size, that closes or opens the half.
 constexpr double turns = 1e-9;
 
 Vector at(const Array<const double, 2> &rows, Index k) { return rows.row<const Vector>(k); }
@@ -43,8 +43,7 @@ Half half_of(Vector whole, double s, bool closed, Vector normal) {
 
 void add_moment(const Array<double, 2> &moment, Index p, Vector arm, Vector force, double sign) {
     const Symmetric3<double> m = symmetric_product(arm, force);
-    const double parts[6] = {m.xx, m.yy, m.zz, m.xy, m.xz, m.yz};
-    for (Index c = 0; c < 6; c++) moment(p, c) += sign * parts[c];
+    for (Index c = 0; c < 6; c++) moment(p, c) += sign * m[c];
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ inline double read(const Moving &all, const Rows &rows, Index quantity, Index p,
     }
     const Index r = rows.of(p);
     if (r < 0) return 0.0;
-    const double of_walls = rows.support.size() > 0 ? rows.support(r, axis) : 0.0;  // that hold facets of the cell
+    const double of_walls = rows.support.size() > 0 ? rows.support(r, axis) : 0.0;  // on facets of the cell
     return of_walls + (rows.fixed(r, axis) ? rows.reaction(r, axis) : rows.force(r, axis));
 }
 

@@ -4,7 +4,7 @@
 
 namespace bondem {
 
-// Sums kinetic energies and losses of a portion [J].
+// Sums kinetic energies and losses of a portion of elements [J].
 void sum_element_energies(const Range &range, const Moving &all, const Ledger &ledger);
 // Finds whether a number is not finite, or the kinetic energy is far above all energy supplied.
 void judge_energy(const Range &range, const Rows &rows, const Ledger &ledger);

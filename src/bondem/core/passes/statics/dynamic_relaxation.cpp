@@ -10,7 +10,7 @@
 // rounding; forces are roots of sums of squares, with torques divided by a length.
 #include "../../registered.hpp"
 #include "../../tables/statics_tables.hpp"
-#include "../beams/beam_loads.hpp"
+#include "../beams/beam_passes.hpp"
 #include "../motion/elements.hpp"
 
 namespace bondem {

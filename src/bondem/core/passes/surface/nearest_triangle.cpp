@@ -65,10 +65,8 @@ Index nearest_to(const TriangleTree &tree, Vector x) {
 // Finds the nearest triangle of each point.
 Index find_nearest_triangles(Index threads, const TriangleTree &tree, const Nearest &nearest) {
     constexpr Index points_of_a_task = 256;
-    const Index n = nearest.triangle.size();
-    for_each_task(threads, (n + points_of_a_task - 1) / points_of_a_task, [&](Index task) {
-        for (Index i = task * points_of_a_task; i < least((task + 1) * points_of_a_task, n); i++)
-            nearest.triangle(i) = nearest_to(tree, nearest.points.row<const Vector>(i));
+    for_each_in_tasks(threads, nearest.triangle.size(), points_of_a_task, [&](Index i) {
+        nearest.triangle(i) = nearest_to(tree, nearest.points.row<const Vector>(i));
     });
     return 0;
 }

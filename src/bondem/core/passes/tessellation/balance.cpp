@@ -21,20 +21,15 @@ Symmetric3<double> tensor(const double *row) {
 
 // Applies the operator N of the balanced shares to the tensors of all cells.
 Index apply_balance(Index threads, const CellBranches &branches, const BalanceField &field) {
-    const Index n = field.given.size();
-    for_each_task(threads, (n + cells_of_a_task - 1) / cells_of_a_task, [&](Index task) {
-        for (Index p = task * cells_of_a_task; p < least((task + 1) * cells_of_a_task, n); p++) {
-            const Symmetric3<double> own = tensor(&field.given(p, 0));
-            Symmetric3<double> sum = {};
-            for (Index e = branches.start(p); e < branches.start(p + 1); e++) {
-                const Vector b = branches.branch.row<const Vector>(e);
-                const Symmetric3<double> difference = own + -1.0 * tensor(&field.given(Index(branches.other(e)), 0));
-                sum = sum + symmetric_product(difference * b, b);
-            }
-            double *const to = &field.found(p, 0);
-            to[0] = sum.xx, to[1] = sum.yy, to[2] = sum.zz;
-            to[3] = sum.xy / root_half, to[4] = sum.xz / root_half, to[5] = sum.yz / root_half;
+    for_each_in_tasks(threads, field.given.size(), cells_of_a_task, [&](Index p) {
+        const Symmetric3<double> own = tensor(&field.given(p, 0));
+        Symmetric3<double> sum = {};
+        for (Index e = branches.start(p); e < branches.start(p + 1); e++) {
+            const Vector b = branches.branch.row<const Vector>(e);
+            const Symmetric3<double> difference = own + -1.0 * tensor(&field.given(Index(branches.other(e)), 0));
+            sum = sum + symmetric_product(difference * b, b);
         }
+        for (Index c = 0; c < 6; c++) field.found(p, c) = c < 3 ? sum[c] : sum[c] / root_half;
     });
     return 0;
 }

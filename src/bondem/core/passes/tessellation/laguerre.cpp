@@ -121,7 +121,7 @@ struct Cell {
 Index floor_division(Index a, Index b) { return a / b - (a % b != 0 && a < 0); }
 
 // Lists the elements at distances from `near` up to `far` from element i [m], images included; returns how many there
-// are, of which the lists hold as many as they have room for.
+// are; the lists contain as many as they have room for.
 Index gather(const Bins &centres, Index i, double near, double far, const CellRequest &lists) {
     const Vector x = centres.position.row<const Vector>(i);
     Index low[3], high[3], listed = 0;

@@ -1,23 +1,22 @@
-// Areas, volumes and moments of polygons and solids: sums over triangles, and over tetrahedra with the centre.
+// Areas, volumes and moments of polygons and solids: sums over triangles, and over tetrahedra from the centre of the
+// element.
 #include "../../registered.hpp"
+#include "../../symmetric3.hpp"
 #include "../../tables/tessellation_tables.hpp"
 #include "pile.hpp"
 
 namespace bondem {
 namespace {
 
-// Sums of products of components.
-struct Moments {
-    double xx = 0.0, yy = 0.0, zz = 0.0, xy = 0.0, xz = 0.0, yz = 0.0;
-};
+// Adds add(sum, a, b) to the sum of products of each two components a and b.
+template <class Add> void add_products(Symmetric3<double> &sum, Add add) {
+    add(sum.xx, 0, 0), add(sum.yy, 1, 1), add(sum.zz, 2, 2);
+    add(sum.xy, 0, 1), add(sum.xz, 0, 2), add(sum.yz, 1, 2);
+}
 
-inline void put_symmetric(const Array<double, 3> &matrix, Index k, const Moments &m) {
-    matrix(k, 0, 0) = m.xx;
-    matrix(k, 1, 1) = m.yy;
-    matrix(k, 2, 2) = m.zz;
-    matrix(k, 0, 1) = matrix(k, 1, 0) = m.xy;
-    matrix(k, 0, 2) = matrix(k, 2, 0) = m.xz;
-    matrix(k, 1, 2) = matrix(k, 2, 1) = m.yz;
+void put_symmetric(const Array<double, 3> &matrix, Index k, const Symmetric3<double> &m) {
+    const double all[9] = {m.xx, m.xy, m.xz, m.xy, m.yy, m.yz, m.xz, m.yz, m.zz};
+    for (Index c = 0; c < 9; c++) (&matrix(k, 0, 0))[c] = all[c];
 }
 
 }  // namespace
@@ -35,18 +34,15 @@ Index measure_polygons(Index, const PolygonMeasures &polygons) {
         const double size = length(n), area = 0.5 * size, inverse = size > 0.0 ? 1.0 / size : 0.0;
         polygons.area(f) = area;
         Vector c = {0.0, 0.0, 0.0};
-        Moments m;
+        Symmetric3<double> m = {};
         for (Index k = start + 1; k < end - 1; k++) {
             const Vector p = polygons.vertex.row<const Vector>(k) - o, q = polygons.vertex.row<const Vector>(k + 1) - o;
             const double part = 0.5 * inverse * dot(cross(p, q), n);
             const Vector s = p + q;
             c = plus(c, part, s);
-            m.xx += part * (p.x * p.x + s.x * s.x + q.x * q.x);
-            m.yy += part * (p.y * p.y + s.y * s.y + q.y * q.y);
-            m.zz += part * (p.z * p.z + s.z * s.z + q.z * q.z);
-            m.xy += part * (p.x * p.y + s.x * s.y + q.x * q.y);
-            m.xz += part * (p.x * p.z + s.x * s.z + q.x * q.z);
-            m.yz += part * (p.y * p.z + s.y * s.z + q.y * q.z);
+            add_products(m, [&](double &sum, Index i, Index j) {
+                sum += part * (p[i] * p[j] + s[i] * s[j] + q[i] * q[j]);
+            });
         }
         c = (2.0 * inverse / 3.0) * c;
         polygons.centroid.row<Vector>(f) = o + c;
@@ -63,7 +59,7 @@ Index measure_solids(Index, const Solids &solids, const Bulk &bulk) {
     for (Index s = 0; s < bulk.volume.size(); s++) {
         double volume = 0.0, far = 0.0, beyond = -infinity;
         Vector middle = {0.0, 0.0, 0.0}, first = {0.0, 0.0, 0.0};
-        Moments m;
+        Symmetric3<double> m = {};
         const Index corners = solids.corner(solids.face(s + 1)) - solids.corner(solids.face(s));
         for (Index f = solids.face(s); f < solids.face(s + 1); f++) {
             const Polygon face = face_polygon(solids, f);
@@ -78,12 +74,9 @@ Index measure_solids(Index, const Solids &solids, const Bulk &bulk) {
                 volume += part;
                 const Vector t = a + b + c;
                 first = plus(first, part, t);
-                m.xx += part * (t.x * t.x + a.x * a.x + b.x * b.x + c.x * c.x);
-                m.yy += part * (t.y * t.y + a.y * a.y + b.y * b.y + c.y * c.y);
-                m.zz += part * (t.z * t.z + a.z * a.z + b.z * b.z + c.z * c.z);
-                m.xy += part * (t.x * t.y + a.x * a.y + b.x * b.y + c.x * c.y);
-                m.xz += part * (t.x * t.z + a.x * a.z + b.x * b.z + c.x * c.z);
-                m.yz += part * (t.y * t.z + a.y * a.z + b.y * b.z + c.y * c.z);
+                add_products(m, [&](double &sum, Index i, Index j) {
+                    sum += part * (t[i] * t[j] + a[i] * a[j] + b[i] * b[j] + c[i] * c[j]);
+                });
             }
         }
         bulk.volume(s) = volume;
@@ -91,8 +84,7 @@ Index measure_solids(Index, const Solids &solids, const Bulk &bulk) {
         bulk.beyond(s) = beyond;
         bulk.middle.row<Vector>(s) = middle / double(most(corners, Index(1)));
         bulk.first.row<Vector>(s) = 0.25 * first;
-        put_symmetric(bulk.second, s,
-                      {0.05 * m.xx, 0.05 * m.yy, 0.05 * m.zz, 0.05 * m.xy, 0.05 * m.xz, 0.05 * m.yz});
+        put_symmetric(bulk.second, s, 0.05 * m);
     }
     return 0;
 }

@@ -1,4 +1,4 @@
-// Convex polygons in space: corners one after another, counter-clockwise seen against their normal.
+// Convex polygons in space, by their corners in counter-clockwise order as seen against the normal.
 #pragma once
 #include "../../array.hpp"
 #include "../../vector3.hpp"

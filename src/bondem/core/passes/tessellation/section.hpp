@@ -6,7 +6,7 @@ namespace bondem {
 
 // Kinds of the polygons of a piece: its faces, and the wall triangles within it.
 constexpr Index face_kind = 0, wall_kind = 1;
-// Number that stands for no polygon of a piece.
+// Number for no polygon of a piece.
 constexpr Index no_polygon = -1;
 // First tag of new faces: those on the sides of split s of a cell have split_tag - 2 s and split_tag - 2 s - 1.
 constexpr Index split_tag = -16;

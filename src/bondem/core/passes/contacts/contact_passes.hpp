@@ -1,10 +1,20 @@
-// Motion, loads and report of walls that are rigid bodies, on the CPU and on a device.
+// Passes over contacts and walls that several sources or a device call.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/contact_tables.hpp"
 
 namespace bondem {
 
+// True if distances are measured in this step: the step has no duration, or an element has moved too far since the
+// last measurement, or a place is not finite.
+inline bool measures_anew(const Range &range, const NearPairs &near, const Travel &travel) {
+    return range.clock.dt == 0.0 || !(travel.far(0) <= near.width);
+}
+// Adds forces and losses of contacts to those of the elements, and sets the former to zero.
+void add_contact_loads(const Range &range, const Moving &all, const StepBlocks &blocks, const ContactSums &contacts);
+// Sums the elastic energy of the pairs of a portion [J].
+void sum_pair_energies(const Range &range, const Moving &all, const ContactConstants &law, const ContactPairs &pairs,
+                       const Ledger &ledger);
 // Moves walls to the end of the step that begins at the time of the clock.
 void move_walls(const Range &range, const WallMotions &motions, const Walls &walls);
 // Adds the changes over dt to velocity and angular momentum of free wall e.

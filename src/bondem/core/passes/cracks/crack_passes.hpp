@@ -1,4 +1,4 @@
-// Loads of active cracks on cells, and energies of bodies with cracks, on the CPU and on a device.
+// Passes over cracks that several sources or a device call.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/cell_tables.hpp"
@@ -7,6 +7,10 @@
 
 namespace bondem {
 
+// Repeats the last active crack, and the last of their cells, in the lanes after the end of their lists.
+void fill_treated(const CrackLists &lists);
+// Stores V θ of cells without their active cracks, from their stresses and weights.
+void begin_bases(const Range &range, const Moving &all, const CellDilatation &cells, const CrackLists &lists);
 // Adds the forces of active cracks to the sums of their cells.
 void add_crack_loads(const Range &range, const Moving &all, const CrackLists &lists, const StepBlocks &blocks);
 // Sums the energy of dilatation of a portion of cells by their stresses [J].

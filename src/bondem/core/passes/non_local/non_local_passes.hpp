@@ -1,4 +1,4 @@
-// Contributions of contacts to the stresses of elements of the non-local law, on the CPU and on a device.
+// Passes of the non-local law that several sources or a device call.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/contact_tables.hpp"
@@ -7,6 +7,9 @@
 
 namespace bondem {
 
+// Sums normal and shear energy of the springs of a portion of bonds, and the work of their extra forces [J].
+void sum_non_local_energies(const Range &range, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
+                            const Ledger &ledger);
 // Adds contacts with walls to the stresses of the elements of a portion.
 void add_wall_moments(const Range &range, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                       const Walls &walls, const LaggedStresses &stresses);
