@@ -19,6 +19,7 @@ from bondem._types import ArrayLike, Floats, Ints, Mask, PerElement, PerElement3
 from bondem._units import length_unit
 from bondem.errors import InputError, UnitWarning
 from bondem.geometry.closed_surface import closed_surface
+from bondem.geometry.planes import box_side, depth_below_side
 from bondem.geometry.shape import Shape
 from bondem.geometry.shape_boundary import BOX_FACES
 from bondem.geometry.smooth_patches import Patch, patch, smooth_patches
@@ -132,12 +133,12 @@ class Surface(Shape):
     @cached_property
     def _on_face(self) -> dict[str, Ints]:
         """Triangle numbers of each face."""
-        lower, upper = self.bounds
-        flush = _FLUSH * float((upper - lower).max())
+        bounds = self.bounds
+        flush = _FLUSH * float((bounds[1] - bounds[0]).max())
         on_face, rest = {}, np.ones(len(self.triangles), dtype=bool)
         for face in BOX_FACES:
-            axis, plane = "xyz".index(face[0]), upper if face.endswith("max") else lower
-            flat = (np.abs(self._corner[:, :, axis] - plane[axis]) <= flush).all(axis=1)
+            axis, end = box_side(face)
+            flat = (np.abs(self._corner[:, :, axis] - bounds[end][axis]) <= flush).all(axis=1)
             if flat.any():
                 on_face[face] = np.flatnonzero(flat)
                 rest &= ~flat
@@ -257,12 +258,10 @@ class Surface(Shape):
 
     def face_depth(self, face: str, points: PerElement3) -> PerElement:
         self._check_face(face)
+        if face in BOX_FACES:
+            return depth_below_side(self.bounds, face, points)
         points = np.atleast_2d(points)
-        if face not in BOX_FACES:
-            return np.copysign(self._tree(face).distance(points), self.depth(points))
-        lower, upper = self.bounds
-        axis = "xyz".index(face[0])
-        return upper[axis] - points[:, axis] if face.endswith("max") else points[:, axis] - lower[axis]
+        return np.copysign(self._tree(face).distance(points), self.depth(points))
 
     def depth(self, points: PerElement3) -> PerElement:
         return self._all.signed_distance(np.atleast_2d(np.asarray(points, dtype=float)))

@@ -9,10 +9,9 @@ from dataclasses import dataclass
 from typing import ClassVar, TypedDict
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 from scipy.spatial import KDTree
 
+from bondem._indices import components
 from bondem._names import users_line
 from bondem._types import Floats, Ints, Mask, Pairs, PerBond, PerBond3, PerElement, PerElement3, Vector
 from bondem.errors import FaceWarning, InputError
@@ -95,9 +94,7 @@ class Elements:
         radius, label, count = self.particles.radius, self.bodies.label, len(self.bodies.names)
         if count == 1:
             return np.full(len(radius), self.particles.mean_radius)
-        i, j = label[self.pairs].T
-        across = coo_array((np.ones(len(i), dtype=bool), (i, j)), shape=(count, count))
-        joined = connected_components(across, directed=False)[1][label]
+        joined = components(label[self.pairs], count)[label]
         found = np.empty(len(radius))
         order = np.argsort(joined, kind="stable")
         for own in np.split(order, np.cumsum(np.bincount(joined))[:-1]):

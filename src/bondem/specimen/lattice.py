@@ -6,11 +6,10 @@ from pathlib import Path
 from typing import Any, cast
 
 import numpy as np
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 from scipy.spatial.transform import Rotation
 
 from bondem._checks import choice, instance, number, shown, vector
+from bondem._indices import components, inverse
 from bondem._outlets import OUTLETS
 from bondem._types import (
     ArrayLike,
@@ -118,14 +117,8 @@ class Lattice:
     @cached_property
     def pieces(self) -> Ints:
         """Number of the connected piece to which each element belongs, shape (n,); piece 0 is the largest."""
-        n = len(self.particles)
-        i, j = self.pairs.T
-        graph = coo_matrix((np.ones(len(i), dtype=np.int8), (i, j)), shape=(n, n))
-        _, label = connected_components(graph, directed=False)
-        by_size = np.argsort(-np.bincount(label), kind="stable")
-        rank = np.empty_like(by_size)
-        rank[by_size] = np.arange(len(by_size))
-        return freeze(rank[label].astype(np.int64))
+        label = components(self.pairs, len(self.particles))
+        return freeze(inverse(np.argsort(-np.bincount(label), kind="stable"))[label])
 
     @cached_property
     def connected(self) -> Mask:

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from bondem._indices import group_starts, inverse
 from bondem._types import Ints, PerBond, PerElement
 from bondem.geometry.morton import morton_code
 from bondem.specimen.lattice import Lattice
@@ -62,8 +63,7 @@ class Layout:
         """Return the layout of a lattice."""
         n = len(lattice.particles)
         order = np.lexsort((morton_code(lattice.particles.position), lattice.body))
-        rank = np.empty(n, dtype=np.int64)
-        rank[order] = np.arange(n)
+        rank = inverse(order)
         ends = rank[lattice.pairs]
         flipped = ends[:, 0] > ends[:, 1]
         i, j = ends.min(axis=1), ends.max(axis=1)
@@ -77,13 +77,16 @@ class Layout:
             flipped=flipped[bond_order],
             i=i.astype(np.uint32),
             j=j.astype(np.uint32),
-            in_start=_starts(j, n),
-            out_start=_starts(i, n),
+            in_start=group_starts(j, n),
+            out_start=group_starts(i, n),
             out_bond=out_bond.astype(np.uint32),
         )
 
     def of_elements(self, value: PerBond) -> PerElement:
-        """Return means of bond values (m,), internal order, per element (n,), user's order; 0 without bonds."""
+        """Return means of values of bonds, internal order, (m,), over the bonds of each element, user's order, (n,).
+
+        Elements without bonds get 0.
+        """
         n = len(self.order)
         ends = np.concatenate([self.i, self.j]).astype(np.int64)
         count = np.maximum(np.bincount(ends, minlength=n), 1)
@@ -92,15 +95,10 @@ class Layout:
     @property
     def reversed(self) -> Reversed:
         """Permutations that reorder arrays from internal to user's order."""
-        place = np.empty_like(self.bond_order)
-        place[self.bond_order] = np.arange(len(place))
+        place = inverse(self.bond_order)
         return Reversed(self.rank, self.order, place, self.flipped[place])
 
     @property
     def adjacency(self) -> Adjacency:
         """Bonds of each element, as arrays of the core."""
         return Adjacency(self.in_start, self.out_start, self.out_bond)
-
-
-def _starts(ends: Ints, n: int) -> Ints:
-    return np.concatenate([[0], np.cumsum(np.bincount(ends, minlength=n))]).astype(np.int64)

@@ -10,11 +10,11 @@ import math
 from functools import cached_property
 
 import numpy as np
-from scipy.sparse import bsr_array, coo_array, csc_array, dia_array
-from scipy.sparse.csgraph import connected_components
+from scipy.sparse import bsr_array, csc_array, dia_array
 from scipy.sparse.linalg import SuperLU, splu
 
-from bondem._types import Floats, Ints, Mask, PerBond, PerElement3
+from bondem._indices import components
+from bondem._types import Floats, Ints, PerBond, PerElement3
 from bondem.interactions.stiffness import Stiffness
 from bondem.statics.lanczos import lowest_modes
 
@@ -56,7 +56,8 @@ def parted(clump: Ints, position: PerElement3, i: Ints, j: Ints, lost: PerBond) 
         i, j: elements on both sides of a bond, (m,) each.
         lost: share of its stiffness that a bond has lost, (m,).
     """
-    clump = _joined(clump, i, j, lost <= _LOST)
+    connecting = (lost <= _LOST) & (clump[i] == clump[j])
+    clump = components(np.column_stack([i, j])[connecting], len(clump))
     weak = np.flatnonzero((clump[i] == clump[j]) & (lost > 0.0))
     across = position[j[weak]] - position[i[weak]]
     across *= np.sqrt(lost[weak] / (across**2).sum(axis=1))[:, None]
@@ -71,13 +72,6 @@ def parted(clump: Ints, position: PerElement3, i: Ints, j: Ints, lost: PerBond) 
     normal = np.linalg.eigh(fabric)[1][:, :, 2]
     beyond = cut[clump] & (np.einsum("nk,nk->n", position - middle[clump], normal[clump]) > 0.0)
     return np.unique(2 * clump + beyond, return_inverse=True)[1]
-
-
-def _joined(clump: Ints, i: Ints, j: Ints, bonds: Mask) -> Ints:
-    """Return the connected parts of clusters, numbered per element, (n,); `bonds` masks the bonds that connect."""
-    inside = np.flatnonzero(bonds & (clump[i] == clump[j]))
-    joined = coo_array((np.ones(len(inside)), (i[inside], j[inside])), shape=(len(clump), len(clump)))
-    return connected_components(joined, directed=False)[1].astype(np.int64)
 
 
 def clump_motions(position: PerElement3, clump: Ints) -> Floats:

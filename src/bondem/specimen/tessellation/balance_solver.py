@@ -7,12 +7,12 @@ errors of long wavelength.
 """
 
 import numpy as np
-from scipy.sparse import coo_array, csc_array, dia_array
-from scipy.sparse.csgraph import connected_components
+from scipy.sparse import csc_array, dia_array
 from scipy.sparse.linalg import LinearOperator, cg, splu
 
 from bondem._blas import one_blas_thread
 from bondem._core import run_pass
+from bondem._indices import components, group_starts, inverse
 from bondem._passes import calls
 from bondem._tables.tessellation_tables import BalanceField, CellBranches
 from bondem._threads import current_threads
@@ -44,8 +44,7 @@ def solved_balance(position: PerElement3, pairs: Pairs, branch: PerBond3, right:
     """
     n = len(position)
     order = np.argsort(morton_code(position), kind="stable")
-    rank = np.empty(n, dtype=np.int64)
-    rank[order] = np.arange(n)
+    rank = inverse(order)
     ends = rank[pairs]
     branches = _of_cells(n, ends, branch)
     diagonal = _scalar_diagonal(n, ends, branch)
@@ -67,16 +66,13 @@ def _of_cells(n: int, ends: Pairs, branch: PerBond3) -> CellBranches:
     """Return neighbour and branch of each facet, cell by cell; facets of which a cell is the second come last."""
     near, far = ends.ravel(order="F"), ends[:, ::-1].ravel(order="F")
     order = np.argsort(near, kind="stable")
-    start = np.concatenate([[0], np.cumsum(np.bincount(near, minlength=n))]).astype(np.int64)
     both = np.concatenate([branch, branch])[order]
-    return CellBranches(start, far[order].astype(np.uint32), np.ascontiguousarray(both))
+    return CellBranches(group_starts(near, n), far[order].astype(np.uint32), np.ascontiguousarray(both))
 
 
 def _without_means(right: Floats, ends: Pairs) -> Floats:
     """Return right-hand sides, less their mean over each connected piece, which is a rounding error."""
-    n = len(right)
-    graph = coo_array((np.ones(len(ends), dtype=np.int8), tuple(ends.T)), shape=(n, n))
-    _, piece = connected_components(graph, directed=False)
+    piece = components(ends, len(right))
     size = np.bincount(piece)
     return right - np.column_stack([(np.bincount(piece, column) / size)[piece] for column in right.T])
 

@@ -13,6 +13,7 @@ import numpy as np
 from scipy.spatial import KDTree
 
 from bondem._core import run_pass
+from bondem._indices import group_starts
 from bondem._passes import calls
 from bondem._tables.tessellation_tables import Bins, CellRequest, CellRoom, Solids
 from bondem._types import Floats, Ints, Vector
@@ -71,7 +72,7 @@ def bins(particles: Particles, lower: Vector, upper: Vector, reach: float) -> Bi
     at = np.clip(((x - lower) / extent * count).astype(np.int64), 0, count - 1)
     box = (at[:, 0] * count[1] + at[:, 1]) * count[2] + at[:, 2]
     member = np.argsort(box, kind="stable")
-    start = np.concatenate([[0], np.cumsum(np.bincount(box, minlength=int(count.prod())))])
+    start = group_starts(box, int(count.prod()))
     period = np.zeros(3) if particles.period is None else np.array(particles.period)
     size = reach / 3.0
     tolerance = max(_SHALLOW * size, _ROUNDING * float(np.abs([lower, upper]).max()))
