@@ -240,9 +240,7 @@ def tessellate(
     """
     report = progress or (lambda share: None)
     made = tessellation(particles, lambda share: report(0.9 * share))
-    found, owner = made.cut.found, made.cut.owner
-    a = owner[found.piece]
-    b = np.where(found.other >= 0, owner[found.other], found.element)
+    found, (a, b) = made.cut.found, made.cut.sides
     shared = Polygons(a, b, found.area, found.normal, found.centroid, found.moment)
     every = together([made.faces, shared.chosen(a != b)])
     free = free_facets(particles.envelope, made.centres.position, made.centres.reach, every.chosen(every.b < 0))

@@ -21,13 +21,10 @@ from bondem.errors import InputError
 from bondem.specimen.particles import Particles
 from bondem.specimen.tessellation.polygon_buffer import (
     MOST_CORNERS,
-    TAG,
-    buffer_corners,
-    first_corners,
     new_buffer,
     polygon_buffer,
-    polygon_count,
     roomier_buffer,
+    solids_in,
 )
 
 # Largest number of faces of a cell.
@@ -155,8 +152,4 @@ def plain_cells(centres: Bins, chosen: Ints, half: Floats) -> Solids:
         )
     if ended == "crowded":
         raise InputError(f"the cell of element {where} has more than {_FACES} faces; make radii more alike")
-    faces = polygon_count(pile)
-    return Solids(
-        chosen, request.end, pile.what[:faces, TAG].copy(), pile.plane[:faces], first_corners(pile),
-        buffer_corners(pile),
-    )
+    return solids_in(pile, chosen, request.end)

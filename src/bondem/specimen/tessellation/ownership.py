@@ -39,6 +39,12 @@ class Owned:
     found: Patches
     owner: Ints
 
+    @property
+    def sides(self) -> tuple[Ints, Ints]:
+        """Elements on both sides of each patch, (k,) each; -1 for none, beyond a wall."""
+        other = self.found.other
+        return self.owner[self.found.piece], np.where(other >= 0, self.owner[other], self.found.element)
+
 
 def owned(pieces: Solids, measures: Bulk, found: Patches, sphere: Floats, width: float, sliver: float) -> Owned:
     """Assign every piece to an element; pieces without an owner are divided first.
