@@ -22,8 +22,7 @@ def region(particles: Particles) -> Shape:
     """Return the region of the particles: their shape, their periodic cell or, without either, their bounding box."""
     if particles.period is None:
         return particles.envelope
-    a, b, c = map(float, particles.period)
-    return Cell((a, b, c))
+    return Cell(particles.period)
 
 
 def samples(shape: Shape, count: int) -> int:

@@ -144,14 +144,13 @@ def _across(pairs: ArrayLike | None) -> Pairs:
 def _names(lattices: Sequence[Lattice], given: Sequence[str] | None) -> tuple[str, ...]:
     if given is None:
         own = [name for one in lattices if len(one.names) > 1 for name in one.names]
-        clash = len(set(own)) < len(own)
-        wanted = [f"body {k}" for k in range(len(lattices))]
-        inner = [(wanted[k],) if len(one.names) == 1 else _inner(wanted[k], one) if clash else one.names
-                 for k, one in enumerate(lattices)]  # fmt: skip
+        grouped, wanted = len(set(own)) < len(own), [f"body {k}" for k in range(len(lattices))]
+    elif isinstance(given, str) or len(given) != len(lattices) or not all(isinstance(n, str) and n for n in given):
+        raise InputError(f"join: names = {shown(given)}; give {len(lattices)} names, one per argument")
     else:
-        if isinstance(given, str) or len(given) != len(lattices) or not all(isinstance(n, str) and n for n in given):
-            raise InputError(f"join: names = {shown(given)}; give {len(lattices)} names, one an argument")
-        inner = [(n,) if len(one.names) == 1 else _inner(n, one) for n, one in zip(given, lattices, strict=True)]
+        grouped, wanted = True, given
+    inner = ((name,) if len(one.names) == 1 else _inner(name, one) if grouped else one.names
+             for name, one in zip(wanted, lattices, strict=True))  # fmt: skip
     found = tuple(name for names in inner for name in names)
     if len(set(found)) < len(found):
         twice = next(name for name in found if found.count(name) > 1)

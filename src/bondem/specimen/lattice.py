@@ -70,13 +70,11 @@ class Lattice:
         if bonds.ndim != 2 or bonds.shape[1] != 2:
             raise InputError(f"pairs has shape {bonds.shape}; give element indices as an array of shape (m, 2)")
         _check_pairs(bonds, len(particles))
-        object.__setattr__(self, "particles", particles)
-        object.__setattr__(self, "pairs", freeze(bonds))
-        object.__setattr__(self, "facets", facets)
-        object.__setattr__(self, "cells", cells)
         if bodies is None:
             bodies = Bodies(freeze(np.zeros(len(particles), dtype=np.int64)), ("body",), (particles.shape,))
-        object.__setattr__(self, "bodies", bodies)
+        own = {"particles": particles, "pairs": freeze(bonds), "facets": facets, "cells": cells, "bodies": bodies}
+        for name, value in own.items():
+            object.__setattr__(self, name, value)
         if (self.length <= 0.0).any():
             k = int(np.argmin(self.length))
             raise InputError(f"bond {k} joins coincident centres {tuple(bonds[k])}; remove one of the elements")
@@ -312,12 +310,12 @@ def carve(lattice: Lattice, shape: Shape) -> Lattice:
         raise InputError(f"no element lies inside {shown(shape)}; check its size and position (metres)")
     number = np.cumsum(keep) - 1
     inside = keep[lattice.pairs].all(axis=1)
-    periodic = lattice.particles.period if shape.period is not None else None
-    if lattice.particles.period is not None and periodic is None:
+    period = shape.period
+    if lattice.particles.period is not None and period is None:
         plain = lattice.particles.position[lattice.pairs[:, 1]] - lattice.particles.position[lattice.pairs[:, 0]]
         inside &= np.isclose(plain, lattice.branch, atol=1e-9 * lattice.particles.mean_radius).all(axis=1)
-    if periodic is None:
-        periodic = shape.period
-    part = filled(Particles(lattice.particles.position[keep], lattice.particles.radius[keep], periodic), shape)
+    elif lattice.particles.period is not None:
+        period = lattice.particles.period
+    part = filled(Particles(lattice.particles.position[keep], lattice.particles.radius[keep], period), shape)
     pairs, tables = lattice.elements.carved(part, number[lattice.pairs[inside]])
     return Lattice(part, pairs, **tables)

@@ -71,16 +71,9 @@ class Layout:
         i, j = i[bond_order], j[bond_order]
         out_bond = np.argsort(i, kind="stable")
         return cls(
-            order=order,
-            rank=rank,
-            bond_order=bond_order,
-            flipped=flipped[bond_order],
-            i=i.astype(np.uint32),
-            j=j.astype(np.uint32),
-            in_start=group_starts(j, n),
-            out_start=group_starts(i, n),
-            out_bond=out_bond.astype(np.uint32),
-        )
+            order, rank, bond_order, flipped[bond_order], i.astype(np.uint32), j.astype(np.uint32),
+            group_starts(j, n), group_starts(i, n), out_bond.astype(np.uint32),
+        )  # fmt: skip
 
     def of_elements(self, value: PerBond) -> PerElement:
         """Return means of values of bonds, internal order, (m,), over the bonds of each element, user's order, (n,).

@@ -75,6 +75,7 @@ class Particles:
             instance("Particles", "shape", shape, Shape, "a shape such as bd.Box(...), or None")
         if period is None and shape is not None:
             period = shape.period
+        cell = None
         if period is not None:
             cell = array("Particles", "period", period, wanted="three positive edge lengths in metres")
             if cell.shape != (3,) or not (np.isfinite(cell) & (cell > 0.0)).all():
@@ -85,14 +86,10 @@ class Particles:
                 )
             x = np.mod(x, cell)
             x[x >= cell] = 0.0  # rounding may move a place just below 0 to the far end, which is the same as 0
-            object.__setattr__(self, "period", freeze(cell))
-            periodic = Cell((float(cell[0]), float(cell[1]), float(cell[2]))) if shape is None else None
-        else:
-            object.__setattr__(self, "period", None)
-            periodic = None
-        object.__setattr__(self, "position", freeze(x))
-        object.__setattr__(self, "radius", freeze(r))
-        object.__setattr__(self, "shape", periodic if shape is None else shape)
+            freeze(cell)
+        own = Cell(cell) if shape is None and cell is not None else shape
+        for name, value in (("position", freeze(x)), ("radius", freeze(r)), ("period", cell), ("shape", own)):
+            object.__setattr__(self, name, value)
         self._check_overlap()
         if shape is not None:
             check_filling(shape, x, r)

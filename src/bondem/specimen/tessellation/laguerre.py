@@ -140,16 +140,11 @@ def plain_cells(centres: Bins, chosen: Ints, half: Floats) -> Solids:
         else:
             pile = roomier_buffer(pile)
     where = request.done[1]
-    if ended == "swallowed":
-        raise InputError(
-            f"the cell of element {where} has no volume: larger spheres enclose it; remove it, or make radii"
-            " more alike"
-        )
-    if ended == "narrow":
-        raise InputError(
-            f"the cell of element {where} has a neighbour half a period away; enlarge the periodic cell, with more"
-            " elements"
-        )
-    if ended == "crowded":
-        raise InputError(f"the cell of element {where} has more than {_FACES} faces; make radii more alike")
+    faults = {
+        "swallowed": "no volume: larger spheres enclose it; remove it, or make radii more alike",
+        "narrow": "a neighbour half a period away; enlarge the periodic cell, with more elements",
+        "crowded": f"more than {_FACES} faces; make radii more alike",
+    }
+    if ended in faults:
+        raise InputError(f"the cell of element {where} has {faults[ended]}")
     return solids_in(pile, chosen, request.end)
