@@ -121,9 +121,7 @@ def count(owner: str, name: str, value: object, *, least: int = 0, advice: str =
     return int(found)
 
 
-def vector(
-    owner: str, name: str, value: object, *, unit: str = "", advice: str = ""
-) -> tuple[float, float, float]:
+def vector(owner: str, name: str, value: object, *, unit: str = "", advice: str = "") -> tuple[float, float, float]:
     """Return an argument that must be three finite components.
 
     Raises:
@@ -167,9 +165,7 @@ def possible(values: Floats) -> bool:
     return bool((np.isfinite(values) & (size <= _LARGEST) & ((size == 0.0) | (size >= 1.0 / _LARGEST))).all())
 
 
-def instance(
-    owner: str, name: str, value: object, kinds: type[Kind] | tuple[type[Kind], ...], wanted: str
-) -> Kind:
+def instance(owner: str, name: str, value: object, kinds: type[Kind] | tuple[type[Kind], ...], wanted: str) -> Kind:
     """Return an argument that must have one of the given types; `wanted` ends the message.
 
     Raises:

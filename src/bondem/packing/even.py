@@ -29,9 +29,7 @@ _MARGIN = 0.4
 _ONTO = 1e-3
 
 
-def even(
-    shape: Shape, count: int, random: np.random.Generator, report: Callable[[float], None]
-) -> Particles:
+def even(shape: Shape, count: int, random: np.random.Generator, report: Callable[[float], None]) -> Particles:
     """Pack equal spheres, no two of which overlap by more than a tenth of their diameter.
 
     Args:

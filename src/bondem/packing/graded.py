@@ -30,9 +30,8 @@ _TRIES = 30
 
 
 def graded(
-    shape: Shape, size: SizesAt, random: np.random.Generator,
-    report: Callable[[float], None],
-) -> Particles:  # fmt: skip
+    shape: Shape, size: SizesAt, random: np.random.Generator, report: Callable[[float], None]
+) -> Particles:
     """Pack spheres as large as the cells, no two of which overlap by half the smaller radius.
 
     Args:
@@ -59,9 +58,7 @@ def graded(
     return _spheres(shape, x, _share(shape, x, h) * h)
 
 
-def _initial_centres(
-    shape: Shape, places: Sites, size: SizesAt, random: np.random.Generator
-) -> PerElement3:
+def _initial_centres(shape: Shape, places: Sites, size: SizesAt, random: np.random.Generator) -> PerElement3:
     """Draw random centres [m], (n, 3), in Morton order, one in each of n consecutive parts of equal capacity."""
     n = places.count
     end = np.cumsum(places.cells)
@@ -77,9 +74,7 @@ def _initial_centres(
     return _inside(shape, x, x, size)
 
 
-def _inside(
-    shape: Shape, x: PerElement3, before: PerElement3, size: SizesAt
-) -> PerElement3:
+def _inside(shape: Shape, x: PerElement3, before: PerElement3, size: SizesAt) -> PerElement3:
     return moved_inside(shape, x, before, _MARGIN * size(before))
 
 

@@ -18,9 +18,7 @@ from bondem.specimen.particles import Particles, filled, freeze
 _OVERLAP = 1e-3
 
 
-def join(
-    *bodies: Lattice | Particles, names: Sequence[str] | None = None, pairs: ArrayLike | None = None
-) -> Lattice:
+def join(*bodies: Lattice | Particles, names: Sequence[str] | None = None, pairs: ArrayLike | None = None) -> Lattice:
     """Return several bodies in one lattice, one after the other, as they stand in space.
 
     Args:
@@ -164,9 +162,7 @@ def _inner(name: str, scene: Lattice) -> tuple[str, ...]:
     return tuple(f"{name}/{own}" for own in (short if len(set(short)) == len(short) else scene.names))
 
 
-def _refuse_overlap(
-    position: PerElement3, r: PerElement, label: Ints, names: tuple[str, ...], bonded: Pairs
-) -> None:
+def _refuse_overlap(position: PerElement3, r: PerElement, label: Ints, names: tuple[str, ...], bonded: Pairs) -> None:
     near = KDTree(position).query_pairs(2.0 * r.max(), output_type="ndarray").astype(np.int64)
     near = near[label[near[:, 0]] != label[near[:, 1]]]
     key = np.array([len(r), 1])

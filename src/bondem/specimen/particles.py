@@ -81,9 +81,7 @@ class Particles:
             if cell.shape != (3,) or not (np.isfinite(cell) & (cell > 0.0)).all():
                 raise InputError(f"period = {shown(period)}; give three positive edge lengths in metres")
             if cell.min() < 4.0 * r.max():
-                raise InputError(
-                    f"period {cell.min():.4g} m is below two of the largest diameters; enlarge the cell"
-                )
+                raise InputError(f"period {cell.min():.4g} m is below two of the largest diameters; enlarge the cell")
             x = np.mod(x, cell)
             x[x >= cell] = 0.0  # rounding may move a place just below 0 to the far end, which is the same as 0
             freeze(cell)

@@ -108,9 +108,7 @@ class Clumps:
 
     @cached_property
     def _factors(self) -> SuperLU:
-        return splu(
-            self.regular, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
-        )
+        return splu(self.regular, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
 
     def __call__(self, residual: Floats) -> Floats:
         """Return the correction for a residual, shape (6 n,) or (6 n, k)."""

@@ -166,9 +166,7 @@ def mass_matrix(model: Model, system: System) -> csr_array | None:
     return corrected_mass(mass_diagonal(model), csr_array(forms.tocsr()), factor[model.layout.order])
 
 
-def _of_corrected_mass(
-    system: System, M: csr_array, mass: Floats, count: int
-) -> tuple[Floats, Floats, int]:
+def _of_corrected_mass(system: System, M: csr_array, mass: Floats, count: int) -> tuple[Floats, Floats, int]:
     """Compute modes for a mass matrix that is not diagonal, by shift and invert about zero."""
     live = np.flatnonzero(system.free)
     rigid = system.loose @ normalising(system.loose.T @ (mass[:, None] * system.loose))
@@ -288,8 +286,7 @@ def _iterated(
         turn[:last] = 0.0
         last = turn.shape[1]
         S, KS, MS = (
-            np.hstack([new, fresh, old @ turn])
-            for new, fresh, old in ((X, W, S), (KX, K @ W, KS), (MX, M @ W, MS))
+            np.hstack([new, fresh, old @ turn]) for new, fresh, old in ((X, W, S), (KX, K @ W, KS), (MX, M @ W, MS))
         )
     return square, X, _PATIENCE, False
 

@@ -17,7 +17,7 @@ from bondem._passes import calls
 from bondem._tables.tessellation_tables import BalanceField, CellBranches
 from bondem._threads import current_threads
 from bondem._types import Floats, Pairs, PerBond3, PerElement3
-from bondem.geometry.morton import morton_code
+from bondem.geometry.morton import morton_order
 
 # Largest number of iterations; bodies of 1e5 cells take about 130.
 _MOST = 2000
@@ -43,7 +43,7 @@ def solved_balance(position: PerElement3, pairs: Pairs, branch: PerBond3, right:
         most: norm of the remainder at which the iteration ends [m³].
     """
     n = len(position)
-    order = np.argsort(morton_code(position), kind="stable")
+    order = morton_order(position)
     rank = inverse(order)
     ends = rank[pairs]
     branches = _of_cells(n, ends, branch)

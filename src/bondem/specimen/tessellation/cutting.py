@@ -221,9 +221,7 @@ def _joined_bulk(parts: list[Bulk]) -> Bulk:
     return Bulk(*(np.concatenate(column) for column in zip(*parts, strict=True)))
 
 
-def tessellate(
-    particles: Particles, progress: Callable[[float], None] | None = None
-) -> tuple[Pairs, Facets, Cells]:
+def tessellate(particles: Particles, progress: Callable[[float], None] | None = None) -> tuple[Pairs, Facets, Cells]:
     """Cut the shape of particles into Laguerre cells.
 
     Args:

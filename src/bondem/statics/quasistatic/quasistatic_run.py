@@ -267,9 +267,7 @@ def _folds(motion: Floats, factor: float) -> bool:
     return float((turn > _SMALL).mean()) > _TURNED
 
 
-def _next(
-    body: DamagedBody, onset: FacetOnset, following: Floats, found: Loaded, close: float
-) -> tuple[Ints, float]:
+def _next(body: DamagedBody, onset: FacetOnset, following: Floats, found: Loaded, close: float) -> tuple[Ints, float]:
     """Return the facets that fail next, in the user's order, and the load factor; none if nothing fails.
 
     `following` is the load at the next event of each softening facet over that of its curve [-], inf for none.
