@@ -92,6 +92,16 @@ class Layout:
         return Reversed(self.rank, self.order, place, self.flipped[place])
 
     @property
+    def blocks(self) -> tuple[Ints, Ints, Ints]:
+        """Numbers of the blocks of a matrix, by rows: (p, p), (n,), and (i, j) and (j, i) of each bond, (m,) each.
+
+        Row p has a block for each bond with j = p, then the block (p, p), then one for each bond with i = p.
+        """
+        i, j, out = self.i.astype(np.int64), self.j.astype(np.int64), inverse(self.out_bond)
+        diagonal = self.in_start[1:] + self.out_start[:-1] + np.arange(len(self.order))
+        return diagonal, self.in_start[i + 1] + i + 1 + out, self.out_start[j] + j + np.arange(len(j))
+
+    @property
     def adjacency(self) -> Adjacency:
         """Bonds of each element, as arrays of the core."""
         return Adjacency(self.in_start, self.out_start, self.out_bond)

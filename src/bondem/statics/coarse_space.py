@@ -86,6 +86,11 @@ def clump_motions(position: PerElement3, clump: Ints) -> Floats:
     return motions
 
 
+def symmetric_factors(matrix: csc_array) -> SuperLU:
+    """Return the factors of a symmetric matrix, without a search for pivots; RuntimeError if it is singular."""
+    return splu(matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
+
+
 class Clumps:
     """Coarse correction P (Pᵀ K P)⁻¹ Pᵀ, with P the rigid motions of clusters of elements.
 
@@ -108,7 +113,7 @@ class Clumps:
 
     @cached_property
     def _factors(self) -> SuperLU:
-        return splu(self.regular, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
+        return symmetric_factors(self.regular)
 
     def __call__(self, residual: Floats) -> Floats:
         """Return the correction for a residual, shape (6 n,) or (6 n, k)."""

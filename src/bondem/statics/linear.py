@@ -13,13 +13,12 @@ from typing import Protocol
 
 import numpy as np
 from scipy.sparse import csc_array
-from scipy.sparse.linalg import splu
 
 from bondem._types import Floats, Ints, Mask, PerBond
 from bondem.errors import ConvergenceError, InputError
 from bondem.interactions.stiffness import Stiffness
 from bondem.model.model import Model
-from bondem.statics.coarse_space import Clumps, clump_motions, clump_of, parted
+from bondem.statics.coarse_space import Clumps, clump_motions, clump_of, parted, symmetric_factors
 from bondem.statics.floating import refuse_floating
 
 # Largest number of spheres, and of cells, up to which elimination is faster than iteration; bonds per element up to
@@ -190,10 +189,7 @@ class Elimination:
         self._scale = 1.0 / np.sqrt(np.maximum(matrix.diagonal(), 1e-300))
         self._matrix = csc_array(matrix.multiply(self._scale[:, None]).multiply(self._scale))
         try:
-            self._factors = splu(
-                self._matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0,
-                options={"SymmetricMode": True},
-            )  # fmt: skip
+            self._factors = symmetric_factors(self._matrix)
             singular = np.abs(self._factors.U.diagonal()).min(initial=1.0) < _SINGULAR
         except RuntimeError:
             singular = True

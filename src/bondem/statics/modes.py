@@ -7,7 +7,7 @@ from typing import Any, Literal, cast
 import numpy as np
 from scipy.linalg import eigh
 from scipy.sparse import bsr_array, csc_array, csr_array, diags_array
-from scipy.sparse.linalg import LinearOperator, eigsh
+from scipy.sparse.linalg import LinearOperator
 
 from bondem._blas import one_blas_thread
 from bondem._checks import count as whole_number
@@ -173,42 +173,36 @@ def _of_corrected_mass(system: System, M: csr_array, mass: Floats, count: int) -
     solve, rounds = solver(system).solve, [0]
 
     def inverse(load: Floats) -> Floats:
-        whole = np.zeros(len(mass))
-        whole[live] = load
+        whole = _spread(load, live, len(mass))
         whole -= mass[:, None] * rigid @ (rigid.T @ whole)
         rounds[0] += 1
         motion = solve(whole, rtol=1e-12)[0]
         return (motion - rigid @ (rigid.T @ (mass * motion)))[live]
 
-    size = (len(live), len(live))
-    K = LinearOperator(size, matvec=lambda v: (system.matrix @ _spread(v, live, len(mass)))[live], dtype=float)
-    start = np.random.default_rng(0).standard_normal(len(live))
-    found: Any = eigsh(
-        K, k=count, M=csr_array(M[live][:, live]), sigma=0.0, OPinv=LinearOperator(size, matvec=inverse, dtype=float),
-        v0=inverse(start),
-    )  # fmt: skip
-    order = np.argsort(found[0])
-    shape = np.zeros((len(mass), count))
-    shape[live] = found[1][:, order]
-    return found[0][order], shape, rounds[0]
+    def product(motion: Floats) -> Floats:
+        return (system.matrix @ _spread(motion, live, len(mass)))[live]
+
+    K = LinearOperator((len(live), len(live)), matvec=product, dtype=float)
+    start = inverse(np.random.default_rng(0).standard_normal(len(live)))
+    square, shape = lowest_modes(K, inverse, start, mass=csr_array(M[live][:, live]), count=count, tolerance=0.0)
+    return square, _spread(shape, live, len(mass)), rounds[0]
 
 
 def _spread(values: Floats, live: Ints, size: int) -> Floats:
-    whole = np.zeros(size)
+    """Return values of the free degrees of freedom `live`, (k, …), at all degrees of freedom, (size, …); others 0."""
+    whole = np.zeros((size, *values.shape[1:]))
     whole[live] = values
     return whole
 
 
 def _dense(system: System, mass: Floats, count: int) -> tuple[Floats, Floats, int]:
     live = np.flatnonzero(system.free)
-    matrix = csc_array(csc_array(system.matrix.tocsc()[:, live])[live]).toarray()
+    matrix = csc_array(system.matrix.tocsc()[:, live])[live].toarray()
     scale = 1.0 / np.sqrt(mass[live])
     none = system.loose.shape[1]
     found: Any = eigh(matrix * scale[:, None] * scale, subset_by_index=[none, none + count - 1])
     square, vector = found
-    shape = np.zeros((len(mass), count))
-    shape[live] = scale[:, None] * vector
-    return square, shape, 1
+    return square, _spread(scale[:, None] * vector, live, len(mass)), 1
 
 
 def _inverse_lanczos(system: System, mass: Floats, count: int) -> tuple[Floats, Floats, int]:

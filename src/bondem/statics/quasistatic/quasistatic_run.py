@@ -186,8 +186,8 @@ def _followed(
     following = np.full(len(body.integrity), np.inf)
     motion, before = body.motion.copy(), (body.integrity, body.closed)
     first, size, reported, end = 0.0, 0.0, 0.0, "events"
-    if progress is not None:
-        progress(0.0)
+    report = progress or (lambda share: None)
+    report(0.0)
     for event in range(limit):
         if halt() is not None:
             end = "interrupted"
@@ -230,11 +230,9 @@ def _followed(
         if borne < share:
             end = "unloaded"
             break
-        if progress is not None:
-            reported = max(reported, (1.0 - borne) / (1.0 - share))
-            progress(reported)
-    if progress is not None:
-        progress(1.0)
+        reported = max(reported, (1.0 - borne) / (1.0 - share))
+        report(reported)
+    report(1.0)
     pressed.warn()
     return path.result(body, before, end, equilibrium)
 
@@ -338,8 +336,7 @@ class _Path:
         rows = np.array(self._rows).reshape(-1, 5)
         facet = np.array([k for k, *_ in self._facets], dtype=np.int64)
         bond: Ints = layout.bond_order[facet]
-        own = np.empty_like(body.integrity)
-        own[layout.bond_order] = body.left
+        own = body.left[layout.reversed.bond_order]
         if end != "parted":
             body.restore(*before)
         state = body.state(self._motion, self._factor, balanced=end != "parted")
