@@ -159,7 +159,10 @@ def _by_user() -> bool:
 
 
 def question_material(name: str, E: float, rho: float) -> None:
-    """Warn about E [Pa], ρ [kg/m³] or √(E/ρ) of no solid, or E or ρ off the named material by a factor of 300."""
+    """Warn about a modulus E [Pa], density ρ [kg/m³] or wave speed √(E/ρ) that no solid has.
+
+    A name of a known material also gives a warning if E or ρ differs from its usual value by a factor of 300.
+    """
     words = re.findall(r"[a-z]+", name.lower())
     named = [word for word in words if word in _USUAL]
     soft = any(word in _SOFT for word in words)

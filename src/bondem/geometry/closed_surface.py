@@ -33,7 +33,7 @@ def closed_surface(name: str, vertices: Floats, triangles: Ints) -> tuple[Floats
         triangles: three corners each, (t, 3).
 
     Returns:
-        Corners and triangles of the repaired surface, and the rows of `triangles` that remain.
+        Corners, (w, 3), and triangles, (r, 3), of the repaired surface; rows of `triangles` that remain, (r,).
 
     Raises:
         InputError: The surface is not closed, encloses nothing, or has solids that overlap, touch or contain others.

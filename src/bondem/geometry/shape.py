@@ -44,7 +44,11 @@ class Shape(Walled):
         return place_shape(self, turn_about(axis, angle), np.zeros(3))
 
     def cut(self, tool: "Shape", *, name: str = "cut") -> "Shape":
-        """Return the shape without `tool`, such as a notch, whose walls become the face `name`; not for a `Cell`."""
+        """Return the shape without `tool`, such as a notch, whose walls become the face `name`.
+
+        Raises:
+            InputError: One of the shapes is a periodic `Cell`, or the name is not a text.
+        """
         return Cut(self, tool, name)
 
     def __bool__(self) -> bool:

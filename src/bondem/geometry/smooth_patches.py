@@ -85,7 +85,7 @@ def smooth_patches(vertices: Floats, triangles: Ints, sharp: float) -> tuple[Pat
 
 
 def patch(name: str, chosen: Ints, corner: Floats, area: Floats) -> Patch:
-    """Make a patch of chosen triangles; corners (t, 3, 3) [m] and areas times normals (t, 3) [m²] are of all."""
+    """Make a patch of triangles `chosen` (k,); corners (t, 3, 3) [m] and area vectors (t, 3) [m²] are of all."""
     size = np.linalg.norm(area[chosen], axis=1)
     whole = float(size.sum())
     centre = size @ corner[chosen].mean(axis=1) / whole if whole > 0.0 else corner[chosen].mean(axis=(0, 1))

@@ -225,7 +225,7 @@ class Surface(Shape):
         return self._trees[face]
 
     def face_triangles(self, face: str) -> Ints:
-        """Return the triangles of a face or patch, as indices into `triangles`."""
+        """Return the triangles of a face or patch, as indices into `triangles`, (k,); InputError for another name."""
         self._check_face(face)
         return self._on_face[face] if face in self._on_face else self._of_patch[face].triangles
 
@@ -335,6 +335,6 @@ def _whole(name: str, values: ArrayLike, wanted: str) -> Ints:
 
 
 def _retained_parts(parts: dict[str, Ints], retained: Ints) -> dict[str, Ints]:
-    """Renumber the triangles of named parts to the kept ones, old numbers `retained`; leave out empty parts."""
+    """Renumber triangles of named parts after repair; `retained` are the old numbers of those that remain, (t,)."""
     found = {name: np.flatnonzero(np.isin(retained, chosen)) for name, chosen in parts.items()}
     return {name: chosen for name, chosen in found.items() if chosen.size}

@@ -79,7 +79,7 @@ def _inside(shape: Shape, x: PerElement3, before: PerElement3, size: SizesAt) ->
 
 
 def nearest_others(x: PerElement3, most: int) -> tuple[Floats, Ints]:
-    """Return distances [m] and indices of the nearest other centres of each, (n, most - 1), or of all if fewer."""
+    """Return distances [m] and indices of the `most` - 1 centres nearest to each, (n, k), or of all if n is less."""
     distance, other = KDTree(x).query(x, k=min(most, len(x)))
     return np.asarray(distance)[:, 1:], np.asarray(other)[:, 1:]
 

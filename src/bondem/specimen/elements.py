@@ -166,9 +166,9 @@ class Elements:
         return np.pi * radius**2
 
     def bond_arm(self, lever: PerBond, chosen: Ints) -> Floats:
-        """Return the arms from centre i to points `lever` away along the bonds, or to the facets [m], (k, 3).
+        """Return the arms from centre i to a point on each of k `chosen` bonds, or to their facets [m], (k, 3).
 
-        `lever` is of all bonds [m], (m,); `chosen` are k of these.
+        `lever` is the distance of the point from centre i, for all bonds [m], (m,).
         """
         return lever[chosen, None] * self.bond_normal[chosen]
 
@@ -229,7 +229,7 @@ class Elements:
             part: elements of the returned patches, some of the whole, ascending, shape (k,).
 
         Returns:
-            Index in `part` of the element of each patch, (p,), centroids [m], and areas times normal [m²], (p, 3).
+            Index in `part` of the element of each patch, (p,); centroids [m]; areas times normal [m²], (p, 3) each.
         """
         shape, position = self.bodies.shape_of("envelope", body, self.particles)[1], self.particles.position
         centre, area = face_patches(shape, name, _PATCH * self.mean_radii[part[0]])

@@ -79,7 +79,7 @@ def replicate(
     Args:
         body: a lattice of one body.
         positions: centres of mass of the copies [m], shape (k, 3).
-        rotations: unit quaternions (w, x, y, z) of the copies, shape (k, 4); "random" for random ones; None for none.
+        rotations: unit quaternions (w, x, y, z) of the copies, shape (k, 4), "random", or None for no rotation.
         name: group of the copies "name/0", "name/1", …; `bd.Body(name)` selects all of them.
         seed: number that selects the random rotations.
 
@@ -106,7 +106,17 @@ def replicate(
 
 
 def turns_of(owner: str, rotations: ArrayLike | str | None, number: int, seed: int) -> Floats:
-    """Return rotation matrices (number, 3, 3) from unit quaternions (number, 4), "random", or None for none."""
+    """Return rotation matrices, (number, 3, 3).
+
+    Args:
+        owner: function that was called, for messages.
+        rotations: unit quaternions (w, x, y, z), (number, 4), "random", or None for no rotation.
+        number: number of matrices.
+        seed: number that selects the random rotations.
+
+    Raises:
+        InputError: `rotations` is anything else.
+    """
     if rotations is None:
         return np.tile(np.eye(3), (number, 1, 1))
     if isinstance(rotations, str):

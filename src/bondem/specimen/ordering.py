@@ -26,7 +26,7 @@ class Adjacency(NamedTuple):
 
 
 class Reversed(NamedTuple):
-    """Permutations that reorder arrays from internal to user's order, named as the inverse ones of `Layout`."""
+    """Permutations from internal to user's order; each has the name of its inverse in `Layout`."""
 
     order: Ints
     rank: Ints

@@ -261,15 +261,15 @@ class Iteration:
         return z - self.rigid @ (self.rigid.T @ z)
 
     def turned(self, load: Floats) -> Floats:
-        """Return Sᵀ f for every column of (6 n, k)."""
+        """Return loads in the scaled unknowns, Sᵀ f with the root S of each element, (6 n,) or (6 n, k)."""
         return _by_element(self._turned, load)
 
     def displacement(self, unknowns: Floats) -> Floats:
-        """Return S x for every column of (6 n, k)."""
+        """Return displacements and rotations S x of scaled unknowns x [m, rad], (6 n,) or (6 n, k)."""
         return _by_element(self.root, unknowns)
 
     def unscaled(self, displacement: Floats) -> Floats:
-        """Return S⁻¹ u for every column of (6 n, k)."""
+        """Return scaled unknowns S⁻¹ u of displacements and rotations u [m, rad], (6 n,) or (6 n, k)."""
         return _by_element(self._back, displacement)
 
 

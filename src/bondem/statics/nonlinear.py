@@ -162,10 +162,10 @@ def _solved(
 
 
 def tangent_matrix(model: Model, pattern: bsr_array, pose: Floats) -> Stiffness:
-    """Return the second derivative of the bond energy at a pose, (6 n, 6 n); `pattern` is that at rest.
+    """Return the symmetric part of the second derivative of the bond energy at a pose, (6 n, 6 n).
 
-    It is symmetric. The antisymmetric part, the torque on an element, stems from applying spins one after the other,
-    not from the energy, and vanishes in equilibrium.
+    The antisymmetric part is the torque on each element, because spins are applied one after the other. It vanishes
+    in equilibrium. `pattern` is a matrix with the blocks of the result, such as that at rest.
     """
     layout = model.layout
     whole = model.interaction.bond_tangents(pose)
@@ -179,13 +179,13 @@ def tangent_matrix(model: Model, pattern: bsr_array, pose: Floats) -> Stiffness:
 
 
 def at_pose(model: Model, system: System, pose: Floats) -> Stiffness:
-    """Return the tangent of a strained model at a pose, where the stresses of cells are stored."""
+    """Return the tangent of a strained model at a pose, into which the stresses of its cells are written."""
     model.interaction.gradient(pose)
     return tangent_matrix(model, system.matrix.bonds, pose)
 
 
 def unbalanced(model: Model, system: System, pose: Floats) -> float:
-    """Return the unbalanced force at a pose under the final loads, over that of loads and supports [-]."""
+    """Return the unbalanced force at a pose over that of the final loads and supports, with torques over R̄ [-]."""
     rest, scale = _sizes(system, model.constraints.final_load(len(pose), pose), *model.interaction.gradient(pose))
     return rest / scale if scale > 0.0 else 0.0
 

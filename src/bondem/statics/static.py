@@ -253,7 +253,7 @@ def _residual(system: System, unbalanced: Floats, load: Floats) -> float:
 
 
 def _check_balance(system: System, load: Floats) -> None:
-    """Reject a load that drives a rigid motion that the supports permit."""
+    """Raise InputError if a load (6 n,) [N, N·m] drives a rigid motion that the supports permit."""
     forces = load.reshape(-1, 6) / np.repeat([1.0, system.length], 3)
     if np.abs(system.loose.T @ load).max(initial=0.0) > 1e-8 * np.linalg.norm(forces):
         raise InputError(

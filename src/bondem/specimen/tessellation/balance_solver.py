@@ -33,13 +33,15 @@ SCALE = np.where(ROW == COLUMN, 1.0, np.sqrt(2.0))
 
 @one_blas_thread
 def solved_balance(position: PerElement3, pairs: Pairs, branch: PerBond3, right: Floats, most: float) -> Floats:
-    """Solve the balance for the tensors Y of the cells, as rows of six components times `SCALE`, shape (n, 6).
+    """Return the symmetric tensors Y of the cells that solve N Y = `right`, with N as in the text of the module.
+
+    Tensors are rows of six components times `SCALE`, (n, 6).
 
     Args:
         position: centres of the cells [m], (n, 3).
         pairs: cells of each facet, (m, 2).
         branch: b of each facet [m^1.5], (m, 3).
-        right: right-hand sides, as rows of six components times `SCALE` [m³], (n, 6).
+        right: right-hand sides [m³], (n, 6).
         most: norm of the remainder at which the iteration ends [m³].
     """
     n = len(position)

@@ -20,7 +20,7 @@ def divided(solids: Solids, sphere: Floats, near: Ints, start: Ints, tolerance: 
         tolerance: depth of a plane in a solid below which it does not divide the solid [m].
 
     Returns:
-        The parts, and the element to which each belongs. Faces on planes between parts have tags of splits.
+        The parts, and the element to which each belongs, (parts,). Faces between parts have tags up to `SPLIT`.
     """
     cell, owner, end = (np.empty(64, np.int64) for _ in range(3))
     lid, work = polygon_buffer(), polygon_buffer()

@@ -81,7 +81,7 @@ def bins(particles: Particles, lower: Vector, upper: Vector, reach: float) -> Bi
 
 
 def _bounds(radius: Floats, box: Ints, count: Ints, width: Vector) -> Floats:
-    """Return bounds B around elements [m], (n,): the largest radius of any box, less at most κ times its distance."""
+    """Return bounds at elements [m], (n,): at a distance L, no radius is above the bound + `_SLOPE` L."""
     most = np.zeros(int(count.prod()))
     np.maximum.at(most, box, radius)
     most = most.reshape(tuple(count))

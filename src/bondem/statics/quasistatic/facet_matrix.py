@@ -53,12 +53,12 @@ class FacetMatrix:
         self.rounded = bonds.astype(np.float32), forms.astype(np.float32)
 
     def force(self, motion: Floats) -> Floats:
-        """Return K u of motions (6 n,)."""
+        """Return forces and torques K u [N, N·m] of motions [m, rad], (6 n,)."""
         weighted = self.plain.weight * (self._plain_rows @ motion)
         return np.asarray(self.plain.bonds @ motion, dtype=float) + self.swelling_force(weighted)
 
     def swelling_force(self, stress: Floats) -> Floats:
-        """Return Fᵀ σ of stresses of cells (n,), (6 n,)."""
+        """Return forces and torques [N, N·m], (6 n,), of the stresses λ θ of cells [Pa], (n,)."""
         return np.asarray(self._plain_columns @ stress, dtype=float)
 
     def add(self, facets: Ints, block: Floats, form_i: Floats, form_j: Floats) -> None:

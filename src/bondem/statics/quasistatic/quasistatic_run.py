@@ -298,9 +298,12 @@ class _Path:
         self._motion, self._factor = np.zeros(6 * len(model.layout.order)), 0.0
 
     def settle(self, potential: float, load: float, displacement: float) -> None:
-        """Store the state at a factor of 1 since the last event: energy less work of loads, load and displacement.
+        """Record the equilibrium after the last event at a factor of 1, and the energy that the event dissipated.
 
-        At the factor of the event that energy fell by the dissipated energy, because walls and loads did not change.
+        Args:
+            potential: energy of the body less the work of its loads [J], which falls by the dissipated energy.
+            load: load on the driven region [N].
+            displacement: displacement of this region [m].
         """
         if self._rows:
             square = self._rows[-1][0] ** 2
