@@ -2,7 +2,6 @@
 
 import math
 import sys
-import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -12,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from bondem._checks import array, instance, number, place, shown, vector
-from bondem._names import users_line
+from bondem._names import warn_user
 from bondem._outlets import OUTLETS
 from bondem._plausibility import is_long
 from bondem._types import ArrayLike, Floats, Ints, Mask, PerElement, PerElement3, Vector
@@ -101,10 +100,10 @@ class Surface(Shape):
                 f"{name} is {size:.4g} long and has no unit; give unit='mm', or unit='m' if its numbers are metres"
             )
         if file is not None and scale is None and is_long(size):
-            warnings.warn(
+            warn_user(
                 f"{name} is assumed to be {size:.4g} m long; give unit='m' to confirm, or unit='mm' for millimetres",
-                UnitWarning, stacklevel=users_line(),
-            )  # fmt: skip
+                UnitWarning,
+            )
         x = x * (1.0 if scale is None else scale)
         for key, values in (("vertices", x), ("triangles", t)):
             values.setflags(write=False)

@@ -64,15 +64,9 @@ def apart(x: PerElement3, least: float, retained: Mask, owner: Ints | None = Non
 
 
 def settled_free(
-    shape: Shape,
-    pins: PerElement3,
-    free: PerElement3,
-    h: float,
-    report: Callable[[float], None],
-    *,
-    nearest: Nearest | None = None,
-    clear: float = 0.0,
-) -> PerElement3:
+    shape: Shape, pins: PerElement3, free: PerElement3, h: float, report: Callable[[float], None], *,
+    nearest: Nearest | None = None, clear: float = 0.0,
+) -> PerElement3:  # fmt: skip
     """Push free centres apart, and move them to the centroids of their cells; return all centres [m], (n, 3).
 
     Args:

@@ -29,9 +29,7 @@ _OVERLAP, _INSIDE, _MARGIN = 0.45, 3.0, 0.2
 _TRIES = 30
 
 
-def graded(
-    shape: Shape, size: SizesAt, random: np.random.Generator, report: Callable[[float], None]
-) -> Particles:
+def graded(shape: Shape, size: SizesAt, random: np.random.Generator, report: Callable[[float], None]) -> Particles:
     """Pack spheres as large as the cells, no two of which overlap by half the smaller radius.
 
     Args:

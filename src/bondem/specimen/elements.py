@@ -3,7 +3,6 @@
 Their differences are methods here, so that no other module asks which shape a lattice has.
 """
 
-import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import ClassVar, TypedDict
@@ -12,7 +11,7 @@ import numpy as np
 from scipy.spatial import KDTree
 
 from bondem._indices import components
-from bondem._names import users_line
+from bondem._names import warn_user
 from bondem._types import Floats, Ints, Mask, Pairs, PerBond, PerBond3, PerElement, PerElement3, Vector
 from bondem.errors import FaceWarning, InputError
 from bondem.geometry.elementary_shapes import BoundingBox
@@ -211,11 +210,10 @@ class Elements:
         chosen = gap <= depth * mean
         layer = int((gap <= mean).sum())
         if isinstance(shape, BoundingBox) and layer >= _LAYER and chosen.sum() < _SPARSE * layer:
-            warnings.warn(
+            warn_user(
                 f"{region} selects {chosen.sum()} of the {layer} elements within R̄ of the bounding box, as the"
                 " particles have no shape; give bd.Particles shape=, or the face depth=1.0",
                 FaceWarning,
-                stacklevel=users_line(),
             )
         return chosen
 
@@ -361,11 +359,10 @@ class CellElements(Elements):
         found = np.flatnonzero(own & envelope.on_patch(name, free.centroid, free.normal))
         covered, whole = float(free.area[found].sum()), envelope.patch_area(name)
         if abs(covered - whole) > _COVERED * whole:
-            warnings.warn(
+            warn_user(
                 f"the facets on {name!r} cover {covered:.4g} m² of its {whole:.4g} m², as it ends within a plane,"
                 " where cells do not end; smaller cells follow its border more closely",
                 FaceWarning,
-                stacklevel=users_line(),
             )
         return found
 

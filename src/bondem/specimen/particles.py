@@ -47,11 +47,7 @@ class Particles:
     shape: Shape | None = None
 
     def __init__(
-        self,
-        position: ArrayLike,
-        radius: ArrayLike,
-        period: ArrayLike | None = None,
-        shape: Shape | None = None,
+        self, position: ArrayLike, radius: ArrayLike, period: ArrayLike | None = None, shape: Shape | None = None
     ) -> None:
         x = array("", "position", position, wanted="centres as an array of shape (n, 3) [m]")
         r = array("", "radius", radius, wanted="one radius, or shape (n,) [m]")

@@ -88,13 +88,9 @@ class System:
         if len(constrained):
             size, turn = np.linalg.eigh(constrained.T @ constrained)
             loose = loose @ turn[:, size <= 1e-12 * size[-1]]
-        return cls(
-            matrix=model.interaction.stiffness(),
-            position=position,
-            length=lattice.particles.mean_radius,
-            free=connected[:, None] & ~prescribed,
-            loose=loose / metric[:, None],
-        )
+        free = connected[:, None] & ~prescribed
+        length = lattice.particles.mean_radius
+        return cls(model.interaction.stiffness(), position, length, free, loose / metric[:, None])
 
     def without_rigid_motion(self, motion: Floats) -> Floats:
         """Return a motion (6 n,) without its part along `loose`."""

@@ -1,6 +1,5 @@
 """Natural modes of a model: K φ = ω² M φ."""
 
-import warnings
 from dataclasses import dataclass
 from typing import Any, Literal, cast
 
@@ -13,7 +12,7 @@ from bondem._blas import one_blas_thread
 from bondem._checks import count as whole_number
 from bondem._checks import instance
 from bondem._drawing import Coloured, Plotted
-from bondem._names import users_line
+from bondem._names import warn_user
 from bondem._progress import staged
 from bondem._types import Floats, Ints
 from bondem.boundary.conditions import Load
@@ -144,11 +143,10 @@ def solve_modes(
 def _warn_of_loads(model: Model) -> None:
     loaded = [one for one in model.boundary if isinstance(one, Load | Pressure | BodyForce | Eigenstrain)]
     if loaded:
-        warnings.warn(
+        warn_user(
             f"solve_modes: {type(loaded[0]).__name__} does not affect the modes of the reference; give"
             " prestress=bd.solve_static(model) for those of the loaded specimen, or prestress=False",
             PrestressWarning,
-            stacklevel=users_line(),
         )
 
 

@@ -189,24 +189,14 @@ class Statics:
         reaction = np.where(constraints.prescribed(n), unbalanced, 0.0)
         values = solution.reshape(n, 6)[layout.rank]
         displacement, rotation = values[:, :3].copy(), values[:, 3:].copy()
+        held = reaction[layout.rank] + law.of_walls(displacement, rotation, strain, model.pressed)
         return StaticResult(
-            displacement=displacement,
-            rotation=rotation,
-            reaction=reaction[layout.rank] + law.of_walls(displacement, rotation, strain, model.pressed),
-            energy=linear_energy(model, displacement, rotation, strain),
-            model=model,
-            iterations=iterations,
-            residual=_residual(system, unbalanced, load.reshape(n, 6)),
-        )
+            displacement, rotation, held, linear_energy(model, displacement, rotation, strain), model,
+            iterations=iterations, residual=_residual(system, unbalanced, load.reshape(n, 6)),
+        )  # fmt: skip
 
     @one_blas_thread
-    def response(
-        self,
-        load: PerElement6,
-        *,
-        guess: PerElement6 | None = None,
-        rtol: float = 1e-10,
-    ) -> PerElement6:
+    def response(self, load: PerElement6, *, guess: PerElement6 | None = None, rtol: float = 1e-10) -> PerElement6:
         """Compute displacements and rotations [m, rad] under other nodal forces and moments [N, N·m], (n, 6) each.
 
         Supports are at rest. Loads on a specimen that is free to move must be balanced.
