@@ -1,8 +1,7 @@
 """Errors and warnings of bondem. Every message ends with advice."""
 
+import difflib
 from typing import TYPE_CHECKING, Any
-
-from bondem._names import no_attribute
 
 
 class BondemError(Exception):
@@ -157,7 +156,9 @@ class MissingDependencyError(BondemError, ImportError):
 if not TYPE_CHECKING:  # type checkers shall find wrong names themselves
 
     def __getattr__(name: str) -> None:
-        raise AttributeError(no_attribute("bd.errors", name, __dir__()), name=name)
+        near = difflib.get_close_matches(name, __dir__(), n=1)
+        hint = f"; did you mean '{near[0]}'?" if near else ""
+        raise AttributeError(f"bd.errors has no attribute '{name}'{hint}", name=name)
 
 
 def __dir__() -> list[str]:

@@ -81,8 +81,8 @@ class Elements:
     @property
     def whole_volume(self) -> float:
         """Volume of the shapes of the bodies, or of their cells [m³], voids between spheres included."""
-        names = range(len(self.bodies.names))
-        return sum(self.bodies.shape_of("envelope", k, self.particles)[1].volume for k in names)
+        shapes = (self.bodies.shape_of("envelope", k, self.particles)[1] for k in range(len(self.bodies.names)))
+        return sum(shape.volume for shape in shapes)
 
     @property
     def mean_radii(self) -> PerElement:

@@ -187,11 +187,10 @@ class Statics:
         solution = motion + change
         unbalanced = (system.matrix @ solution - load).reshape(n, 6)
         reaction = np.where(constraints.prescribed(n), unbalanced, 0.0)
-        values = solution.reshape(n, 6)[layout.rank]
-        displacement, rotation = values[:, :3].copy(), values[:, 3:].copy()
-        held = reaction[layout.rank] + law.of_walls(displacement, rotation, strain, model.pressed)
+        displacement, rotation = (part.copy() for part in np.hsplit(solution.reshape(n, 6)[layout.rank], 2))
+        reaction = reaction[layout.rank] + law.of_walls(displacement, rotation, strain, model.pressed)
         return StaticResult(
-            displacement, rotation, held, linear_energy(model, displacement, rotation, strain), model,
+            displacement, rotation, reaction, linear_energy(model, displacement, rotation, strain), model,
             iterations=iterations, residual=_residual(system, unbalanced, load.reshape(n, 6)),
         )  # fmt: skip
 

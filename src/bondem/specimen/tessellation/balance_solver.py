@@ -16,7 +16,7 @@ from bondem._indices import components, group_starts, inverse
 from bondem._passes import calls
 from bondem._tables.tessellation_tables import BalanceField, CellBranches
 from bondem._threads import current_threads
-from bondem._types import Floats, Pairs, PerBond3, PerElement3
+from bondem._types import Floats, Pairs, PerBond, PerBond3, PerElement3
 from bondem.geometry.morton import morton_order
 
 # Largest number of iterations; bodies of 1e5 cells take about 130.
@@ -49,7 +49,8 @@ def solved_balance(position: PerElement3, pairs: Pairs, branch: PerBond3, right:
     rank = inverse(order)
     ends = rank[pairs]
     branches = _of_cells(n, ends, branch)
-    diagonal = _scalar_diagonal(n, ends, branch)
+    weight = (branch**2).sum(axis=1) / 3.0
+    diagonal = np.asarray(np.bincount(ends[:, 0], weight, n) + np.bincount(ends[:, 1], weight, n), dtype=float)
     right, found = _without_means(right[order], ends), np.empty((n, 6))
 
     def applied(given: Floats) -> Floats:
@@ -59,7 +60,7 @@ def solved_balance(position: PerElement3, pairs: Pairs, branch: PerBond3, right:
     shape = (6 * n, 6 * n)
     y, _ = cg(
         LinearOperator(shape, matvec=applied, dtype=float), right.ravel(), rtol=0.0, atol=most, maxiter=_MOST,
-        M=_preconditioner(ends, branch, diagonal),
+        M=_preconditioner(ends, weight, diagonal),
     )  # fmt: skip
     return np.asarray(y, dtype=float).reshape(n, 6)[rank]
 
@@ -79,15 +80,12 @@ def _without_means(right: Floats, ends: Pairs) -> Floats:
     return right - np.column_stack([(np.bincount(piece, column) / size)[piece] for column in right.T])
 
 
-def _scalar_diagonal(n: int, ends: Pairs, branch: PerBond3) -> Floats:
-    """Return the diagonal of the scalar Laplacian, (n,)."""
-    weight = (branch**2).sum(axis=1) / 3.0
-    return np.asarray(np.bincount(ends[:, 0], weight, n) + np.bincount(ends[:, 1], weight, n), dtype=float)
+def _preconditioner(ends: Pairs, weight: PerBond, diagonal: Floats) -> LinearOperator:
+    """Return the inverse of the scalar Laplacian's diagonal, (n,), plus that of the Laplacian between groups of cells.
 
-
-def _preconditioner(ends: Pairs, branch: PerBond3, diagonal: Floats) -> LinearOperator:
-    """Return the preconditioner: the inverse of the diagonal, plus that of the Laplacian between groups of cells."""
-    n, weight = len(diagonal), (branch**2).sum(axis=1) / 3.0
+    `weight` of the scalar Laplacian is |b|² / 3 of each facet [m³], (m,).
+    """
+    n = len(diagonal)
     inverse = np.divide(1.0, diagonal, out=np.zeros(n), where=diagonal > 0.0)[:, None]
     begin = np.arange(0, n, _GROUP)
     groups = len(begin)

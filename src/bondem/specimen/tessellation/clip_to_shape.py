@@ -13,13 +13,6 @@ from bondem._types import PerElement3
 from bondem.specimen.tessellation.polygon_buffer import new_buffer, polygon_buffer, roomier_buffer, solids_in
 
 
-def new_splitting(position: PerElement3, tolerance: float) -> Splitting:
-    """Return initial work tables for splitting cells by walls, with a tolerance of depth [m]."""
-    found, below, cell, end = (np.empty(64, np.int64) for _ in range(4))
-    lid, work, other = (polygon_buffer() for _ in range(3))
-    return Splitting(position, tolerance, found, below, lid, work, other, cell, end, np.zeros(2, np.int64))
-
-
 def trimmed(solids: Solids, position: PerElement3, walls: WallTree, tolerance: float) -> Solids:
     """Split cells by walls; return all pieces, inside and outside the shape.
 
@@ -29,7 +22,9 @@ def trimmed(solids: Solids, position: PerElement3, walls: WallTree, tolerance: f
         walls: search tree of the triangles of the walls.
         tolerance: depth of a wall in a cell below which it does not split the cell [m].
     """
-    splitting = new_splitting(position, tolerance)
+    found, below, cell, end = (np.empty(64, np.int64) for _ in range(4))
+    lid, work, other = (polygon_buffer() for _ in range(3))
+    splitting = Splitting(position, tolerance, found, below, lid, work, other, cell, end, np.zeros(2, np.int64))
     stack, piece, pile = new_buffer(256, 2048), new_buffer(256, 2048), new_buffer(1024, 8192)
     while (ended := run_pass(calls.split_by_walls(solids, walls, splitting, stack, piece, pile))) != "all_split":
         if ended == "pieces_full":
