@@ -81,7 +81,7 @@ def _without_means(right: Floats, ends: Pairs) -> Floats:
 
 
 def _preconditioner(ends: Pairs, weight: PerBond, diagonal: Floats) -> LinearOperator:
-    """Return the inverse of the scalar Laplacian's diagonal, (n,), plus that of the Laplacian between groups of cells.
+    """Return the inverse of the scalar Laplacian's diagonal (n,), plus that of the Laplacian of groups of cells.
 
     `weight` of the scalar Laplacian is |b|² / 3 of each facet [m³], (m,).
     """
