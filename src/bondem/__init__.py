@@ -132,7 +132,7 @@ _MODULES = {"errors": "bondem.errors", "labtests": "bondem.labtests", "materials
 _HOME = {name: module for module, names in _PUBLIC.items() for name in names}
 # Functions of upper layers that objects of lower layers call.
 _OUTLETS = {
-    "bondem._progress_bars": ("Bars",),
+    "bondem._progress_bars": ("bars",),
     "bondem.io.csv_table": ("write_csv",),
     "bondem.report.plots": ("draw_lattice", "draw_model", "draw_result", "draw_surface"),
 }

@@ -7,7 +7,7 @@ from typing import Any
 class Outlets:
     """Functions that draw and write, as attributes; each loads its module at the first call."""
 
-    Bars: Callable[..., Any]
+    bars: Callable[..., Any]
     draw_lattice: Callable[..., Any]
     draw_model: Callable[..., Any]
     draw_result: Callable[..., Any]

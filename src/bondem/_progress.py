@@ -221,7 +221,7 @@ class Board:
                 return
             view = self._view = _Lines(self)
             if self.kind == "bars":  # rich, which they need, takes 2 MB
-                view = self._view = OUTLETS.Bars(lambda: self.note)
+                view = self._view = OUTLETS.bars(lambda: self.note)
             for stage, share in self._shares.items():
                 view.update(stage, share)
 

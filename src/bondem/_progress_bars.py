@@ -9,8 +9,13 @@ from rich.progress import BarColumn, Progress, SpinnerColumn, TaskID, TextColumn
 from rich.text import Text
 
 
+def bars(note: Callable[[], str]) -> "Bars":
+    """Return a display of bars; `note` is a function that returns the remark beside the current stage."""
+    return Bars(note)
+
+
 class Bars:
-    """Display of one bar per stage; `note` is a function that returns the remark beside the current stage."""
+    """Display of one bar per stage."""
 
     def __init__(self, note: Callable[[], str]) -> None:
         columns = SpinnerColumn(), TextColumn("{task.description:<28}"), BarColumn(), TimeElapsedColumn()

@@ -8,7 +8,8 @@ from bondem._types import Floats, Vector
 from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import Ball, BoundingBox, Box, Cylinder
 from bondem.geometry.quadrature import cell_levels
-from bondem.geometry.shape import Cut, Joined, Overlap, Placed, Shape, common_bounds
+from bondem.geometry.shape import Cut, Joined, Overlap, Placed, Shape
+from bondem.geometry.shape_boundary import common_bounds
 from bondem.geometry.surface import Surface
 
 

@@ -12,7 +12,7 @@ from bondem._types import Axis, Floats, Mask, PerElement, PerElement3, Triple, V
 from bondem.errors import InputError
 from bondem.geometry.planes import Planes, box_side, placed, shared, turn_about
 from bondem.geometry.quadrature import Content, content
-from bondem.geometry.shape_boundary import BOX_FACES, Walled
+from bondem.geometry.shape_boundary import BOX_FACES, Walled, common_bounds
 
 _Rows = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
 
@@ -201,12 +201,6 @@ class _Pair(Shape):
 
     def section(self) -> float:
         return _section(self)
-
-
-def common_bounds(first: Shape, second: Shape) -> tuple[Vector, Vector]:
-    """Return lower and upper corner of the intersection of the bounds of two shapes [m], (3,) each."""
-    (a, b), (c, d) = first.bounds, second.bounds
-    return np.maximum(a, c), np.minimum(b, d)
 
 
 @dataclass(frozen=True)

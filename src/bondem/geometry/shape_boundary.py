@@ -126,3 +126,9 @@ class Walled(ABC):
                 known += f"; and patches: {', '.join(patches[:_LISTED])}"
                 known += f" … {patches[-1]}" if len(patches) > _LISTED else ""
             raise InputError(f"{type(self).__name__} has no face {shown(face)}; its faces are: {known}")
+
+
+def common_bounds(first: Walled, second: Walled) -> tuple[Vector, Vector]:
+    """Return lower and upper corner of the intersection of the bounds of two shapes [m], (3,) each."""
+    (a, b), (c, d) = first.bounds, second.bounds
+    return np.maximum(a, c), np.minimum(b, d)

@@ -50,7 +50,7 @@ def thrown_free(
     raise InputError("pack: the layers along surfaces leave no room for other cells; ask for more and smaller cells")
 
 
-def apart(x: PerElement3, least: float, retained: Mask, owner: Ints | None = None) -> Mask:
+def without_twins(x: PerElement3, least: float, retained: Mask, owner: Ints | None = None) -> Mask:
     """Return a mask of points (n, 3), less those nearer than `least` [m] to an earlier one of another owner, (n,).
 
     Without `owner` (n,) every point is an owner; points outside the mask `retained` (n,) do not count.

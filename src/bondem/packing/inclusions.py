@@ -19,7 +19,7 @@ from bondem._types import Floats, PerElement3
 from bondem.errors import InputError, PackingError
 from bondem.geometry.elementary_shapes import Shape
 from bondem.packing.even import usual_radius
-from bondem.packing.free_centres import MARGIN, apart, settled_free, thrown_free
+from bondem.packing.free_centres import MARGIN, settled_free, thrown_free, without_twins
 from bondem.packing.sizes import Sieve
 from bondem.packing.start import thrown
 from bondem.specimen.aggregates import Aggregates
@@ -159,7 +159,7 @@ def _layers(shape: Shape, centre: PerElement3, radius: Floats, h: float, random:
     beyond, owner = np.concatenate(outer), np.concatenate(whose)
     retained = shape.depth(beyond) >= MARGIN * h
     # between two balls close to each other, one layer serves both
-    return np.concatenate([*inner, beyond[apart(beyond, _APART * h, retained, owner)]])
+    return np.concatenate([*inner, beyond[without_twins(beyond, _APART * h, retained, owner)]])
 
 
 def _directions(count: int) -> Floats:

@@ -18,7 +18,7 @@ from bondem._types import PerElement, PerElement3
 from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import Shape
 from bondem.packing.even import moved_inside, usual_radius
-from bondem.packing.free_centres import MARGIN, apart, settled_free, thrown_free
+from bondem.packing.free_centres import MARGIN, settled_free, thrown_free, without_twins
 from bondem.packing.graded import nearest_others, pushed
 from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.particles import Particles, filled
@@ -192,4 +192,4 @@ def _shift(face: _Depth, x: PerElement3, h: float) -> PerElement:
 
 def _apart(x: PerElement3, least: float) -> PerElement3:
     """Remove points that are nearer to an earlier point than `least` [m]."""
-    return x[apart(x, least, np.ones(len(x), dtype=bool))]
+    return x[without_twins(x, least, np.ones(len(x), dtype=bool))]

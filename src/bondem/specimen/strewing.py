@@ -105,7 +105,7 @@ class _Outline:
 
         Args:
             spheres: centres of the spheres of the copy [m], (n, 3).
-            place: its centre of mass [m], (3,).
+            place: centre of mass of the copy [m], (3,).
             places: centres of mass of the other copies [m], (k, 3).
             turns: rotations of the other copies, k of them.
             gap: least distance of the spheres of two copies [m].
