@@ -76,14 +76,19 @@ def number(
         and (below is None or found < below)
     ):
         return found
-    where = f"{owner}: {name}" if owner else name
     measure = f" {unit}" if unit and found is not None else ""
     wanted = advice or _bounds(above, least, below) + (f" [{unit}]" if unit else "")
     if isinstance(value, str) and value.strip()[:1].isdigit():
         wanted += _NOT_TEXT
     if found is not None and math.isfinite(found) and not possible(np.array(found)):
         measure += ", beyond any quantity in SI units"
-    raise InputError(f"{where} = {shown(value)}{measure}; give {wanted}")
+    raise _fault(owner, name, value, wanted, measure)
+
+
+def _fault(owner: str, name: str, value: object, wanted: str, remark: str = "") -> InputError:
+    """Return the error for an unfit value: a remark follows the value, and advice on what is `wanted` ends it."""
+    where = f"{owner}: {name}" if owner else name
+    return InputError(f"{where} = {shown(value)}{remark}; give {wanted}")
 
 
 def _real(value: object) -> float | None:
@@ -116,14 +121,11 @@ def count(owner: str, name: str, value: object, *, least: int = 0, advice: str =
     """
     found = _real(value)
     if found is None or not abs(found) < 2.0**62 or found != round(found) or found < least:
-        where = f"{owner}: {name}" if owner else name
-        raise InputError(f"{where} = {shown(value)}; give {advice or f'a whole number of at least {least}'}")
+        raise _fault(owner, name, value, advice or f"a whole number of at least {least}")
     return int(found)
 
 
-def vector(
-    owner: str, name: str, value: object, *, unit: str = "", advice: str = ""
-) -> tuple[float, float, float]:
+def vector(owner: str, name: str, value: object, *, unit: str = "", advice: str = "") -> tuple[float, float, float]:
     """Return an argument that must be three finite components.
 
     Raises:
@@ -131,9 +133,8 @@ def vector(
     """
     wanted = advice or "three finite components" + (f" [{unit}]" if unit else "")
     found = _numbers(value)
-    where = f"{owner}: {name}" if owner else name
     if found is None or found.shape != (3,) or not possible(found):
-        raise InputError(f"{where} = {shown(value)}; give {wanted}")
+        raise _fault(owner, name, value, wanted)
     x, y, z = found.tolist()
     return x, y, z
 
@@ -146,8 +147,7 @@ def array(owner: str, name: str, value: object, *, wanted: str) -> Floats:
     """
     found = _numbers(value)
     if found is None:
-        where = f"{owner}: {name}" if owner else name
-        raise InputError(f"{where} = {shown(value)} holds no numbers; give {wanted}")
+        raise _fault(owner, name, value, wanted, " holds no numbers")
     return found
 
 
@@ -167,17 +167,14 @@ def possible(values: Floats) -> bool:
     return bool((np.isfinite(values) & (size <= _LARGEST) & ((size == 0.0) | (size >= 1.0 / _LARGEST))).all())
 
 
-def instance(
-    owner: str, name: str, value: object, kinds: type[Kind] | tuple[type[Kind], ...], wanted: str
-) -> Kind:
+def instance(owner: str, name: str, value: object, kinds: type[Kind] | tuple[type[Kind], ...], wanted: str) -> Kind:
     """Return an argument that must have one of the given types; `wanted` ends the message.
 
     Raises:
         InputError: The value has another type.
     """
     if not isinstance(value, kinds):
-        where = f"{owner}: {name}" if owner else name
-        raise InputError(f"{where} = {shown(value)}; give {wanted}")
+        raise _fault(owner, name, value, wanted)
     return value
 
 

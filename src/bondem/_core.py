@@ -30,7 +30,7 @@ from bondem.errors import InputError
 
 __all__ = [
     "bound_pass", "checked_fields", "compiled_level", "core_lanes", "declared_columns", "filled_table", "index_loop",
-    "pass_tables", "room_for", "row_type", "run_pass", "step_pass", "table_fields",
+    "pass_tables", "row_type", "run_pass", "step_pass", "table_fields", "with_room",
 ]  # fmt: skip
 
 # Longest delay until another process has compiled the core [s].
@@ -341,11 +341,10 @@ def checked_fields(kind: type[tuple[Any, ...]]) -> tuple[Field, ...]:
     return fields
 
 
-def room_for(values: np.ndarray, rows: int) -> np.ndarray:
-    """Return a longer copy of an array, (rows, …), whose added rows are undefined."""
-    longer = np.empty((rows, *values.shape[1:]), values.dtype)
-    longer[: len(values)] = values
-    return longer
+def with_room(table: Any, *columns: str) -> Any:
+    """Return a copy of a table in which the named columns have twice as many rows; the added ones are undefined."""
+    now = {name: getattr(table, name) for name in columns}
+    return table._replace(**{name: np.concatenate([one, np.empty_like(one)]) for name, one in now.items()})
 
 
 # ---- memory of the process

@@ -240,6 +240,4 @@ def _run(command: list[str], environment: Mapping[str, str]) -> None:
 def core_sources(*patterns: str, folder: Path = SOURCES) -> list[Path]:
     """List the sources of the core that match patterns, without compiled files."""
     inner = {folder / "build", folder / LIBRARIES}
-    return sorted(
-        path for pattern in patterns for path in folder.rglob(pattern) if not inner & set(path.parents)
-    )
+    return sorted(path for pattern in patterns for path in folder.rglob(pattern) if not inner & set(path.parents))

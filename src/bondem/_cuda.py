@@ -23,7 +23,7 @@ import numpy as np
 
 from bondem._cache_folder import cache_folder
 from bondem._core_build import SOURCES, core_sources
-from bondem._device import Enqueue
+from bondem._device import Enqueue, in_sequence
 from bondem._passes import Kernel
 
 __all__ = ["CudaDevice", "Registers", "compiled_passes", "lacks_gpu"]
@@ -164,7 +164,8 @@ class CudaDevice:
 
     def prepared(self, one: Kernel, count: int, tables: Sequence[int], halted: int) -> Enqueue:
         """Return a function that launches a pass over 0 … count - 1; arguments are those of `Device.prepared`."""
-        kernel, device_stream = self._kernel(one.name), self._stream
+        self.compile([one.name])
+        kernel, device_stream = self._kernels[one.name], self._stream
         config = core.LaunchConfig(grid=-(-count // _BLOCK), block=_BLOCK)
         arguments = [np.int64(count), np.uint64(halted), *(np.uint64(table) for table in tables)]
         arguments += [np.uint64(0)] * (_TABLES - len(tables))
@@ -182,19 +183,10 @@ class CudaDevice:
             for name, made in zip(lacking, made_each, strict=True):
                 self._kernels[name] = core.ObjectCode.from_cubin(made, name=name).get_kernel(name)
 
-    def _kernel(self, name: str) -> Any:
-        self.compile([name])
-        return self._kernels[name]
-
     def recorded(self, work: Sequence[Enqueue]) -> Callable[[], None]:
         """Return a function that runs launches as a CUDA graph, or singly if BONDEM_CUDA_GRAPHS is "off"."""
         if os.environ.get("BONDEM_CUDA_GRAPHS") == "off":
-
-            def one_by_one() -> None:
-                for enqueue in work:
-                    enqueue(None)
-
-            return one_by_one
+            return in_sequence(work)
         builder = self._device.create_graph_builder()
         builder.begin_building()
         for enqueue in work:

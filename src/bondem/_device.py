@@ -13,7 +13,7 @@ import numpy as np
 from bondem._core import fields_of, filled_table, index_loop, pass_tables
 from bondem._passes import Kernel
 
-__all__ = ["Device", "DeviceTables", "Enqueue", "Host", "HostCall", "Launch", "passes_of"]
+__all__ = ["Device", "DeviceTables", "Enqueue", "Host", "HostCall", "Launch", "in_sequence", "passes_of"]
 
 # Size of a line of the memory of a GPU [bytes].
 _LINE = 128
@@ -163,13 +163,12 @@ class DeviceTables:
         """Return the address of a table on the device."""
         fields = fields_of(table, name)
         if id(table) not in self._tables:
-            words = np.frombuffer(filled_table(name, fields, table, self.lengths), dtype=np.int64).copy()
-            words[[field.offset // words.itemsize for field in fields if field.written is not None]] = 0
+            words = filled_table(name, fields, table, self.lengths)
             for field, value in zip(fields, table, strict=True):
-                if field.written is None or not value.size:
+                if field.written is None:
                     continue
-                words[field.offset // words.itemsize] = self.address(value)
-                if field.written and id(_whole(value)) not in self._unread:
+                words[field.offset // words.itemsize] = self.address(value) if value.size else 0
+                if field.written and value.size and id(_whole(value)) not in self._unread:
                     self._written[id(_whole(value))] = _whole(value)
             for whole in _arrays_of(table):
                 self._uses[id(whole)] = self._uses.get(id(whole), 0) + 1
@@ -205,12 +204,17 @@ class Host:
 
     def recorded(self, work: Sequence[Enqueue]) -> Callable[[], None]:
         """Return a function that runs several launches in sequence."""
+        return in_sequence(work)
 
-        def run() -> None:
-            for enqueue in work:
-                enqueue(None)
 
-        return run
+def in_sequence(work: Sequence[Enqueue]) -> Callable[[], None]:
+    """Return a function that enqueues launches one after the other to the stream of the device."""
+
+    def run() -> None:
+        for enqueue in work:
+            enqueue(None)
+
+    return run
 
 
 def _whole(array: np.ndarray) -> np.ndarray:

@@ -5,6 +5,7 @@ This module imports the standard library only, as `import bondem` does.
 
 import difflib
 import sys
+import warnings
 from collections.abc import Collection, Iterable, Mapping
 
 # Names of arguments in other programs and papers, with their possible names in bondem.
@@ -99,6 +100,11 @@ def users_line() -> int:
     while frame is not None and is_internal(str(frame.f_globals.get("__name__"))):
         level, frame = level + 1, frame.f_back
     return level if frame is not None else 2
+
+
+def warn_user(text: str, category: type[Warning]) -> None:
+    """Give a warning at the line of the user outside the package."""
+    warnings.warn(text, category, stacklevel=users_line())
 
 
 def is_internal(module: str) -> bool:

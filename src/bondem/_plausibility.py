@@ -3,38 +3,21 @@
 import math
 import re
 import sys
-import warnings
 from dataclasses import dataclass, replace
 
 from bondem._checks import number
-from bondem._names import is_internal, users_line
+from bondem._names import is_internal, warn_user
 from bondem.errors import StrengthWarning, UnitWarning
 
 # Young's modulus [Pa] and density [kg/m³], to the order of magnitude, by a word in the name of a material.
 _USUAL: dict[str, tuple[float, float]] = {
-    "alumina": (400e9, 3950.0),
-    "aluminium": (70e9, 2700.0),
-    "aluminum": (70e9, 2700.0),
-    "basalt": (70e9, 2900.0),
-    "brass": (100e9, 8500.0),
-    "concrete": (35e9, 2400.0),
-    "copper": (120e9, 8900.0),
-    "diamond": (1050e9, 3500.0),
-    "glass": (70e9, 2500.0),
-    "granite": (60e9, 2650.0),
-    "ice": (9e9, 917.0),
-    "iron": (150e9, 7500.0),
-    "limestone": (40e9, 2500.0),
-    "marble": (50e9, 2700.0),
-    "mortar": (25e9, 2100.0),
-    "quartz": (75e9, 2500.0),
-    "rock": (40e9, 2600.0),
-    "sandstone": (20e9, 2300.0),
-    "silica": (72e9, 2200.0),
-    "steel": (205e9, 7850.0),
-    "titanium": (115e9, 4500.0),
-    "wood": (10e9, 600.0),
-}
+    "alumina": (400e9, 3950.0), "aluminium": (70e9, 2700.0), "aluminum": (70e9, 2700.0), "basalt": (70e9, 2900.0),
+    "brass": (100e9, 8500.0), "concrete": (35e9, 2400.0), "copper": (120e9, 8900.0), "diamond": (1050e9, 3500.0),
+    "glass": (70e9, 2500.0), "granite": (60e9, 2650.0), "ice": (9e9, 917.0), "iron": (150e9, 7500.0),
+    "limestone": (40e9, 2500.0), "marble": (50e9, 2700.0), "mortar": (25e9, 2100.0), "quartz": (75e9, 2500.0),
+    "rock": (40e9, 2600.0), "sandstone": (20e9, 2300.0), "silica": (72e9, 2200.0), "steel": (205e9, 7850.0),
+    "titanium": (115e9, 4500.0), "wood": (10e9, 600.0),
+}  # fmt: skip
 # Materials of these kinds contain any amount of air or water and may be a million times softer and lighter.
 _SOFT = ("aerogel", "foam", "gel", "hydrogel", "powder", "porous", "rubber", "wool")
 # Least factor of a wrong unit: 10³ over the differences between materials of one name.
@@ -159,7 +142,10 @@ def _by_user() -> bool:
 
 
 def question_material(name: str, E: float, rho: float) -> None:
-    """Warn about E [Pa], ρ [kg/m³] or √(E/ρ) of no solid, or E or ρ off the named material by a factor of 300."""
+    """Warn about a modulus E [Pa], density ρ [kg/m³] or wave speed √(E/ρ) that no solid has.
+
+    A name of a known material also gives a warning if E or ρ differs from its usual value by a factor of 300.
+    """
     words = re.findall(r"[a-z]+", name.lower())
     named = [word for word in words if word in _USUAL]
     soft = any(word in _SOFT for word in words)
@@ -220,7 +206,7 @@ def question_bond_radius(radius: float, mean_radius: float) -> None:
 def question_strength(strength: float, E: float, density: float, energy: float) -> None:
     """Warn about a tensile strength [Pa] or fracture energy [J/m²] that no stone, glass, ceramic or concrete has."""
     for text in strength_doubts(strength, E, density, energy):
-        _question(text, StrengthWarning)
+        warn_user(text, StrengthWarning)
 
 
 def strength_doubts(strength: float, E: float, density: float, energy: float) -> list[str]:
@@ -241,5 +227,5 @@ def strength_doubts(strength: float, E: float, density: float, energy: float) ->
     return []
 
 
-def _question(text: str, category: type[Warning] = UnitWarning) -> None:
-    warnings.warn(text, category, stacklevel=users_line())
+def _question(text: str) -> None:
+    warn_user(text, UnitWarning)

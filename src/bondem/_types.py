@@ -27,21 +27,6 @@ Triple = Sequence[float] | Floats
 Axis = Literal["x", "y", "z"]
 
 __all__ = [
-    "ArrayLike",
-    "Axis",
-    "Bytes",
-    "Floats",
-    "Int32s",
-    "Ints",
-    "Mask",
-    "Pairs",
-    "PerBond",
-    "PerBond3",
-    "PerElement",
-    "PerElement3",
-    "PerElement6",
-    "Singles",
-    "Triple",
-    "Uint32s",
-    "Vector",
-]
+    "ArrayLike", "Axis", "Bytes", "Floats", "Int32s", "Ints", "Mask", "Pairs", "PerBond", "PerBond3", "PerElement",
+    "PerElement3", "PerElement6", "Singles", "Triple", "Uint32s", "Vector",
+]  # fmt: skip

@@ -123,18 +123,10 @@ def solve_explicit(
         if given is not None and not callable(given):
             raise InputError(f"solve_explicit: {name} = {shown(given)}; give a function, or None")
     plan = Plan(
-        duration=duration,
-        dt=dt,
-        scheme=scheme if scheme is not None else VelocityVerlet(),
-        damping=damping,
-        gauges={} if gauges is None else gauges,
-        every=every,
-        save_every=save_every,
-        snapshot_every=snapshot_every,
-        until=until,
-        safety=safety,
-        imbalance=imbalance,
-    )
+        duration=duration, dt=dt, scheme=scheme if scheme is not None else VelocityVerlet(), damping=damping,
+        gauges={} if gauges is None else gauges, every=every, save_every=save_every, snapshot_every=snapshot_every,
+        until=until, safety=safety, imbalance=imbalance,
+    )  # fmt: skip
     loop_of = _loop_on(device, model)
     check_gauges(model, plan)
     own = begin(model, state)
@@ -160,19 +152,14 @@ def solve_explicit(
 
 
 def _unless(stopped: int | None, result: ExplicitResult, sink: RunFile | None) -> ExplicitResult:
-    """Return the result with its warnings; raise the exception of a signal that stopped the run before its end."""
+    """Return the result after its warnings; raise the exception of a signal that stopped the run before its end."""
     if stopped is not None and result.message.startswith("interrupted"):
         on = "" if sink is None else f"; bd.resume('{sink.path}') continues from there"
         stop_by(stopped, f"{result.message}, step {result.steps}{on}", result)
     if not result.status.failed:
-        _warn(result)
+        result.quasistatic.warn()
+        warn_of_openings(result.state, result.dt)
     return result
-
-
-def _warn(result: ExplicitResult) -> None:
-    """Issue the warnings of a finished run."""
-    result.quasistatic.warn()
-    warn_of_openings(result.state, result.dt)
 
 
 def _file_of_run(
@@ -232,8 +219,7 @@ def _going_on(
     """Continue a run from its checkpoint, or return the result of a finished run."""
     over = _over(saved)
     if over is not None:
-        _warn(over)
-        return over
+        return _unless(None, over, None)
     loop_of = _loop_on(device, saved.model)
     cracks = GrowingCracks(saved.model.lattice)
     with RunFile(path, saved.model, saved.plan, cracks=cracks, goes_on=saved) as sink, noticing() as halt:
@@ -266,10 +252,10 @@ def _loop_on(device: str, model: Model) -> Callable[[Model, Plan, State, float],
     Raises:
         InputError: The device is unknown or missing, or cannot run this model.
     """
-    if isinstance(device, str) and device == "cpu":
-        return None
-    if not isinstance(device, str) or device != "gpu":
+    if not isinstance(device, str) or device not in ("cpu", "gpu"):
         raise InputError(f"device = {shown(device)} is unknown; choose 'cpu' or 'gpu'")
+    if device == "cpu":
+        return None
     try:
         gpu = importlib.import_module("bondem.dynamics.gpu_loop")
         gpu.require_gpu(model)

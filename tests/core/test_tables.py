@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from bondem import _core
-from bondem._core import compiled_level, room_for, run_pass, table_fields
+from bondem._core import compiled_level, run_pass, table_fields, with_room
 from bondem._passes import Call, calls
 from bondem._tables.packing_tables import NeighbourLists, SphereGrid
 from bondem._tables.surface_tables import Nearest, TriangleTree
@@ -110,7 +110,8 @@ def test_points_that_are_no_numbers_have_some_triangle():
 
 
 def test_longer_copies_begin_as_the_array_does():
-    values = np.arange(6.0).reshape(3, 2)
-    longer = room_for(values, 5)
-    assert longer.shape == (5, 2)
-    np.testing.assert_array_equal(longer[:3], values)
+    found = nearest(np.arange(6.0).reshape(2, 3))
+    longer = with_room(found, "points")
+    assert longer.points.shape == (4, 3)
+    assert longer.triangle is found.triangle
+    np.testing.assert_array_equal(longer.points[:2], found.points)

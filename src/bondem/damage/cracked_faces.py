@@ -3,13 +3,13 @@
 import numpy as np
 
 from bondem._cache_lines import exact_sums
+from bondem._indices import group_starts
 from bondem._tables.columns import CrackStatus
 from bondem._tables.contact_tables import ContactPairs, FacePairs
 from bondem._types import Floats, PerElement
 from bondem.damage.crack_columns import FACET, STATUS
 from bondem.damage.damage_part import CrackJoints
 from bondem.damage.failing_state import FailingState
-from bondem.specimen.ordering import starts
 
 
 class CrackedFaces:
@@ -56,7 +56,7 @@ class CrackedFaces:
         return FacePairs(
             *self._joints.of_cells, facets.lever_i, facets.lever_j, facets.pitch, facets.normal, facets.j, facets.k,
             strengths.area, self._joints.cracks.listed, strengths.plane, self._open, self._faced, self.outer,
-            starts(pairs.first, len(self._faced)), np.argsort(pairs.first, kind="stable").astype(np.uint32), chosen,
-            whole, np.zeros(c, dtype=np.uint32), np.zeros((c, 12)), np.zeros(c), exact_sums(),
+            group_starts(pairs.first, len(self._faced)),
+            np.argsort(pairs.first, kind="stable").astype(np.uint32), chosen, whole, np.zeros(c, dtype=np.uint32), np.zeros((c, 12)), np.zeros(c), exact_sums(),
             np.zeros(portions, dtype=np.int64),
         )  # fmt: skip

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._indices import group_starts
 from bondem._tables.columns import TouchState
 from bondem._tables.contact_tables import ContactPairs, FoundPairs, FoundWalls, PairSources, WallContacts, WallSources
 from bondem._types import Floats, Ints, PerBond, PerElement
@@ -12,7 +13,6 @@ from bondem.interactions.contact.contact_model import ContactModel, grid_of
 from bondem.interactions.contact.contact_search import found_pairs, found_walls, walls_at
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.specimen.ordering import starts
 
 # Gap up to which pairs enter the list, over the mean radius: the least, the largest, and the factor by which it grows
 # after each list that did not last. A longer list is renewed less often.
@@ -96,7 +96,7 @@ class ContactSearch:
         pairs = found_pairs(grid, PairSources(
             layout.in_start, layout.i, self._listed(position, listed),
             contacts.pairs.start, contacts.pairs.partner, contacts.pairs.gap,
-            starts(state.touching[:, 1], n), state.touching[:, 0].astype(np.uint32),
+            group_starts(state.touching[:, 1], n), state.touching[:, 0].astype(np.uint32),
             np.ascontiguousarray(state.stretch[:, :LINE_COLUMNS]),
         ))  # fmt: skip
         own = np.zeros(len(pairs.first))
@@ -115,7 +115,7 @@ class ContactSearch:
         rest, stored = contacts.at_walls, state.wall_touching
         walls = walls_at(contacts.walls, state.walls)
         at_walls = WallSources(
-            radius, rest.start, rest.partner, rest.gap, starts(stored[:, 0], n), stored[:, 1].astype(np.uint32),
+            radius, rest.start, rest.partner, rest.gap, group_starts(stored[:, 0], n), stored[:, 1].astype(np.uint32),
             state.wall_stretch, listed, np.empty(n + 1, dtype=np.int64),
         )  # fmt: skip
         found = found_walls(state.pose, walls, at_walls)

@@ -9,9 +9,10 @@ solid angle of a solid seen from points of another, over 4π, and an integer whe
 
 import numpy as np
 
+from bondem._indices import components, inverse
 from bondem._types import Floats, Ints, PerElement, PerElement3
 from bondem.errors import InputError
-from bondem.geometry.smooth_patches import components, joined_sides
+from bondem.geometry.smooth_patches import joined_sides
 
 _FARTHEST = 1e30  # largest coordinate of a vertex [m]; volumes of larger ones overflow
 # Distance of corners, over the size of the surface, that are merged if this closes an open surface: files keep seven
@@ -32,7 +33,7 @@ def closed_surface(name: str, vertices: Floats, triangles: Ints) -> tuple[Floats
         triangles: three corners each, (t, 3).
 
     Returns:
-        Corners and triangles of the repaired surface, and the rows of `triangles` that remain.
+        Corners, (w, 3), and triangles, (r, 3), of the repaired surface; rows of `triangles` that remain, (r,).
 
     Raises:
         InputError: The surface is not closed, encloses nothing, or has solids that overlap, touch or contain others.
@@ -53,7 +54,8 @@ def closed_surface(name: str, vertices: Floats, triangles: Ints) -> tuple[Floats
         raise InputError(f"{name} has {len(triangles)} triangles; a closed surface has at least four")
     _require_closed(name, triangles)
     size = float(np.ptp(vertices, axis=0).max())
-    part = _parts(triangles)
+    # an edge of exactly two triangles joins them to one solid
+    part = components(joined_sides(triangles) // 3, len(triangles))
     volume: Floats = np.bincount(part, weights=_cones(vertices, triangles)).astype(float)
     if np.abs(volume).max() <= 1e-12 * size**3:
         raise InputError(f"{name} encloses no volume; close the surface")
@@ -71,9 +73,7 @@ def _merged(vertices: Floats, triangles: Ints, tolerance: float) -> tuple[Floats
     _, first, number = np.unique(place, axis=0, return_index=True, return_inverse=True)
     if len(first) < len(vertices):
         order = np.argsort(first)
-        rank = np.empty_like(order)
-        rank[order] = np.arange(len(order))
-        vertices, triangles = vertices[first[order]], rank[number.ravel()][triangles]
+        vertices, triangles = vertices[first[order]], inverse(order)[number.ravel()][triangles]
     rows = np.flatnonzero((triangles != np.roll(triangles, 1, axis=1)).all(axis=1))
     rows = rows[_once(triangles[rows])]
     return vertices, triangles[rows], rows
@@ -126,11 +126,6 @@ def _require_closed(name: str, triangles: Ints) -> None:
         )
     if net.any():
         raise InputError(f"{name}: its triangles do not all face the same way; repair the normals and export again")
-
-
-def _parts(triangles: Ints) -> Ints:
-    """Return the number of the solid of each triangle; an edge of exactly two triangles joins them."""
-    return components(joined_sides(triangles) // 3, len(triangles))
 
 
 def _cones(vertices: Floats, triangles: Ints) -> PerElement:

@@ -7,9 +7,9 @@ import numpy as np
 
 from bondem._checks import array, number, shown
 from bondem._plausibility import question_size
-from bondem._types import Floats, PerElement, PerElement3, Triple, Vector
+from bondem._types import PerElement, PerElement3, Triple, Vector
 from bondem.errors import InputError
-from bondem.geometry.planes import Planes, box_planes
+from bondem.geometry.planes import Planes, box_planes, depth_below_side
 from bondem.geometry.shape import Shape
 from bondem.geometry.shape_boundary import BOX_FACES
 
@@ -33,12 +33,6 @@ def _edges(owner: str, size: object) -> tuple[float, float, float]:
         raise InputError(f"{owner}: size = {shown(size)}; give three edge lengths in metres")
     a, b, c = (_length(owner, f"size[{k}]", value) for k, value in enumerate(given.tolist()))
     return a, b, c
-
-
-def _axis_depth(lower: Floats, upper: Floats, face: str, points: PerElement3) -> PerElement:
-    axis = "xyz".index(face[0])
-    x = np.atleast_2d(points)[:, axis]
-    return upper[axis] - x if face.endswith("max") else x - lower[axis]
 
 
 @dataclass(frozen=True)
@@ -80,7 +74,7 @@ class Cylinder(Shape):
         points = np.atleast_2d(points)
         if face == "side":
             return self.radius - np.hypot(points[:, 1], points[:, 2])
-        return _axis_depth(*self.bounds, face, points)
+        return depth_below_side(self.bounds, face, points)
 
     @property
     def planes(self) -> Planes:
@@ -90,31 +84,21 @@ class Cylinder(Shape):
         return math.pi * self.radius**2
 
 
-@dataclass(frozen=True)
-class Box(Shape):
-    """A box with one corner at the origin and the opposite corner at `size`.
-
-    Attributes:
-        size: edge lengths [m], (3,).
-    """
-
-    size: Triple
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "size", _edges("Box", self.size))
-        question_size("Box", max(self.size))
+class _Cuboid(Shape):
+    """A box with edges along x, y and z, whose corners are its bounds."""
 
     @property
-    def bounds(self) -> tuple[Vector, Vector]:
-        return np.zeros(3), np.array(self.size)
+    def _edge(self) -> tuple[float, float, float]:
+        a, b, c = np.subtract(*self.bounds[::-1]).tolist()
+        return a, b, c
 
     @property
     def volume(self) -> float:
-        return math.prod(self.size)
+        return math.prod(self._edge)
 
     @property
     def area(self) -> float:
-        a, b, c = self.size
+        a, b, c = self._edge
         return 2.0 * (a * b + b * c + c * a)
 
     @property
@@ -123,18 +107,44 @@ class Box(Shape):
 
     def face_depth(self, face: str, points: PerElement3) -> PerElement:
         self._check_face(face)
-        return _axis_depth(*self.bounds, face, points)
+        return depth_below_side(self.bounds, face, points)
+
+    def section(self) -> float:
+        return self._edge[1] * self._edge[2]
+
+
+@dataclass(frozen=True)
+class _Sized(_Cuboid):
+    """A box with one corner at the origin."""
+
+    size: Triple
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "size", _edges(type(self).__name__, self.size))
+        question_size(type(self).__name__, max(self.size))
+
+    @property
+    def bounds(self) -> tuple[Vector, Vector]:
+        return np.zeros(3), np.array(self.size)
+
+
+@dataclass(frozen=True)
+class Box(_Sized):
+    """A box with one corner at the origin and the opposite corner at `size`.
+
+    Attributes:
+        size: edge lengths [m], (3,).
+    """
+
+    size: Triple
 
     @property
     def planes(self) -> Planes:
         return box_planes(self.bounds, BOX_FACES)
 
-    def section(self) -> float:
-        return self.size[1] * self.size[2]
-
 
 @dataclass(frozen=True)
-class Cell(Shape):
+class Cell(_Sized):
     """A periodic box from the origin to `size`, without walls and faces, for properties of the bulk.
 
     Attributes:
@@ -143,18 +153,6 @@ class Cell(Shape):
 
     size: Triple
 
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "size", _edges("Cell", self.size))
-        question_size("Cell", max(self.size))
-
-    @property
-    def bounds(self) -> tuple[Vector, Vector]:
-        return np.zeros(3), np.array(self.size)
-
-    @property
-    def volume(self) -> float:
-        return math.prod(self.size)
-
     @property
     def area(self) -> float:
         return 0.0
@@ -162,13 +160,6 @@ class Cell(Shape):
     @property
     def faces(self) -> tuple[str, ...]:
         return ()
-
-    def face_depth(self, face: str, points: PerElement3) -> PerElement:
-        self._check_face(face)
-        raise AssertionError("unreachable: a cell has no faces")
-
-    def section(self) -> float:
-        return self.size[1] * self.size[2]
 
     @property
     def period(self) -> Vector:
@@ -214,7 +205,7 @@ class Ball(Shape):
 
 
 @dataclass(frozen=True)
-class BoundingBox(Shape):
+class BoundingBox(_Cuboid):
     """The axis-parallel box around particles that have no shape.
 
     Attributes:
@@ -228,36 +219,10 @@ class BoundingBox(Shape):
     @classmethod
     def of(cls, position: PerElement3, radius: PerElement) -> "BoundingBox":
         """Return the smallest box around spheres at `position` (n, 3) with `radius` (n,) [m]."""
-        lower = (position - radius[:, None]).min(axis=0)
-        upper = (position + radius[:, None]).max(axis=0)
-        a, b, c = map(float, lower)
-        d, e, f = map(float, upper)
+        a, b, c = (position - radius[:, None]).min(axis=0).tolist()
+        d, e, f = (position + radius[:, None]).max(axis=0).tolist()
         return cls((a, b, c), (d, e, f))
 
     @property
     def bounds(self) -> tuple[Vector, Vector]:
         return np.array(self.lower), np.array(self.upper)
-
-    @property
-    def _size(self) -> Floats:
-        return np.subtract(self.upper, self.lower)
-
-    @property
-    def volume(self) -> float:
-        return float(np.prod(self._size))
-
-    @property
-    def area(self) -> float:
-        a, b, c = self._size
-        return float(2.0 * (a * b + b * c + c * a))
-
-    @property
-    def faces(self) -> tuple[str, ...]:
-        return BOX_FACES
-
-    def face_depth(self, face: str, points: PerElement3) -> PerElement:
-        self._check_face(face)
-        return _axis_depth(*self.bounds, face, points)
-
-    def section(self) -> float:
-        return float(self._size[1] * self._size[2])

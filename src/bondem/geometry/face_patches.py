@@ -8,6 +8,7 @@ import numpy as np
 from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import Ball, BoundingBox, Box, Cylinder
+from bondem.geometry.planes import box_side
 from bondem.geometry.shape import Cut, Joined, Overlap, Placed, Shape
 from bondem.geometry.surface import Surface
 
@@ -47,16 +48,16 @@ def face_patches(shape: Shape, face: str, size: float) -> tuple[Floats, Floats]:
 
 
 def _plane(lower: Floats, upper: Floats, face: str, size: float) -> tuple[Floats, Floats]:
-    axis, top = "xyz".index(face[0]), face.endswith("max")
+    axis, end = box_side(face)
     others = [k for k in range(3) if k != axis]
     counts = [max(1, math.ceil((upper[k] - lower[k]) / size)) for k in others]
     grid = np.indices(counts).reshape(2, -1).T + 0.5
     edge = (upper - lower)[others] / counts
     centre = np.empty((len(grid), 3))
     centre[:, others] = lower[others] + grid * edge
-    centre[:, axis] = upper[axis] if top else lower[axis]
+    centre[:, axis] = (lower, upper)[end][axis]
     area = np.zeros_like(centre)
-    area[:, axis] = (1.0 if top else -1.0) * edge.prod()
+    area[:, axis] = (2.0 * end - 1.0) * edge.prod()
     return centre, area
 
 

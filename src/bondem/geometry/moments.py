@@ -9,6 +9,7 @@ from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import Ball, BoundingBox, Box, Cylinder
 from bondem.geometry.quadrature import cell_levels
 from bondem.geometry.shape import Cut, Joined, Overlap, Placed, Shape
+from bondem.geometry.shape_boundary import common_bounds
 from bondem.geometry.surface import Surface
 
 
@@ -86,8 +87,8 @@ def _combined(a: Moments, b: Moments, sign: float) -> Moments:
 
 
 def _meet(first: Shape, second: Shape) -> bool:
-    (a, b), (c, d) = first.bounds, second.bounds
-    return bool((np.maximum(a, c) < np.minimum(b, d)).all())
+    lower, upper = common_bounds(first, second)
+    return bool((lower < upper).all())
 
 
 def _enclosed(surface: Surface) -> Moments:

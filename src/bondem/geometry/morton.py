@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from bondem._types import Floats
+from bondem._types import Floats, Ints
 
 _BITS = 21
 
@@ -16,6 +16,11 @@ def morton_code(position: Floats) -> np.ndarray:
     for axis in range(3):
         code |= _spread_bits(cells[:, axis]) << np.uint64(axis)
     return code
+
+
+def morton_order(position: Floats) -> Ints:
+    """Return the permutation that sorts points (n, 3) along the Z-order curve, (n,)."""
+    return np.argsort(morton_code(position), kind="stable")
 
 
 def _spread_bits(x: np.ndarray) -> np.ndarray:

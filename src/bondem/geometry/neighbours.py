@@ -18,7 +18,7 @@ def neighbours(
 
     Args:
         sphere: centres and radii [m], shape (n, 4): x, y, z, R.
-        lower, upper: corners of the box that holds the centres [m], (3,).
+        lower, upper: corners of the box that contains the centres [m], (3,).
         period: periodic edge lengths [m], (3,), 0 where an axis is not periodic. A periodic edge exceeds four largest
             radii plus two skins.
         skin: largest gap [m].

@@ -5,19 +5,31 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from bondem._types import Floats, Vector
+from bondem._types import Floats, PerElement, PerElement3, Vector
 
 #: Plane faces by name: a point [m] and the outward normal, (3,) each.
 Planes = dict[str, tuple[Vector, Vector]]
+
+
+def box_side(face: str) -> tuple[int, int]:
+    """Return the axis (0 … 2) and the end (0 or 1) of a side of a box, "x_min" … "z_max"."""
+    return "xyz".index(face[0]), int(face.endswith("max"))
+
+
+def depth_below_side(bounds: tuple[Vector, Vector], face: str, points: PerElement3) -> PerElement:
+    """Return the distance of points (n, 3) from a side of a box with corners `bounds`, positive inside [m], (n,)."""
+    axis, end = box_side(face)
+    x = np.atleast_2d(points)[:, axis]
+    return bounds[1][axis] - x if end else x - bounds[0][axis]
 
 
 def box_planes(bounds: tuple[Vector, Vector], faces: Sequence[str]) -> Planes:
     """Return the planes of a box for the named `faces`, some of "x_min" … "z_max"."""
     found = {}
     for face in faces:
-        side, out = int(face.endswith("max")), np.zeros(3)
-        out["xyz".index(face[0])] = 2.0 * side - 1.0
-        found[face] = (bounds[side], out)
+        (axis, end), out = box_side(face), np.zeros(3)
+        out[axis] = 2.0 * end - 1.0
+        found[face] = (bounds[end], out)
     return found
 
 

@@ -1,5 +1,6 @@
 """The algebra of shapes: moved, rotated, joined and cut shapes."""
 
+from abc import abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -9,9 +10,9 @@ import numpy as np
 from bondem._checks import choice, instance, number, shown, vector
 from bondem._types import Axis, Floats, Mask, PerElement, PerElement3, Triple, Vector
 from bondem.errors import InputError
-from bondem.geometry.planes import Planes, placed, shared, turn_about
+from bondem.geometry.planes import Planes, box_side, placed, shared, turn_about
 from bondem.geometry.quadrature import Content, content
-from bondem.geometry.shape_boundary import BOX_FACES, Walled
+from bondem.geometry.shape_boundary import BOX_FACES, Walled, common_bounds
 
 _Rows = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
 
@@ -43,7 +44,11 @@ class Shape(Walled):
         return place_shape(self, turn_about(axis, angle), np.zeros(3))
 
     def cut(self, tool: "Shape", *, name: str = "cut") -> "Shape":
-        """Return the shape without `tool`, such as a notch, whose walls become the face `name`; not for a `Cell`."""
+        """Return the shape without `tool`, such as a notch, whose walls become the face `name`.
+
+        Raises:
+            InputError: One of the shapes is a periodic `Cell`, or the name is not a text.
+        """
         return Cut(self, tool, name)
 
     def __bool__(self) -> bool:
@@ -179,7 +184,7 @@ class _Pair(Shape):
 
     @cached_property
     def _common(self) -> Content:
-        lower, upper = _common_bounds(self.first, self.second)
+        lower, upper = common_bounds(self.first, self.second)
         if (lower >= upper).any():
             return Content(0.0, 0.0)
         return content(lambda x: np.minimum(self.first.depth(x), self.second.depth(x)), lower, upper)
@@ -198,13 +203,37 @@ class _Pair(Shape):
         return _section(self)
 
 
-def _common_bounds(first: Shape, second: Shape) -> tuple[Vector, Vector]:
-    (a, b), (c, d) = first.bounds, second.bounds
-    return np.maximum(a, c), np.minimum(b, d)
+@dataclass(frozen=True)
+class _Walls(_Pair):
+    """A shape with the walls of a second one, all of one name; faces of the first shape keep their names."""
+
+    name: str = "cut"
+
+    def __post_init__(self) -> None:
+        _refuse_periodic(self.first, self.second)
+        instance(type(self).__name__, "name", self.name, str, "a text")
+
+    @abstractmethod
+    def beside(self, points: PerElement3) -> PerElement:
+        """Return the distance of points (n, 3) from the walls of the second shape, positive inside [m], (n,)."""
+
+    @property
+    def faces(self) -> tuple[str, ...]:
+        return tuple(dict.fromkeys((*self.first.faces, self.name)))
+
+    def face_depth(self, face: str, points: PerElement3) -> PerElement:
+        self._check_face(face)
+        walls = [self.beside(points)] if face == self.name else []
+        if self.first.has_face(face):
+            walls.append(self.first.face_depth(face, points))
+        return np.min(walls, axis=0)
+
+    def depth(self, points: PerElement3) -> PerElement:
+        return np.minimum(self.first.depth(points), self.beside(points))
 
 
 @dataclass(frozen=True)
-class Overlap(_Pair):
+class Overlap(_Walls):
     """The intersection of two shapes. Faces of the first shape keep their names; those of the second become `name`.
 
     Attributes:
@@ -218,40 +247,28 @@ class Overlap(_Pair):
     name: str = "cut"
 
     def __post_init__(self) -> None:
-        _refuse_periodic(self.first, self.second)
-        instance("Overlap", "name", self.name, str, "a text")
+        super().__post_init__()
         lower, upper = self.bounds
         if (lower >= upper).any():
             raise InputError(f"{self.first} and {self.second} do not intersect; check their positions (metres)")
 
     @property
     def bounds(self) -> tuple[Vector, Vector]:
-        return _common_bounds(self.first, self.second)
+        return common_bounds(self.first, self.second)
 
     @property
     def volume(self) -> float:
         return self._common.volume
 
-    @property
-    def faces(self) -> tuple[str, ...]:
-        return tuple(dict.fromkeys((*self.first.faces, self.name)))
-
-    def face_depth(self, face: str, points: PerElement3) -> PerElement:
-        self._check_face(face)
-        walls = [self.second.depth(points)] if face == self.name else []
-        if self.first.has_face(face):
-            walls.append(self.first.face_depth(face, points))
-        return np.min(walls, axis=0)
-
-    def depth(self, points: PerElement3) -> PerElement:
-        return np.minimum(self.first.depth(points), self.second.depth(points))
+    def beside(self, points: PerElement3) -> PerElement:
+        return self.second.depth(points)
 
     def face_centre(self, face: str) -> Vector:
         return self.first.face_centre(face) if self.first.has_face(face) else super().face_centre(face)
 
 
 @dataclass(frozen=True)
-class Cut(_Pair):
+class Cut(_Walls):
     """A shape without another one, for example a specimen with a notch. Faces of the first shape keep their names.
 
     Attributes:
@@ -264,10 +281,6 @@ class Cut(_Pair):
     second: Shape
     name: str = "cut"
 
-    def __post_init__(self) -> None:
-        _refuse_periodic(self.first, self.second)
-        instance("Cut", "name", self.name, str, "a text")
-
     @property
     def bounds(self) -> tuple[Vector, Vector]:
         return self.first.bounds
@@ -275,10 +288,6 @@ class Cut(_Pair):
     @property
     def volume(self) -> float:
         return self.first.volume - self._common.volume
-
-    @property
-    def faces(self) -> tuple[str, ...]:
-        return tuple(dict.fromkeys((*self.first.faces, self.name)))
 
     @property
     def planes(self) -> Planes:
@@ -295,21 +304,11 @@ class Cut(_Pair):
         """Return the distance of points (n, 3) from the removed shape, positive outside of it [m], (n,)."""
         return -self.second.depth_of(self._new, points)
 
-    def face_depth(self, face: str, points: PerElement3) -> PerElement:
-        self._check_face(face)
-        walls = [self.beside(points)] if face == self.name else []
-        if self.first.has_face(face):
-            walls.append(self.first.face_depth(face, points))
-        return np.min(walls, axis=0)
-
-    def depth(self, points: PerElement3) -> PerElement:
-        return np.minimum(self.first.depth(points), self.beside(points))
-
     def face_centre(self, face: str) -> Vector:
         if self.first.has_face(face):
             return self.first.face_centre(face)
         self._check_face(face)
-        lower, upper = _common_bounds(self.first, self.second)
+        lower, upper = common_bounds(self.first, self.second)
         return 0.5 * (lower + upper)
 
 
@@ -353,9 +352,10 @@ class Joined(_Pair):
         tiny = 1e-9 * float(np.subtract(*self._bounds[::-1]).max())
         for part in (self.first, self.second):
             for face in part.faces:
-                axis, side = "xyz".find(face[0]), int(face.endswith("max"))
-                if face in BOX_FACES and abs(part.bounds[side][axis] - self._bounds[side][axis]) > tiny:
-                    continue
+                if face in BOX_FACES:
+                    axis, end = box_side(face)
+                    if abs(part.bounds[end][axis] - self._bounds[end][axis]) > tiny:
+                        continue
                 carried.setdefault(face, []).append(part)
         return carried
 

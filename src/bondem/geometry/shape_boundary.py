@@ -8,7 +8,7 @@ import numpy as np
 from bondem._checks import array, shown
 from bondem._types import Mask, PerElement, PerElement3, Vector
 from bondem.errors import InputError
-from bondem.geometry.planes import Planes
+from bondem.geometry.planes import Planes, box_side
 
 # Largest number of names of patches that a message lists.
 _LISTED = 8
@@ -83,11 +83,11 @@ class Walled(ABC):
     def face_centre(self, face: str) -> Vector:
         """Return the centroid of a face [m], (3,). A load on the face acts through this point."""
         self._check_face(face)
-        lower, upper = self.bounds
-        centre = 0.5 * (lower + upper)
+        bounds = self.bounds
+        centre = 0.5 * (bounds[0] + bounds[1])
         if face in BOX_FACES:
-            axis = "xyz".index(face[0])
-            centre[axis] = upper[axis] if face.endswith("max") else lower[axis]
+            axis, end = box_side(face)
+            centre[axis] = bounds[end][axis]
         return centre
 
     @property
@@ -126,3 +126,9 @@ class Walled(ABC):
                 known += f"; and patches: {', '.join(patches[:_LISTED])}"
                 known += f" … {patches[-1]}" if len(patches) > _LISTED else ""
             raise InputError(f"{type(self).__name__} has no face {shown(face)}; its faces are: {known}")
+
+
+def common_bounds(first: Walled, second: Walled) -> tuple[Vector, Vector]:
+    """Return lower and upper corner of the intersection of the bounds of two shapes [m], (3,) each."""
+    (a, b), (c, d) = first.bounds, second.bounds
+    return np.maximum(a, c), np.minimum(b, d)

@@ -5,12 +5,11 @@ smoothly into a rounding, as beside a fillet, is a patch of its own if it is at 
 piece beside it. A very thin triangle, whose normal is a rounding error, joins the one beyond its longest side.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
+from bondem._indices import components
 from bondem._types import Floats, Ints, PerElement, Vector
 
 # Rounding error of corners, as files keep seven digits, and the height of a triangle below which its normal is not
@@ -59,12 +58,6 @@ def joined_sides(triangles: Ints) -> Ints:
     return order[count[number[order]] == 2].reshape(-1, 2)
 
 
-def components(pairs: Ints, count: int) -> Ints:
-    """Return the connected component of each of `count` nodes, (count,), where `pairs` (m, 2) join nodes."""
-    joined = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(count, count))
-    return connected_components(joined, directed=False)[1]
-
-
 def smooth_patches(vertices: Floats, triangles: Ints, sharp: float) -> tuple[Patch, ...]:
     """Divide a surface at its sharp edges, from the largest patch to the smallest.
 
@@ -88,13 +81,11 @@ def smooth_patches(vertices: Floats, triangles: Ints, sharp: float) -> tuple[Pat
         return (-round(one.area / whole / _TIE), *np.rint((one.centre - lower) / size / _TIE))
 
     found.sort(key=rank)
-    return tuple(
-        Patch(f"patch:{k}", one.area, one.normal, one.centre, one.triangles) for k, one in enumerate(found, start=1)
-    )
+    return tuple(replace(one, name=f"patch:{k}") for k, one in enumerate(found, start=1))
 
 
 def patch(name: str, chosen: Ints, corner: Floats, area: Floats) -> Patch:
-    """Make a patch of chosen triangles; corners (t, 3, 3) [m] and areas times normals (t, 3) [m²] are of all."""
+    """Make a patch of triangles `chosen` (k,); corners (t, 3, 3) [m] and area vectors (t, 3) [m²] are of all."""
     size = np.linalg.norm(area[chosen], axis=1)
     whole = float(size.sum())
     centre = size @ corner[chosen].mean(axis=1) / whole if whole > 0.0 else corner[chosen].mean(axis=(0, 1))

@@ -2,7 +2,6 @@
 
 import math
 import sys
-import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -12,13 +11,14 @@ from typing import Any
 import numpy as np
 
 from bondem._checks import array, instance, number, place, shown, vector
-from bondem._names import users_line
+from bondem._names import warn_user
 from bondem._outlets import OUTLETS
 from bondem._plausibility import is_long
 from bondem._types import ArrayLike, Floats, Ints, Mask, PerElement, PerElement3, Vector
 from bondem._units import length_unit
 from bondem.errors import InputError, UnitWarning
 from bondem.geometry.closed_surface import closed_surface
+from bondem.geometry.planes import box_side, depth_below_side
 from bondem.geometry.shape import Shape
 from bondem.geometry.shape_boundary import BOX_FACES
 from bondem.geometry.smooth_patches import Patch, patch, smooth_patches
@@ -100,10 +100,10 @@ class Surface(Shape):
                 f"{name} is {size:.4g} long and has no unit; give unit='mm', or unit='m' if its numbers are metres"
             )
         if file is not None and scale is None and is_long(size):
-            warnings.warn(
+            warn_user(
                 f"{name} is assumed to be {size:.4g} m long; give unit='m' to confirm, or unit='mm' for millimetres",
-                UnitWarning, stacklevel=users_line(),
-            )  # fmt: skip
+                UnitWarning,
+            )
         x = x * (1.0 if scale is None else scale)
         for key, values in (("vertices", x), ("triangles", t)):
             values.setflags(write=False)
@@ -132,12 +132,12 @@ class Surface(Shape):
     @cached_property
     def _on_face(self) -> dict[str, Ints]:
         """Triangle numbers of each face."""
-        lower, upper = self.bounds
-        flush = _FLUSH * float((upper - lower).max())
+        bounds = self.bounds
+        flush = _FLUSH * float((bounds[1] - bounds[0]).max())
         on_face, rest = {}, np.ones(len(self.triangles), dtype=bool)
         for face in BOX_FACES:
-            axis, plane = "xyz".index(face[0]), upper if face.endswith("max") else lower
-            flat = (np.abs(self._corner[:, :, axis] - plane[axis]) <= flush).all(axis=1)
+            axis, end = box_side(face)
+            flat = (np.abs(self._corner[:, :, axis] - bounds[end][axis]) <= flush).all(axis=1)
             if flat.any():
                 on_face[face] = np.flatnonzero(flat)
                 rest &= ~flat
@@ -224,7 +224,7 @@ class Surface(Shape):
         return self._trees[face]
 
     def face_triangles(self, face: str) -> Ints:
-        """Return the triangles of a face or patch, as indices into `triangles`."""
+        """Return the triangles of a face or patch, as indices into `triangles`, (k,); InputError for another name."""
         self._check_face(face)
         return self._on_face[face] if face in self._on_face else self._of_patch[face].triangles
 
@@ -257,12 +257,10 @@ class Surface(Shape):
 
     def face_depth(self, face: str, points: PerElement3) -> PerElement:
         self._check_face(face)
+        if face in BOX_FACES:
+            return depth_below_side(self.bounds, face, points)
         points = np.atleast_2d(points)
-        if face not in BOX_FACES:
-            return np.copysign(self._tree(face).distance(points), self.depth(points))
-        lower, upper = self.bounds
-        axis = "xyz".index(face[0])
-        return upper[axis] - points[:, axis] if face.endswith("max") else points[:, axis] - lower[axis]
+        return np.copysign(self._tree(face).distance(points), self.depth(points))
 
     def depth(self, points: PerElement3) -> PerElement:
         return self._all.signed_distance(np.atleast_2d(np.asarray(points, dtype=float)))
@@ -336,6 +334,6 @@ def _whole(name: str, values: ArrayLike, wanted: str) -> Ints:
 
 
 def _retained_parts(parts: dict[str, Ints], retained: Ints) -> dict[str, Ints]:
-    """Renumber the triangles of named parts to the kept ones, old numbers `retained`; leave out empty parts."""
+    """Renumber triangles of named parts after repair; `retained` are the old numbers of those that remain, (t,)."""
     found = {name: np.flatnonzero(np.isin(retained, chosen)) for name, chosen in parts.items()}
     return {name: chosen for name, chosen in found.items() if chosen.size}

@@ -125,18 +125,29 @@ def _pieces(corner: Floats, area: float) -> tuple[Floats, Ints]:
 
 
 def _in_order(piece: Floats, owner: Ints) -> tuple[Floats, Ints]:
-    """Sort the pieces and pad them to a power of two, so that each half, quarter, ... is a compact part of space."""
+    """Pad the pieces to a power of two by repetition, and sort them with their owners by `tree_order`."""
     fill = np.resize(np.arange(len(piece)), 1 << (len(piece) - 1).bit_length())
     centre = piece.mean(axis=1)[fill]
-    order = np.arange(len(fill))[None]
+    chosen = fill[tree_order(centre, np.arange(len(fill)))]
+    return piece[chosen], owner[chosen]
+
+
+def tree_order(centre: Floats, order: Ints) -> Ints:
+    """Sort the leaves of a tree so that each half, quarter, … is a compact part of space.
+
+    Args:
+        centre: positions, (k, 3); those of absent leaves are infinite and sorted to the end.
+        order: rows of `centre`, one per leaf, (2^d,).
+    """
+    order = order[None]
     while order.shape[1] > 1:
         there = centre[order]
-        axis = np.ptp(there, axis=1).argmax(axis=1)
-        along = np.take_along_axis(there, axis[:, None, None], axis=2)[:, :, 0]
+        known = np.isfinite(there)
+        extent = np.where(known, there, -np.inf).max(axis=1) - np.where(known, there, np.inf).min(axis=1)
+        along = np.take_along_axis(there, extent.argmax(axis=1)[:, None, None], axis=2)[:, :, 0]
         order = np.take_along_axis(order, np.argsort(along, axis=1, kind="stable"), axis=1)
         order = order.reshape(2 * len(order), -1)
-    chosen = fill[order.ravel()]
-    return piece[chosen], owner[chosen]
+    return order.ravel()
 
 
 def boxes_of_tree(leaf_lower: Floats, leaf_upper: Floats) -> tuple[Floats, Floats]:

@@ -1,7 +1,7 @@
 """Packings: spheres that fill a shape, dense, random and isotropic."""
 
 from collections.abc import Callable, Sequence
-from typing import Literal, get_args
+from typing import Literal, cast, get_args
 
 import numpy as np
 
@@ -154,23 +154,12 @@ def pack(
                 'pack: method="even" makes equal spheres that hardly touch; leave out spread=, sizes= and targets, or'
                 " take another method"
             )
-        random = np.random.Generator(np.random.Philox(seed))
-        request: dict[str, object] = {"shape": shape, "count": count, "method": method, "seed": seed}
-        if around is not None:
-            assert count is not None
-            cells = count
-            if isinstance(around, Aggregates):
-                balls = request["around"] = around
-                return _saved(request, lambda: around_balls(shape, cells, balls, random, report), report, cache=cache)
-            ends = request["around"] = around
-            return _saved(request, lambda: around_surfaces(shape, cells, ends, random, report), report, cache=cache)
-        if count is not None:
-            return _saved(request, lambda: even(shape, count, random, report), report, cache=cache)
-        assert callable(size)
-        if shape.period is not None:
+        if callable(size) and shape.period is not None:
             raise InputError("pack: a periodic cell requires cells of one size; give size= as a number, or count=")
-        at = sizes_by(size)
-        return _saved(request | {"size": size}, lambda: graded(shape, at, random, report), report, cache=cache)
+        request: dict[str, object] = {"shape": shape, "count": count, "method": method, "seed": seed}
+        request |= {"size": size} if callable(size) else {} if around is None else {"around": around}
+        random = np.random.Generator(np.random.Philox(seed))
+        return _saved(request, lambda: _cells(shape, count, size, around, random, report), report, cache=cache)
     assert count is not None
     target = chosen(count, coordination_number, volume_fraction, jamming=jamming)
     size_law = Uniform(SPREAD if spread is None else spread) if sizes is None else sizes
@@ -195,6 +184,21 @@ def pack(
 
     request = {"shape": shape, "sizes": size_law, "count": count, "target": target, "method": method, "seed": seed}
     return _saved(request, make, report, cache=cache)
+
+
+def _cells(
+    shape: Shape, count: int | None, size: object, around: object, random: np.random.Generator,
+    report: Callable[[float], None],
+) -> Particles:  # fmt: skip
+    """Pack spheres for cells: of sizes that vary in space, around aggregates or surfaces, or of one size."""
+    if callable(size):
+        return graded(shape, sizes_by(size), random, report)
+    assert count is not None
+    if around is None:
+        return even(shape, count, random, report)
+    if isinstance(around, Aggregates):
+        return around_balls(shape, count, around, random, report)
+    return around_surfaces(shape, count, cast(Sequence[Around], around), random, report)
 
 
 def _two_sizes(

@@ -29,9 +29,7 @@ _MARGIN = 0.4
 _ONTO = 1e-3
 
 
-def even(
-    shape: Shape, count: int, random: np.random.Generator, report: Callable[[float], None]
-) -> Particles:
+def even(shape: Shape, count: int, random: np.random.Generator, report: Callable[[float], None]) -> Particles:
     """Pack equal spheres, no two of which overlap by more than a tenth of their diameter.
 
     Args:
@@ -69,7 +67,11 @@ def points_of(shape: Shape, x: Floats, width: float) -> Particles:
 
 
 def moved_inside(shape: Shape, x: Floats, before: Floats, margin: PerElement) -> Floats:
-    """Move centres to `x`, half-way or not at all where walls are nearer than `margin` [m], or push them inwards."""
+    """Return centres `x` (n, 3) [m], changed where walls are nearer than `margin` (n,) [m].
+
+    Such a centre moves only half-way from `before` (n, 3) [m], or not at all, and is pushed inwards if that is not
+    enough. In a periodic cell centres are only wrapped into it.
+    """
     if shape.period is not None:
         return np.mod(x, shape.period)
     x = x.copy()
@@ -94,7 +96,10 @@ def moved_inside(shape: Shape, x: Floats, before: Floats, margin: PerElement) ->
 
 
 def usual_radius(shape: Shape, x: Floats, width: float) -> float:
-    """Return the radius of equal spheres at `x` [m], as large as neighbours and walls allow."""
+    """Return the radius of equal spheres at `x` (n, 3), as large as neighbours and walls allow [m].
+
+    A single sphere has at most the radius `width` [m].
+    """
     if len(x) == 1:
         return float(min(width, shape.depth(x)[0]))
     nearest = float(KDTree(x, boxsize=shape.period).query(x, k=2)[0][:, 1].min())

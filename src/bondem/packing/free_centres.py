@@ -3,8 +3,9 @@
 from collections.abc import Callable
 
 import numpy as np
+from scipy.spatial import KDTree
 
-from bondem._types import PerElement, PerElement3
+from bondem._types import Ints, Mask, PerElement, PerElement3
 from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import Shape
 from bondem.packing.even import moved_inside, points_of
@@ -49,16 +50,23 @@ def thrown_free(
     raise InputError("pack: the layers along surfaces leave no room for other cells; ask for more and smaller cells")
 
 
+def without_twins(x: PerElement3, least: float, retained: Mask, owner: Ints | None = None) -> Mask:
+    """Return a mask of points (n, 3), less those nearer than `least` [m] to an earlier one of another owner, (n,).
+
+    Without `owner` (n,) every point is an owner; points outside the mask `retained` (n,) do not count.
+    """
+    retained = retained.copy()
+    pairs = KDTree(x).query_pairs(least, output_type="ndarray") if len(x) > 1 else np.empty((0, 2), dtype=int)
+    for a, b in pairs[np.lexsort(pairs.T[::-1])]:
+        if retained[a] and retained[b] and (owner is None or owner[a] != owner[b]):
+            retained[b] = False
+    return retained
+
+
 def settled_free(
-    shape: Shape,
-    pins: PerElement3,
-    free: PerElement3,
-    h: float,
-    report: Callable[[float], None],
-    *,
-    nearest: Nearest | None = None,
-    clear: float = 0.0,
-) -> PerElement3:
+    shape: Shape, pins: PerElement3, free: PerElement3, h: float, report: Callable[[float], None], *,
+    nearest: Nearest | None = None, clear: float = 0.0,
+) -> PerElement3:  # fmt: skip
     """Push free centres apart, and move them to the centroids of their cells; return all centres [m], (n, 3).
 
     Args:

@@ -29,10 +29,7 @@ _OVERLAP, _INSIDE, _MARGIN = 0.45, 3.0, 0.2
 _TRIES = 30
 
 
-def graded(
-    shape: Shape, size: SizesAt, random: np.random.Generator,
-    report: Callable[[float], None],
-) -> Particles:  # fmt: skip
+def graded(shape: Shape, size: SizesAt, random: np.random.Generator, report: Callable[[float], None]) -> Particles:
     """Pack spheres as large as the cells, no two of which overlap by half the smaller radius.
 
     Args:
@@ -59,9 +56,7 @@ def graded(
     return _spheres(shape, x, _share(shape, x, h) * h)
 
 
-def _initial_centres(
-    shape: Shape, places: Sites, size: SizesAt, random: np.random.Generator
-) -> PerElement3:
+def _initial_centres(shape: Shape, places: Sites, size: SizesAt, random: np.random.Generator) -> PerElement3:
     """Draw random centres [m], (n, 3), in Morton order, one in each of n consecutive parts of equal capacity."""
     n = places.count
     end = np.cumsum(places.cells)
@@ -77,14 +72,12 @@ def _initial_centres(
     return _inside(shape, x, x, size)
 
 
-def _inside(
-    shape: Shape, x: PerElement3, before: PerElement3, size: SizesAt
-) -> PerElement3:
+def _inside(shape: Shape, x: PerElement3, before: PerElement3, size: SizesAt) -> PerElement3:
     return moved_inside(shape, x, before, _MARGIN * size(before))
 
 
 def nearest_others(x: PerElement3, most: int) -> tuple[Floats, Ints]:
-    """Return distances [m] and indices of the nearest other centres of each, (n, most - 1), or of all if fewer."""
+    """Return distances [m] and indices of the `most` - 1 centres nearest to each, (n, k), or of all if n is less."""
     distance, other = KDTree(x).query(x, k=min(most, len(x)))
     return np.asarray(distance)[:, 1:], np.asarray(other)[:, 1:]
 

@@ -14,7 +14,7 @@ from scipy.spatial import KDTree
 from bondem._checks import array, number, possible, shown
 from bondem._types import ArrayLike, Floats, Ints, PerElement, PerElement3
 from bondem.errors import InputError
-from bondem.geometry.morton import morton_code
+from bondem.geometry.morton import morton_order
 from bondem.geometry.shape import Shape
 
 __all__ = ["MOST_CELLS", "STEEPEST", "Graded", "Sites", "SizeField", "SizesAt", "cells_of", "sites", "sizes_by"]
@@ -182,7 +182,7 @@ def sites(shape: Shape, size: SizesAt) -> Sites:
         index, edge = _halved(index[~small]), 0.5 * edge
     centre, edges, volume, cells = (np.concatenate(column) for column in zip(*made, strict=True))
     count = max(1, round(float(cells.sum() / volume.sum() * shape.volume)))
-    order = np.argsort(morton_code(centre), kind="stable")
+    order = morton_order(centre)
     return Sites(count, centre[order], edges[order], cells[order] * (count / cells.sum()))
 
 

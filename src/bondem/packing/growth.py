@@ -38,11 +38,7 @@ _COLLISIONS = 20_000  # largest number of collisions per sphere; some 800 are us
 
 
 def grow(
-    shape: Shape,
-    relative_radius: Floats,
-    target: Target,
-    random: np.random.Generator,
-    on_step: Callable[[int], None],
+    shape: Shape, relative_radius: Floats, target: Target, random: np.random.Generator, on_step: Callable[[int], None]
 ) -> SoftSpheres:
     """Grow spheres of relative radii (n,) until they jam, or to the requested volume fraction if that comes first.
 
@@ -55,10 +51,8 @@ def grow(
             f"method='growth' fills Box, Cylinder, Ball and Cell, not {shown(shape)}; use method='quench' or"
             " 'compression'"
         )
-    start = _START_FRACTION
-    if isinstance(target, Fraction):
-        start = min(start, _START_SHARE * target.volume_fraction)
-    spheres = thrown(shape, relative_radius, start, random)
+    wanted = target.volume_fraction if isinstance(target, Fraction) else np.inf
+    spheres = thrown(shape, relative_radius, min(_START_FRACTION, _START_SHARE * wanted), random)
     spheres.on_step = on_step
     rest = spheres.relax(1.0, tolerance=1e-2, steps=20_000)
     if not rest.loose:
@@ -69,7 +63,7 @@ def grow(
     spheres.sphere[:, 3] = spheres.scale * spheres.unit
     velocity = spheres.table.velocity
     velocity[:] = random.standard_normal((n, 3))
-    last = spheres.scale_for(target.volume_fraction) if isinstance(target, Fraction) else np.inf
+    last = spheres.scale_for(wanted)
     pressure, collisions = 0.0, 0.0
     while spheres.scale < last and pressure < _JAMMED:
         if collisions > _COLLISIONS * n:

@@ -10,7 +10,6 @@ import math
 from collections.abc import Callable
 
 import numpy as np
-from scipy.spatial import KDTree
 from scipy.spatial.transform import Rotation
 
 from bondem._checks import count as whole
@@ -20,7 +19,7 @@ from bondem._types import Floats, PerElement3
 from bondem.errors import InputError, PackingError
 from bondem.geometry.elementary_shapes import Shape
 from bondem.packing.even import usual_radius
-from bondem.packing.free_centres import MARGIN, settled_free, thrown_free
+from bondem.packing.free_centres import MARGIN, settled_free, thrown_free, without_twins
 from bondem.packing.sizes import Sieve
 from bondem.packing.start import thrown
 from bondem.specimen.aggregates import Aggregates
@@ -146,9 +145,7 @@ def around_balls(
     return filled(Particles(x, usual_radius(shape, x, 0.5 * h), None), shape)
 
 
-def _layers(
-    shape: Shape, centre: PerElement3, radius: Floats, h: float, random: np.random.Generator
-) -> PerElement3:
+def _layers(shape: Shape, centre: PerElement3, radius: Floats, h: float, random: np.random.Generator) -> PerElement3:
     """Return the centres of both layers of all balls [m], (k, 3)."""
     inner, outer, whose = [], [], []
     for k, (at, R) in enumerate(zip(centre, radius, strict=True)):
@@ -162,11 +159,7 @@ def _layers(
     beyond, owner = np.concatenate(outer), np.concatenate(whose)
     retained = shape.depth(beyond) >= MARGIN * h
     # between two balls close to each other, one layer serves both
-    pairs = KDTree(beyond).query_pairs(_APART * h, output_type="ndarray")
-    for a, b in pairs[np.lexsort(pairs.T[::-1])] if len(pairs) else ():
-        if owner[a] != owner[b] and retained[a] and retained[b]:
-            retained[b] = False
-    return np.concatenate([*inner, beyond[retained]])
+    return np.concatenate([*inner, beyond[without_twins(beyond, _APART * h, retained, owner)]])
 
 
 def _directions(count: int) -> Floats:

@@ -15,8 +15,9 @@ from bondem.packing.soft_spheres import SoftSpheres
 from bondem.packing.start import thrown
 from bondem.packing.targets import Fraction, Target
 
-# Volume fraction of the gas, and relative growth of the radii, coarse to fine.
-_START_FRACTION, _STRAINS = 0.3, (2e-2, 4e-3, 8e-4)
+# Volume fraction of the gas, its largest share of the requested volume fraction, and relative growth of the radii,
+# coarse to fine.
+_START_FRACTION, _START_SHARE, _STRAINS = 0.3, 0.9, (2e-2, 4e-3, 8e-4)
 
 # Rms force over mean contact force at rest, largest number of steps, and coordination number of a jammed packing: a
 # few overlaps among many free spheres have a small rms force too.
@@ -24,20 +25,14 @@ _AT_REST, _STEPS, _FIXING = 1e-2, 20_000, 4.0
 
 
 def compress(
-    shape: Shape,
-    relative_radius: Floats,
-    target: Target,
-    random: np.random.Generator,
-    on_step: Callable[[int], None],
+    shape: Shape, relative_radius: Floats, target: Target, random: np.random.Generator, on_step: Callable[[int], None]
 ) -> SoftSpheres:
     """Compress a gas of spheres of relative radii (n,) until it jams, or to a lower requested volume fraction."""
-    start = _START_FRACTION
-    if isinstance(target, Fraction):
-        start = min(start, 0.9 * target.volume_fraction)
-    spheres = thrown(shape, relative_radius, start, random)
+    wanted = target.volume_fraction if isinstance(target, Fraction) else np.inf
+    spheres = thrown(shape, relative_radius, min(_START_FRACTION, _START_SHARE * wanted), random)
     spheres.on_step = on_step
     spheres.relax(1.0, tolerance=_AT_REST, steps=_STEPS)
-    last = spheres.scale_for(target.volume_fraction) if isinstance(target, Fraction) else np.inf
+    last = spheres.scale_for(wanted)
     for strain in _STRAINS:
         while spheres.scale * (1.0 + strain) < last:
             before, scale = spheres.sphere.copy(), spheres.scale

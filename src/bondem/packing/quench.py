@@ -22,11 +22,7 @@ _ROUGH, _STEPS = 3e-2, 10_000
 
 
 def quench(
-    shape: Shape,
-    relative_radius: Floats,
-    target: Target,
-    random: np.random.Generator,
-    on_step: Callable[[int], None],
+    shape: Shape, relative_radius: Floats, target: Target, random: np.random.Generator, on_step: Callable[[int], None]
 ) -> SoftSpheres:
     """Relax random spheres far above jamming, or just above it if jamming is the target.
 

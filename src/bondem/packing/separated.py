@@ -16,7 +16,6 @@ from bondem._checks import shown
 from bondem._types import Floats
 from bondem.errors import PackingError
 from bondem.geometry.elementary_shapes import Shape
-from bondem.geometry.morton import morton_code
 from bondem.packing.soft_spheres import SoftSpheres
 from bondem.packing.start import thrown
 
@@ -77,8 +76,7 @@ def separated(
     small = relative_radius[~large] * (fraction * shape.volume / float(volume.sum())) ** (1.0 / 3.0)
     centre = np.concatenate([beside.sphere[:, :3], _between(shape, beside.sphere, small, random)])
     radius = np.concatenate([beside.sphere[:, 3], small])
-    order = np.argsort(morton_code(centre), kind="stable")
-    spheres = SoftSpheres(shape, centre[order], radius[order])
+    spheres = SoftSpheres(shape, centre, radius)
     spheres.on_step = on_step
     spheres.weigh(float(small.mean()))
     spheres.relax(1.0, tolerance=_ROUGH, steps=_STEPS)

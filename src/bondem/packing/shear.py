@@ -26,7 +26,6 @@ from bondem.dynamics.schemes import VelocityVerlet
 from bondem.dynamics.timestep import critical_step
 from bondem.errors import InputError, PackingError
 from bondem.geometry.elementary_shapes import Box, Cylinder, Shape
-from bondem.geometry.morton import morton_code
 from bondem.interactions.contact.contact_law import LinearContact
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -78,11 +77,7 @@ class Compaction:
 
 
 def sheared(
-    shape: Shape,
-    relative_radius: Floats,
-    target: Target,
-    random: np.random.Generator,
-    on_step: Callable[[int], None],
+    shape: Shape, relative_radius: Floats, target: Target, random: np.random.Generator, on_step: Callable[[int], None]
 ) -> SoftSpheres:
     """Compact spheres of relative radii (n,) under shear to fill the shape; the target has no effect here.
 
@@ -93,20 +88,15 @@ def sheared(
     packed = compact(shape, relative_radius, random, on_share=lambda share: on_step(round(share * _REPORTS)))
     position = packed.position.copy()
     position[:, 0] *= shape.bounds[1][0] / packed.length
-    order = np.argsort(morton_code(position), kind="stable")
-    spheres = SoftSpheres(shape, position[order], packed.radius[order])
+    spheres = SoftSpheres(shape, position, packed.radius)
     spheres.steps, spheres.on_step = _REPORTS, on_step
     return spheres
 
 
 def compact(
-    shape: Shape,
-    relative_radius: Floats,
-    random: np.random.Generator,
-    *,
-    cycles: int = _CYCLES,
+    shape: Shape, relative_radius: Floats, random: np.random.Generator, *, cycles: int = _CYCLES,
     on_share: Callable[[float], None] = lambda share: None,
-) -> Compaction:
+) -> Compaction:  # fmt: skip
     """Compact spheres under shear, in two runs: the second after fitting the radii to the length of the shape.
 
     Args:

@@ -13,6 +13,7 @@ from bondem._tables.packing_tables import Near, Spheres
 from bondem._threads import current_threads
 from bondem._types import Floats
 from bondem.geometry.elementary_shapes import Shape
+from bondem.geometry.morton import morton_order
 from bondem.geometry.neighbours import neighbours
 from bondem.packing.packing_tables import new_relaxing
 from bondem.packing.wall_contacts import walls
@@ -49,7 +50,7 @@ class Rest:
 
 
 class SoftSpheres:
-    """Spheres in a shape, relaxed at a sequence of scales of their radii.
+    """Spheres in a shape, in Morton order, relaxed at a sequence of scales of their radii.
 
     Attributes:
         shape: the shape that they fill.
@@ -66,12 +67,9 @@ class SoftSpheres:
         self.shape = shape
         self._lower, self._upper = shape.bounds
         period = np.zeros(3) if shape.period is None else shape.period.copy()
-        n = len(radius)
-        self.table = Spheres(
-            np.column_stack([centre, radius]), radius.copy(), np.zeros((n, 3)), np.zeros((n, 3)), period,
-            np.ones(n),
-        )
-        self.walls = walls(shape, radius)
+        n, sphere = len(radius), np.column_stack([centre, radius])[morton_order(centre)]
+        self.table = Spheres(sphere, sphere[:, 3].copy(), np.zeros((n, 3)), np.zeros((n, 3)), period, np.ones(n))
+        self.walls = walls(shape, self.unit)
         self._skin = _SKIN_WANDERING
 
     def __str__(self) -> str:
@@ -156,7 +154,5 @@ class SoftSpheres:
         """
         periodic = self.table.period > 0.0
         self.sphere[:, :3][:, periodic] %= self.table.period[periodic]
-        start, neighbour = neighbours(
-            self.sphere, self._lower, self._upper, self.table.period, skin, threads=threads
-        )
+        start, neighbour = neighbours(self.sphere, self._lower, self._upper, self.table.period, skin, threads=threads)
         return Near(start, neighbour, self.sphere[:, :3].copy(), share * skin)

@@ -8,7 +8,6 @@ from bondem._checks import shown
 from bondem._types import Floats, PerElement, PerElement3
 from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import Shape
-from bondem.geometry.morton import morton_code
 from bondem.packing.soft_spheres import SoftSpheres
 
 # Least width of a periodic cell in largest radii, at the densest volume fraction, so that no pair touches twice.
@@ -59,8 +58,7 @@ def thrown(
         raise InputError(
             f"{len(radius)} spheres of radius {radius.max():.3g} m do not fit into {shown(shape)}; {advice}"
         ) from error
-    order = np.argsort(morton_code(centre), kind="stable")
-    return SoftSpheres(shape, centre[order], radius[order])
+    return SoftSpheres(shape, centre, radius)
 
 
 def random_centres(shape: Shape, depth: PerElement, random: np.random.Generator) -> PerElement3:

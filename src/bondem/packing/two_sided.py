@@ -18,7 +18,7 @@ from bondem._types import PerElement, PerElement3
 from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import Shape
 from bondem.packing.even import moved_inside, usual_radius
-from bondem.packing.free_centres import MARGIN, settled_free, thrown_free
+from bondem.packing.free_centres import MARGIN, settled_free, thrown_free, without_twins
 from bondem.packing.graded import nearest_others, pushed
 from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.particles import Particles, filled
@@ -95,9 +95,7 @@ def _nearest(sided: list[_Sided], x: PerElement3) -> PerElement:
     return np.min([np.abs(one.depth(x)) for one in sided], axis=0)
 
 
-def _layers(
-    shape: Shape, surface: Around, sided: _Sided, h: float, random: np.random.Generator
-) -> PerElement3:
+def _layers(shape: Shape, surface: Around, sided: _Sided, h: float, random: np.random.Generator) -> PerElement3:
     """Return the centres on both sides of a surface [m], (k, 3)."""
     lower, upper = shape.bounds
     x = lower + (upper - lower) * random.random((_SAMPLES, 3))
@@ -194,9 +192,4 @@ def _shift(face: _Depth, x: PerElement3, h: float) -> PerElement:
 
 def _apart(x: PerElement3, least: float) -> PerElement3:
     """Remove points that are nearer to an earlier point than `least` [m]."""
-    retained = np.ones(len(x), dtype=bool)
-    pairs = KDTree(x).query_pairs(least, output_type="ndarray") if len(x) > 1 else np.empty((0, 2), dtype=int)
-    for a, b in pairs[np.lexsort(pairs.T[::-1])]:
-        if retained[a] and retained[b]:
-            retained[b] = False
-    return x[retained]
+    return x[without_twins(x, least, np.ones(len(x), dtype=bool))]

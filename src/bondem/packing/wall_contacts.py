@@ -19,7 +19,7 @@ from bondem._tables.packing_tables import PackingWalls
 from bondem._types import Floats, PerElement, PerElement3
 from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import Ball, Box, Cell, Cylinder, Shape
-from bondem.geometry.planes import Planes, box_planes
+from bondem.geometry.planes import Planes, box_planes, placed
 from bondem.geometry.shape import Cut, Overlap, Placed
 from bondem.geometry.shape_boundary import BOX_FACES
 from bondem.geometry.surface import Surface
@@ -80,13 +80,10 @@ def _parts(shape: Shape) -> _Parts:
             return _joint(_parts(shape.first), _Parts([], shape.beside))
         case Overlap():
             return _joint(_parts(shape.first), _parts(shape.second))
-        case Placed() if _along_axes(shape):
+        case Placed() if np.isin(np.abs(shape.turn), (0.0, 1.0)).all():  # rotated by right angles only
             turn, by = np.array(shape.turn), np.array(shape.by)
             inner = _parts(shape.shape)
-            planes = [
-                {name: (turn @ at + by, turn @ out) for name, (at, out) in some.items()} for some in inner.planes
-            ]
-            depth = inner.depth
+            depth, planes = inner.depth, [placed(some, turn, by) for some in inner.planes]
             return _Parts(planes, None if depth is None else lambda x: depth((x - by) @ turn))
         case Surface():
             flat = [face for face in BOX_FACES if face in shape.faces]
@@ -103,11 +100,6 @@ def _joint(one: _Parts, other: _Parts) -> _Parts:
     if a is None or b is None:
         return _Parts(one.planes + other.planes, b if a is None else a)
     return _Parts(one.planes + other.planes, lambda x: np.minimum(a(x), b(x)))
-
-
-def _along_axes(shape: Placed) -> bool:
-    """Return True if a shape is rotated by right angles only."""
-    return bool(np.isin(np.abs(shape.turn), (0.0, 1.0)).all())
 
 
 def _beside_planes(shape: Surface, flat: list[str], points: PerElement3) -> PerElement:

@@ -56,7 +56,11 @@ class Bodies:
         return np.array([which % len(self.names)])
 
     def mask(self, owner: str, which: Which) -> Mask:
-        """Return a mask of the elements of the bodies with a name, in a group, or with one number, shape (n,)."""
+        """Return a mask of the elements of the bodies with a name, in a group, or with one number, shape (n,).
+
+        Raises:
+            InputError: There is no such body.
+        """
         return np.isin(self.label, self.numbers(owner, which))
 
     def shape_of(self, owner: str, which: Which | None, particles: Particles) -> tuple[int, Shape]:

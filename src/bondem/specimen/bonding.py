@@ -51,24 +51,21 @@ def connect(
         DisconnectedError: The specimen consists of two large pieces.
     """
     choice("connect", "method", method, Method)
+    instance("connect", "particles", particles, Particles, "bd.Particles")
     if method == "laguerre":
         if tolerance is not None or reach is not None:
             raise InputError("connect: all cells that share a facet are bonded; leave out tolerance= and reach=")
-        instance("connect", "particles", particles, Particles, "bd.Particles")
         pairs, facets, cells = tessellate(particles, progress)
         return Lattice(particles, pairs, facets=facets, cells=cells)
     if tolerance is not None and reach is not None:
         raise InputError("connect: tolerance= and reach= exclude each other; leave one out")
-    instance("connect", "particles", particles, Particles, "bd.Particles")
+    stretch, slack = 1.0, _TOUCH * particles.mean_radius
     if reach is not None:
-        value = number("connect", "reach", reach, above=0.0, advice="a positive multiple of the radii [-]")
-    else:
-        value = 0.0 if tolerance is None else number(
-            "connect", "tolerance", tolerance, advice="a finite bonding distance, in mean radii [-]"
-        )  # fmt: skip
+        stretch = number("connect", "reach", reach, above=0.0, advice="a positive multiple of the radii [-]")
+    if tolerance is not None:
+        advice = "a finite bonding distance, in mean radii [-]"
+        slack += number("connect", "tolerance", tolerance, advice=advice) * particles.mean_radius
     r = particles.radius
-    slack = (value if reach is None else 0.0) * particles.mean_radius + _TOUCH * particles.mean_radius
-    stretch = value if reach is not None else 1.0
     farthest = stretch * 2.0 * r.max() + slack
     if particles.period is not None and 2.0 * farthest >= particles.period.min():
         raise InputError(f"bonds up to {farthest:.3g} m need a periodic cell of more than twice that; enlarge it")

@@ -3,17 +3,15 @@
 Their differences are methods here, so that no other module asks which shape a lattice has.
 """
 
-import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import ClassVar, TypedDict
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 from scipy.spatial import KDTree
 
-from bondem._names import users_line
+from bondem._indices import components
+from bondem._names import warn_user
 from bondem._types import Floats, Ints, Mask, Pairs, PerBond, PerBond3, PerElement, PerElement3, Vector
 from bondem.errors import FaceWarning, InputError
 from bondem.geometry.elementary_shapes import BoundingBox
@@ -83,8 +81,8 @@ class Elements:
     @property
     def whole_volume(self) -> float:
         """Volume of the shapes of the bodies, or of their cells [m³], voids between spheres included."""
-        names = range(len(self.bodies.names))
-        return sum(self.bodies.shape_of("envelope", k, self.particles)[1].volume for k in names)
+        shapes = (self.bodies.shape_of("envelope", k, self.particles)[1] for k in range(len(self.bodies.names)))
+        return sum(shape.volume for shape in shapes)
 
     @property
     def mean_radii(self) -> PerElement:
@@ -95,9 +93,7 @@ class Elements:
         radius, label, count = self.particles.radius, self.bodies.label, len(self.bodies.names)
         if count == 1:
             return np.full(len(radius), self.particles.mean_radius)
-        i, j = label[self.pairs].T
-        across = coo_array((np.ones(len(i), dtype=bool), (i, j)), shape=(count, count))
-        joined = connected_components(across, directed=False)[1][label]
+        joined = components(label[self.pairs], count)[label]
         found = np.empty(len(radius))
         order = np.argsort(joined, kind="stable")
         for own in np.split(order, np.cumsum(np.bincount(joined))[:-1]):
@@ -169,9 +165,9 @@ class Elements:
         return np.pi * radius**2
 
     def bond_arm(self, lever: PerBond, chosen: Ints) -> Floats:
-        """Return the arms from centre i to points `lever` away along the bonds, or to the facets [m], (k, 3).
+        """Return the arms from centre i to a point on each of k `chosen` bonds, or to their facets [m], (k, 3).
 
-        `lever` is of all bonds [m], (m,); `chosen` are k of these.
+        `lever` is the distance of the point from centre i, for all bonds [m], (m,).
         """
         return lever[chosen, None] * self.bond_normal[chosen]
 
@@ -214,11 +210,10 @@ class Elements:
         chosen = gap <= depth * mean
         layer = int((gap <= mean).sum())
         if isinstance(shape, BoundingBox) and layer >= _LAYER and chosen.sum() < _SPARSE * layer:
-            warnings.warn(
+            warn_user(
                 f"{region} selects {chosen.sum()} of the {layer} elements within R̄ of the bounding box, as the"
                 " particles have no shape; give bd.Particles shape=, or the face depth=1.0",
                 FaceWarning,
-                stacklevel=users_line(),
             )
         return chosen
 
@@ -232,7 +227,7 @@ class Elements:
             part: elements of the returned patches, some of the whole, ascending, shape (k,).
 
         Returns:
-            Index in `part` of the element of each patch, (p,), centroids [m], and areas times normal [m²], (p, 3).
+            Index in `part` of the element of each patch, (p,); centroids [m]; areas times normal [m²], (p, 3) each.
         """
         shape, position = self.bodies.shape_of("envelope", body, self.particles)[1], self.particles.position
         centre, area = face_patches(shape, name, _PATCH * self.mean_radii[part[0]])
@@ -364,11 +359,10 @@ class CellElements(Elements):
         found = np.flatnonzero(own & envelope.on_patch(name, free.centroid, free.normal))
         covered, whole = float(free.area[found].sum()), envelope.patch_area(name)
         if abs(covered - whole) > _COVERED * whole:
-            warnings.warn(
+            warn_user(
                 f"the facets on {name!r} cover {covered:.4g} m² of its {whole:.4g} m², as it ends within a plane,"
                 " where cells do not end; smaller cells follow its border more closely",
                 FaceWarning,
-                stacklevel=users_line(),
             )
         return found
 

@@ -5,11 +5,10 @@ moduli are wrong without any sign of it.
 """
 
 import math
-import warnings
 
 import numpy as np
 
-from bondem._names import users_line
+from bondem._names import warn_user
 from bondem._types import PerElement, PerElement3
 from bondem.errors import FillingWarning, InputError
 from bondem.geometry.elementary_shapes import BoundingBox, Shape
@@ -96,5 +95,4 @@ def _extents(shape: Shape, position: PerElement3, radius: PerElement) -> str:
 
 
 def _warn(text: str) -> None:
-    # at the line of the user that makes the particles
-    warnings.warn(f"{text}; give the shape that the spheres fill", FillingWarning, stacklevel=users_line())
+    warn_user(f"{text}; give the shape that the spheres fill", FillingWarning)

@@ -22,8 +22,7 @@ def region(particles: Particles) -> Shape:
     """Return the region of the particles: their shape, their periodic cell or, without either, their bounding box."""
     if particles.period is None:
         return particles.envelope
-    a, b, c = map(float, particles.period)
-    return Cell((a, b, c))
+    return Cell(particles.period)
 
 
 def samples(shape: Shape, count: int) -> int:
@@ -73,10 +72,10 @@ class Solid:
 
 
 def solid(particles: Particles, shape: Shape) -> Solid:
-    """Represent spheres by evenly spread points: 256 each (32 in slow shapes), fewer above 2048 spheres, at least 8.
+    """Represent each sphere by evenly spread points: 256, or 32 if depths in the shape are slow to compute.
 
-    The volume of a sphere cut by a plane has an error of 1 % (8 points: 8 %) of either sign. These errors cancel over
-    the many spheres cut by a wall of the core.
+    Of many spheres each has fewer, at least 8, about half a million in all. The volume of a sphere cut by a plane has
+    an error of 1 % (8 points: 8 %) of either sign; these errors cancel over the many spheres cut by a wall.
     """
     count = _points_each(particles, shape)
     position = _points(particles, count)

@@ -18,9 +18,7 @@ from bondem.specimen.particles import Particles, filled, freeze
 _OVERLAP = 1e-3
 
 
-def join(
-    *bodies: Lattice | Particles, names: Sequence[str] | None = None, pairs: ArrayLike | None = None
-) -> Lattice:
+def join(*bodies: Lattice | Particles, names: Sequence[str] | None = None, pairs: ArrayLike | None = None) -> Lattice:
     """Return several bodies in one lattice, one after the other, as they stand in space.
 
     Args:
@@ -81,7 +79,7 @@ def replicate(
     Args:
         body: a lattice of one body.
         positions: centres of mass of the copies [m], shape (k, 3).
-        rotations: unit quaternions (w, x, y, z) of the copies, shape (k, 4); "random" for random ones; None for none.
+        rotations: unit quaternions (w, x, y, z) of the copies, shape (k, 4), "random", or None for no rotation.
         name: group of the copies "name/0", "name/1", …; `bd.Body(name)` selects all of them.
         seed: number that selects the random rotations.
 
@@ -108,7 +106,17 @@ def replicate(
 
 
 def turns_of(owner: str, rotations: ArrayLike | str | None, number: int, seed: int) -> Floats:
-    """Return rotation matrices (number, 3, 3) from unit quaternions (number, 4), "random", or None for none."""
+    """Return rotation matrices, (number, 3, 3).
+
+    Args:
+        owner: function that was called, for messages.
+        rotations: unit quaternions (w, x, y, z), (number, 4), "random", or None for no rotation.
+        number: number of matrices.
+        seed: number that selects the random rotations.
+
+    Raises:
+        InputError: `rotations` is anything else.
+    """
     if rotations is None:
         return np.tile(np.eye(3), (number, 1, 1))
     if isinstance(rotations, str):
@@ -144,14 +152,13 @@ def _across(pairs: ArrayLike | None) -> Pairs:
 def _names(lattices: Sequence[Lattice], given: Sequence[str] | None) -> tuple[str, ...]:
     if given is None:
         own = [name for one in lattices if len(one.names) > 1 for name in one.names]
-        clash = len(set(own)) < len(own)
-        wanted = [f"body {k}" for k in range(len(lattices))]
-        inner = [(wanted[k],) if len(one.names) == 1 else _inner(wanted[k], one) if clash else one.names
-                 for k, one in enumerate(lattices)]  # fmt: skip
+        grouped, wanted = len(set(own)) < len(own), [f"body {k}" for k in range(len(lattices))]
+    elif isinstance(given, str) or len(given) != len(lattices) or not all(isinstance(n, str) and n for n in given):
+        raise InputError(f"join: names = {shown(given)}; give {len(lattices)} names, one per argument")
     else:
-        if isinstance(given, str) or len(given) != len(lattices) or not all(isinstance(n, str) and n for n in given):
-            raise InputError(f"join: names = {shown(given)}; give {len(lattices)} names, one an argument")
-        inner = [(n,) if len(one.names) == 1 else _inner(n, one) for n, one in zip(given, lattices, strict=True)]
+        grouped, wanted = True, given
+    inner = ((name,) if len(one.names) == 1 else _inner(name, one) if grouped else one.names
+             for name, one in zip(wanted, lattices, strict=True))  # fmt: skip
     found = tuple(name for names in inner for name in names)
     if len(set(found)) < len(found):
         twice = next(name for name in found if found.count(name) > 1)
@@ -165,9 +172,7 @@ def _inner(name: str, scene: Lattice) -> tuple[str, ...]:
     return tuple(f"{name}/{own}" for own in (short if len(set(short)) == len(short) else scene.names))
 
 
-def _refuse_overlap(
-    position: PerElement3, r: PerElement, label: Ints, names: tuple[str, ...], bonded: Pairs
-) -> None:
+def _refuse_overlap(position: PerElement3, r: PerElement, label: Ints, names: tuple[str, ...], bonded: Pairs) -> None:
     near = KDTree(position).query_pairs(2.0 * r.max(), output_type="ndarray").astype(np.int64)
     near = near[label[near[:, 0]] != label[near[:, 1]]]
     key = np.array([len(r), 1])

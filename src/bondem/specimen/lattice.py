@@ -6,11 +6,10 @@ from pathlib import Path
 from typing import Any, cast
 
 import numpy as np
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 from scipy.spatial.transform import Rotation
 
 from bondem._checks import choice, instance, number, shown, vector
+from bondem._indices import components, inverse
 from bondem._outlets import OUTLETS
 from bondem._types import (
     ArrayLike,
@@ -71,13 +70,11 @@ class Lattice:
         if bonds.ndim != 2 or bonds.shape[1] != 2:
             raise InputError(f"pairs has shape {bonds.shape}; give element indices as an array of shape (m, 2)")
         _check_pairs(bonds, len(particles))
-        object.__setattr__(self, "particles", particles)
-        object.__setattr__(self, "pairs", freeze(bonds))
-        object.__setattr__(self, "facets", facets)
-        object.__setattr__(self, "cells", cells)
         if bodies is None:
             bodies = Bodies(freeze(np.zeros(len(particles), dtype=np.int64)), ("body",), (particles.shape,))
-        object.__setattr__(self, "bodies", bodies)
+        own = {"particles": particles, "pairs": freeze(bonds), "facets": facets, "cells": cells, "bodies": bodies}
+        for name, value in own.items():
+            object.__setattr__(self, name, value)
         if (self.length <= 0.0).any():
             k = int(np.argmin(self.length))
             raise InputError(f"bond {k} joins coincident centres {tuple(bonds[k])}; remove one of the elements")
@@ -118,14 +115,8 @@ class Lattice:
     @cached_property
     def pieces(self) -> Ints:
         """Number of the connected piece to which each element belongs, shape (n,); piece 0 is the largest."""
-        n = len(self.particles)
-        i, j = self.pairs.T
-        graph = coo_matrix((np.ones(len(i), dtype=np.int8), (i, j)), shape=(n, n))
-        _, label = connected_components(graph, directed=False)
-        by_size = np.argsort(-np.bincount(label), kind="stable")
-        rank = np.empty_like(by_size)
-        rank[by_size] = np.arange(len(by_size))
-        return freeze(rank[label].astype(np.int64))
+        label = components(self.pairs, len(self.particles))
+        return freeze(inverse(np.argsort(-np.bincount(label), kind="stable"))[label])
 
     @cached_property
     def connected(self) -> Mask:
@@ -319,12 +310,12 @@ def carve(lattice: Lattice, shape: Shape) -> Lattice:
         raise InputError(f"no element lies inside {shown(shape)}; check its size and position (metres)")
     number = np.cumsum(keep) - 1
     inside = keep[lattice.pairs].all(axis=1)
-    periodic = lattice.particles.period if shape.period is not None else None
-    if lattice.particles.period is not None and periodic is None:
+    period = shape.period
+    if lattice.particles.period is not None and period is None:
         plain = lattice.particles.position[lattice.pairs[:, 1]] - lattice.particles.position[lattice.pairs[:, 0]]
         inside &= np.isclose(plain, lattice.branch, atol=1e-9 * lattice.particles.mean_radius).all(axis=1)
-    if periodic is None:
-        periodic = shape.period
-    part = filled(Particles(lattice.particles.position[keep], lattice.particles.radius[keep], periodic), shape)
+    elif lattice.particles.period is not None:
+        period = lattice.particles.period
+    part = filled(Particles(lattice.particles.position[keep], lattice.particles.radius[keep], period), shape)
     pairs, tables = lattice.elements.carved(part, number[lattice.pairs[inside]])
     return Lattice(part, pairs, **tables)

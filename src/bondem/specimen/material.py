@@ -62,7 +62,10 @@ _CONSTANTS = {"E": "E", "nu": "nu", "rho": "rho", "density": "rho"}
 
 
 def constant(name: str, given: Given | Material) -> Given | float:
-    """Return the constant of a material for an argument "E", "nu", "rho" or "density"; other values unchanged."""
+    """Return the constant of a material for the argument `name`: "E", "nu", "rho" or "density".
+
+    A value that is not a material is returned unchanged.
+    """
     return getattr(given, _CONSTANTS[name]) if isinstance(given, Material) else given
 
 

@@ -11,7 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bondem._types import Ints, PerBond, PerElement, Uint32s
+from bondem._indices import group_starts, inverse
+from bondem._types import Ints, PerBond, PerElement
 from bondem.geometry.morton import morton_code
 from bondem.specimen.lattice import Lattice
 
@@ -25,7 +26,7 @@ class Adjacency(NamedTuple):
 
 
 class Reversed(NamedTuple):
-    """Permutations that reorder arrays from internal to user's order, named as the inverse ones of `Layout`."""
+    """Permutations from internal to user's order; each has the name of its inverse in `Layout`."""
 
     order: Ints
     rank: Ints
@@ -62,8 +63,7 @@ class Layout:
         """Return the layout of a lattice."""
         n = len(lattice.particles)
         order = np.lexsort((morton_code(lattice.particles.position), lattice.body))
-        rank = np.empty(n, dtype=np.int64)
-        rank[order] = np.arange(n)
+        rank = inverse(order)
         ends = rank[lattice.pairs]
         flipped = ends[:, 0] > ends[:, 1]
         i, j = ends.min(axis=1), ends.max(axis=1)
@@ -71,19 +71,15 @@ class Layout:
         i, j = i[bond_order], j[bond_order]
         out_bond = np.argsort(i, kind="stable")
         return cls(
-            order=order,
-            rank=rank,
-            bond_order=bond_order,
-            flipped=flipped[bond_order],
-            i=i.astype(np.uint32),
-            j=j.astype(np.uint32),
-            in_start=starts(j, n),
-            out_start=starts(i, n),
-            out_bond=out_bond.astype(np.uint32),
-        )
+            order, rank, bond_order, flipped[bond_order], i.astype(np.uint32), j.astype(np.uint32),
+            group_starts(j, n), group_starts(i, n), out_bond.astype(np.uint32),
+        )  # fmt: skip
 
     def of_elements(self, value: PerBond) -> PerElement:
-        """Return means of bond values (m,), internal order, per element (n,), user's order; 0 without bonds."""
+        """Return means of values of bonds, internal order, (m,), over the bonds of each element, user's order, (n,).
+
+        Elements without bonds get 0.
+        """
         n = len(self.order)
         ends = np.concatenate([self.i, self.j]).astype(np.int64)
         count = np.maximum(np.bincount(ends, minlength=n), 1)
@@ -92,16 +88,20 @@ class Layout:
     @property
     def reversed(self) -> Reversed:
         """Permutations that reorder arrays from internal to user's order."""
-        place = np.empty_like(self.bond_order)
-        place[self.bond_order] = np.arange(len(place))
+        place = inverse(self.bond_order)
         return Reversed(self.rank, self.order, place, self.flipped[place])
+
+    @property
+    def blocks(self) -> tuple[Ints, Ints, Ints]:
+        """Numbers of the blocks of a matrix, by rows: (p, p), (n,), and (i, j) and (j, i) of each bond, (m,) each.
+
+        Row p has a block for each bond with j = p, then the block (p, p), then one for each bond with i = p.
+        """
+        i, j, out = self.i.astype(np.int64), self.j.astype(np.int64), inverse(self.out_bond)
+        diagonal = self.in_start[1:] + self.out_start[:-1] + np.arange(len(self.order))
+        return diagonal, self.in_start[i + 1] + i + 1 + out, self.out_start[j] + j + np.arange(len(j))
 
     @property
     def adjacency(self) -> Adjacency:
         """Bonds of each element, as arrays of the core."""
         return Adjacency(self.in_start, self.out_start, self.out_bond)
-
-
-def starts(owner: Ints | Uint32s, n: int) -> Ints:
-    """Return the start of the entries of each of n owners in a list sorted by owner, (n + 1,)."""
-    return np.concatenate([[0], np.cumsum(np.bincount(owner, minlength=n))]).astype(np.int64)

@@ -47,11 +47,7 @@ class Particles:
     shape: Shape | None = None
 
     def __init__(
-        self,
-        position: ArrayLike,
-        radius: ArrayLike,
-        period: ArrayLike | None = None,
-        shape: Shape | None = None,
+        self, position: ArrayLike, radius: ArrayLike, period: ArrayLike | None = None, shape: Shape | None = None
     ) -> None:
         x = array("", "position", position, wanted="centres as an array of shape (n, 3) [m]")
         r = array("", "radius", radius, wanted="one radius, or shape (n,) [m]")
@@ -75,24 +71,19 @@ class Particles:
             instance("Particles", "shape", shape, Shape, "a shape such as bd.Box(...), or None")
         if period is None and shape is not None:
             period = shape.period
+        cell = None
         if period is not None:
             cell = array("Particles", "period", period, wanted="three positive edge lengths in metres")
             if cell.shape != (3,) or not (np.isfinite(cell) & (cell > 0.0)).all():
                 raise InputError(f"period = {shown(period)}; give three positive edge lengths in metres")
             if cell.min() < 4.0 * r.max():
-                raise InputError(
-                    f"period {cell.min():.4g} m is below two of the largest diameters; enlarge the cell"
-                )
+                raise InputError(f"period {cell.min():.4g} m is below two of the largest diameters; enlarge the cell")
             x = np.mod(x, cell)
             x[x >= cell] = 0.0  # rounding may move a place just below 0 to the far end, which is the same as 0
-            object.__setattr__(self, "period", freeze(cell))
-            periodic = Cell((float(cell[0]), float(cell[1]), float(cell[2]))) if shape is None else None
-        else:
-            object.__setattr__(self, "period", None)
-            periodic = None
-        object.__setattr__(self, "position", freeze(x))
-        object.__setattr__(self, "radius", freeze(r))
-        object.__setattr__(self, "shape", periodic if shape is None else shape)
+            freeze(cell)
+        own = Cell(cell) if shape is None and cell is not None else shape
+        for name, value in (("position", freeze(x)), ("radius", freeze(r)), ("period", cell), ("shape", own)):
+            object.__setattr__(self, name, value)
         self._check_overlap()
         if shape is not None:
             check_filling(shape, x, r)

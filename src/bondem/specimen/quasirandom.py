@@ -69,7 +69,7 @@ def spread_rotations(count: int) -> Floats:
 
 
 def points_inside(shape: Shape, count: int, depth: float) -> tuple[Floats, float]:
-    """Return points `depth` or more from every wall of a shape [m], and the volume each represents [m³].
+    """Return evenly spread points inside a shape, and the volume that each represents.
 
     Args:
         shape: shape to sample.
@@ -77,7 +77,7 @@ def points_inside(shape: Shape, count: int, depth: float) -> tuple[Floats, float
         depth: smallest distance from every wall [m].
 
     Returns:
-        Points, shape (k, 3), and bounding volume / count.
+        Points [m], (k, 3), and the volume of the bounding box over `count` [m³].
     """
     lower, upper = shape.bounds
     # A point of this depth in the shape is at least as deep in its bounding box.

@@ -113,13 +113,12 @@ class Body(Region):
 class Index(Region):
     """Elements given by their indices or by a mask, in the user's order.
 
-    Attributes:
-        elements: indices of the elements.
-        size: number of elements that the lattice must have, such as the length of a mask; None for any number.
-
     Args:
-        elements: one index, indices (k,), or truth values (n,); other values raise InputError.
-        size: number of elements that the lattice must have; None for any number.
+        elements: one index, indices (k,), or truth values (n,); stored as indices.
+        size: number of elements that the lattice must have; None for any number, or for the length of a mask.
+
+    Raises:
+        InputError: The elements are neither indices from 0 nor truth values.
     """
 
     elements: tuple[int, ...]
@@ -202,33 +201,29 @@ class Plane(Region):
 
 
 @dataclass(frozen=True)
-class Intersection(Region):
-    """Elements that belong to both regions."""
+class _Pair(Region):
+    """A combination of two regions."""
 
     first: Region
     second: Region
+
+
+class Intersection(_Pair):
+    """Elements that belong to both regions."""
 
     def mask(self, lattice: Lattice) -> Mask:
         return self.first.mask(lattice) & self.second.mask(lattice)
 
 
-@dataclass(frozen=True)
-class Union(Region):
+class Union(_Pair):
     """Elements that belong to at least one of two regions."""
-
-    first: Region
-    second: Region
 
     def mask(self, lattice: Lattice) -> Mask:
         return self.first.mask(lattice) | self.second.mask(lattice)
 
 
-@dataclass(frozen=True)
-class Difference(Region):
+class Difference(_Pair):
     """Elements that belong to the first region but not to the second."""
-
-    first: Region
-    second: Region
 
     def mask(self, lattice: Lattice) -> Mask:
         return self.first.mask(lattice) & ~self.second.mask(lattice)

@@ -52,9 +52,7 @@ class Strata:
     layers: Vector
 
 
-def strata(
-    shape: Shape, position: PerElement3, radius: PerElement, bonds: Ints, core: Solid, depth: float
-) -> Strata:
+def strata(shape: Shape, position: PerElement3, radius: PerElement, bonds: Ints, core: Solid, depth: float) -> Strata:
     """Measure differences between slices of the core across x, y and z.
 
     Args:

@@ -56,7 +56,6 @@ def strew(
     lower, upper = shape.bounds
     places, turns = np.zeros((0, 3)), Rotation.random(0, random_state=random)
     while len(places) < wanted:
-        found = None
         for start in range(0, tries, _BATCH):
             batch = min(_BATCH, tries - start)
             new, turned = random.uniform(lower, upper, (batch, 3)), Rotation.random(batch, random_state=random)
@@ -69,7 +68,7 @@ def strew(
                 places = np.vstack([places, new[found]])
                 turns = Rotation.concatenate([turns, turned[found]])
                 break
-        if found is None:
+        else:
             raise PackingError(
                 f"strew: {len(places)} of {wanted} bodies fitted into {shown(shape)}, and the next found no place in"
                 f" {tries} attempts; give fewer bodies, a larger shape, a smaller gap= or more attempts="
@@ -102,7 +101,15 @@ class _Outline:
         return cls(centre, radius, float((np.linalg.norm(centre, axis=1) + radius).max()), KDTree(centre))
 
     def meets(self, spheres: Floats, place: Vector, places: Floats, turns: Rotation, gap: float) -> bool:
-        """Return True if spheres at (n, 3) of a copy at `place` are nearer than `gap` [m] to a copy at `places`."""
+        """Return True if a copy of the body is nearer than `gap` [m] to any of k other copies.
+
+        Args:
+            spheres: centres of the spheres of the copy [m], (n, 3).
+            place: centre of mass of the copy [m], (3,).
+            places: centres of mass of the other copies [m], (k, 3).
+            turns: rotations of the other copies, k of them.
+            gap: least distance of the spheres of two copies [m].
+        """
         for k in np.flatnonzero(np.linalg.norm(places - place, axis=1) < 2.0 * self.reach + gap):
             own = turns[k].apply(spheres - places[k], inverse=True)
             near = np.flatnonzero(np.linalg.norm(own, axis=1) < self.reach + self.radius + gap)

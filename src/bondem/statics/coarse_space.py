@@ -10,11 +10,11 @@ import math
 from functools import cached_property
 
 import numpy as np
-from scipy.sparse import bsr_array, coo_array, csc_array, dia_array
-from scipy.sparse.csgraph import connected_components
+from scipy.sparse import bsr_array, csc_array, dia_array
 from scipy.sparse.linalg import SuperLU, splu
 
-from bondem._types import Floats, Ints, Mask, PerBond, PerElement3
+from bondem._indices import components
+from bondem._types import Floats, Ints, PerBond, PerElement3
 from bondem.interactions.stiffness import Stiffness
 from bondem.statics.lanczos import lowest_modes
 
@@ -56,7 +56,8 @@ def parted(clump: Ints, position: PerElement3, i: Ints, j: Ints, lost: PerBond) 
         i, j: elements on both sides of a bond, (m,) each.
         lost: share of its stiffness that a bond has lost, (m,).
     """
-    clump = _joined(clump, i, j, lost <= _LOST)
+    connecting = (lost <= _LOST) & (clump[i] == clump[j])
+    clump = components(np.column_stack([i, j])[connecting], len(clump))
     weak = np.flatnonzero((clump[i] == clump[j]) & (lost > 0.0))
     across = position[j[weak]] - position[i[weak]]
     across *= np.sqrt(lost[weak] / (across**2).sum(axis=1))[:, None]
@@ -73,13 +74,6 @@ def parted(clump: Ints, position: PerElement3, i: Ints, j: Ints, lost: PerBond) 
     return np.unique(2 * clump + beyond, return_inverse=True)[1]
 
 
-def _joined(clump: Ints, i: Ints, j: Ints, bonds: Mask) -> Ints:
-    """Return the connected parts of clusters, numbered per element, (n,); `bonds` masks the bonds that connect."""
-    inside = np.flatnonzero(bonds & (clump[i] == clump[j]))
-    joined = coo_array((np.ones(len(inside)), (i[inside], j[inside])), shape=(len(clump), len(clump)))
-    return connected_components(joined, directed=False)[1].astype(np.int64)
-
-
 def clump_motions(position: PerElement3, clump: Ints) -> Floats:
     """Return the motion (u, θ) of each element per rigid motion (u, θ) of its cluster, shape (n, 6, 6)."""
     count = np.bincount(clump)
@@ -90,6 +84,11 @@ def clump_motions(position: PerElement3, clump: Ints) -> Floats:
     motions[:, [1, 2, 0], [5, 3, 4]] = arm[:, [0, 1, 2]]
     motions[:, [2, 0, 1], [4, 5, 3]] = -arm[:, [0, 1, 2]]
     return motions
+
+
+def symmetric_factors(matrix: csc_array) -> SuperLU:
+    """Return the factors of a symmetric matrix, without a search for pivots; RuntimeError if it is singular."""
+    return splu(matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
 
 
 class Clumps:
@@ -114,9 +113,7 @@ class Clumps:
 
     @cached_property
     def _factors(self) -> SuperLU:
-        return splu(
-            self.regular, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
-        )
+        return symmetric_factors(self.regular)
 
     def __call__(self, residual: Floats) -> Floats:
         """Return the correction for a residual, shape (6 n,) or (6 n, k)."""

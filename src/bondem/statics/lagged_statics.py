@@ -60,14 +60,9 @@ class LaggedStatics:
 
     @one_blas_thread
     def settle(
-        self,
-        load: PerElement6,
-        *,
-        motion: PerElement6 | None = None,
-        slip: Floats | float = 0.0,
-        steps: int = 1,
+        self, load: PerElement6, *, motion: PerElement6 | None = None, slip: Floats | float = 0.0, steps: int = 1,
         limited: bool | None = None,
-    ) -> Settled:
+    ) -> Settled:  # fmt: skip
         """Compute the equilibrium of all elements under a load.
 
         Args:

@@ -3,30 +3,16 @@
 from collections.abc import Callable
 
 import numpy as np
-from scipy.sparse import csc_array
+from scipy.sparse import csc_array, csr_array
 from scipy.sparse.linalg import LinearOperator, eigsh
 
 from bondem._types import Floats
 
 
-class _Inverse(LinearOperator):
-    def __init__(self, size: int, inverse: Callable[[Floats], Floats]) -> None:
-        self._inverse = inverse
-        super().__init__(np.dtype(float), (size, size))
-
-    def _matvec(self, x: Floats) -> Floats:
-        return self._inverse(x)
-
-
 def lowest_modes(
-    matrix: csc_array,
-    inverse: Callable[[Floats], Floats],
-    start: Floats,
-    *,
-    mass: csc_array | None = None,
-    count: int,
-    tolerance: float,
-) -> tuple[Floats, Floats]:
+    matrix: csc_array | LinearOperator, inverse: Callable[[Floats], Floats], start: Floats, *,
+    mass: csc_array | csr_array | None = None, count: int, tolerance: float,
+) -> tuple[Floats, Floats]:  # fmt: skip
     """Return the lowest eigenvalues, ascending (count,), and vectors (rows, count) of matrix x = λ mass x.
 
     Args:
@@ -36,12 +22,11 @@ def lowest_modes(
         start: initial vector, (rows,).
         mass: symmetric, positive semi-definite matrix; None for the unit matrix.
         count: number of eigenvalues.
-        tolerance: relative error of the eigenvalues.
+        tolerance: relative error of the eigenvalues; 0 for the precision of the machine.
     """
+    solve = LinearOperator((len(start), len(start)), matvec=inverse, dtype=float)
     values, vectors = eigsh(
-        matrix, k=count, M=mass, sigma=0.0, OPinv=_Inverse(len(start), inverse), v0=start,
-        tol=tolerance,
-        return_eigenvectors=True,
-    )  # fmt: skip
+        matrix, k=count, M=mass, sigma=0.0, OPinv=solve, v0=start, tol=tolerance, return_eigenvectors=True
+    )
     order = np.argsort(values)
     return values[order], vectors[:, order]

@@ -13,13 +13,12 @@ from typing import Protocol
 
 import numpy as np
 from scipy.sparse import csc_array
-from scipy.sparse.linalg import splu
 
 from bondem._types import Floats, Ints, Mask, PerBond
 from bondem.errors import ConvergenceError, InputError
 from bondem.interactions.stiffness import Stiffness
 from bondem.model.model import Model
-from bondem.statics.coarse_space import Clumps, clump_motions, clump_of, parted
+from bondem.statics.coarse_space import Clumps, clump_motions, clump_of, parted, symmetric_factors
 from bondem.statics.floating import refuse_floating
 
 # Largest number of spheres, and of cells, up to which elimination is faster than iteration; bonds per element up to
@@ -89,13 +88,9 @@ class System:
         if len(constrained):
             size, turn = np.linalg.eigh(constrained.T @ constrained)
             loose = loose @ turn[:, size <= 1e-12 * size[-1]]
-        return cls(
-            matrix=model.interaction.stiffness(),
-            position=position,
-            length=lattice.particles.mean_radius,
-            free=connected[:, None] & ~prescribed,
-            loose=loose / metric[:, None],
-        )
+        free = connected[:, None] & ~prescribed
+        length = lattice.particles.mean_radius
+        return cls(model.interaction.stiffness(), position, length, free, loose / metric[:, None])
 
     def without_rigid_motion(self, motion: Floats) -> Floats:
         """Return a motion (6 n,) without its part along `loose`."""
@@ -190,10 +185,7 @@ class Elimination:
         self._scale = 1.0 / np.sqrt(np.maximum(matrix.diagonal(), 1e-300))
         self._matrix = csc_array(matrix.multiply(self._scale[:, None]).multiply(self._scale))
         try:
-            self._factors = splu(
-                self._matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0,
-                options={"SymmetricMode": True},
-            )  # fmt: skip
+            self._factors = symmetric_factors(self._matrix)
             singular = np.abs(self._factors.U.diagonal()).min(initial=1.0) < _SINGULAR
         except RuntimeError:
             singular = True
@@ -265,15 +257,15 @@ class Iteration:
         return z - self.rigid @ (self.rigid.T @ z)
 
     def turned(self, load: Floats) -> Floats:
-        """Return Sᵀ f for every column of (6 n, k)."""
+        """Return loads in the scaled unknowns, Sᵀ f with the root S of each element, (6 n,) or (6 n, k)."""
         return _by_element(self._turned, load)
 
     def displacement(self, unknowns: Floats) -> Floats:
-        """Return S x for every column of (6 n, k)."""
+        """Return displacements and rotations S x of scaled unknowns x [m, rad], (6 n,) or (6 n, k)."""
         return _by_element(self.root, unknowns)
 
     def unscaled(self, displacement: Floats) -> Floats:
-        """Return S⁻¹ u for every column of (6 n, k)."""
+        """Return scaled unknowns S⁻¹ u of displacements and rotations u [m, rad], (6 n,) or (6 n, k)."""
         return _by_element(self._back, displacement)
 
 

@@ -1,19 +1,18 @@
 """Natural modes of a model: K φ = ω² M φ."""
 
-import warnings
 from dataclasses import dataclass
 from typing import Any, Literal, cast
 
 import numpy as np
 from scipy.linalg import eigh
 from scipy.sparse import bsr_array, csc_array, csr_array, diags_array
-from scipy.sparse.linalg import LinearOperator, eigsh
+from scipy.sparse.linalg import LinearOperator
 
 from bondem._blas import one_blas_thread
 from bondem._checks import count as whole_number
 from bondem._checks import instance
 from bondem._drawing import Coloured, Plotted
-from bondem._names import users_line
+from bondem._names import warn_user
 from bondem._progress import staged
 from bondem._types import Floats, Ints
 from bondem.boundary.conditions import Load
@@ -144,11 +143,10 @@ def solve_modes(
 def _warn_of_loads(model: Model) -> None:
     loaded = [one for one in model.boundary if isinstance(one, Load | Pressure | BodyForce | Eigenstrain)]
     if loaded:
-        warnings.warn(
+        warn_user(
             f"solve_modes: {type(loaded[0]).__name__} does not affect the modes of the reference; give"
             " prestress=bd.solve_static(model) for those of the loaded specimen, or prestress=False",
             PrestressWarning,
-            stacklevel=users_line(),
         )
 
 
@@ -166,51 +164,43 @@ def mass_matrix(model: Model, system: System) -> csr_array | None:
     return corrected_mass(mass_diagonal(model), csr_array(forms.tocsr()), factor[model.layout.order])
 
 
-def _of_corrected_mass(
-    system: System, M: csr_array, mass: Floats, count: int
-) -> tuple[Floats, Floats, int]:
+def _of_corrected_mass(system: System, M: csr_array, mass: Floats, count: int) -> tuple[Floats, Floats, int]:
     """Compute modes for a mass matrix that is not diagonal, by shift and invert about zero."""
     live = np.flatnonzero(system.free)
     rigid = system.loose @ normalising(system.loose.T @ (mass[:, None] * system.loose))
     solve, rounds = solver(system).solve, [0]
 
     def inverse(load: Floats) -> Floats:
-        whole = np.zeros(len(mass))
-        whole[live] = load
+        whole = _spread(load, live, len(mass))
         whole -= mass[:, None] * rigid @ (rigid.T @ whole)
         rounds[0] += 1
         motion = solve(whole, rtol=1e-12)[0]
         return (motion - rigid @ (rigid.T @ (mass * motion)))[live]
 
-    size = (len(live), len(live))
-    K = LinearOperator(size, matvec=lambda v: (system.matrix @ _spread(v, live, len(mass)))[live], dtype=float)
-    start = np.random.default_rng(0).standard_normal(len(live))
-    found: Any = eigsh(
-        K, k=count, M=csr_array(M[live][:, live]), sigma=0.0, OPinv=LinearOperator(size, matvec=inverse, dtype=float),
-        v0=inverse(start),
-    )  # fmt: skip
-    order = np.argsort(found[0])
-    shape = np.zeros((len(mass), count))
-    shape[live] = found[1][:, order]
-    return found[0][order], shape, rounds[0]
+    def product(motion: Floats) -> Floats:
+        return (system.matrix @ _spread(motion, live, len(mass)))[live]
+
+    K = LinearOperator((len(live), len(live)), matvec=product, dtype=float)
+    start = inverse(np.random.default_rng(0).standard_normal(len(live)))
+    square, shape = lowest_modes(K, inverse, start, mass=csr_array(M[live][:, live]), count=count, tolerance=0.0)
+    return square, _spread(shape, live, len(mass)), rounds[0]
 
 
 def _spread(values: Floats, live: Ints, size: int) -> Floats:
-    whole = np.zeros(size)
+    """Return values of the free degrees of freedom `live`, (k, …), at all degrees of freedom, (size, …); others 0."""
+    whole = np.zeros((size, *values.shape[1:]))
     whole[live] = values
     return whole
 
 
 def _dense(system: System, mass: Floats, count: int) -> tuple[Floats, Floats, int]:
     live = np.flatnonzero(system.free)
-    matrix = csc_array(csc_array(system.matrix.tocsc()[:, live])[live]).toarray()
+    matrix = csc_array(system.matrix.tocsc()[:, live])[live].toarray()
     scale = 1.0 / np.sqrt(mass[live])
     none = system.loose.shape[1]
     found: Any = eigh(matrix * scale[:, None] * scale, subset_by_index=[none, none + count - 1])
     square, vector = found
-    shape = np.zeros((len(mass), count))
-    shape[live] = scale[:, None] * vector
-    return square, shape, 1
+    return square, _spread(scale[:, None] * vector, live, len(mass)), 1
 
 
 def _inverse_lanczos(system: System, mass: Floats, count: int) -> tuple[Floats, Floats, int]:
@@ -288,8 +278,7 @@ def _iterated(
         turn[:last] = 0.0
         last = turn.shape[1]
         S, KS, MS = (
-            np.hstack([new, fresh, old @ turn])
-            for new, fresh, old in ((X, W, S), (KX, K @ W, KS), (MX, M @ W, MS))
+            np.hstack([new, fresh, old @ turn]) for new, fresh, old in ((X, W, S), (KX, K @ W, KS), (MX, M @ W, MS))
         )
     return square, X, _PATIENCE, False
 

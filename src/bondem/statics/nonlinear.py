@@ -79,9 +79,13 @@ def follow(model: Model, system: System) -> Bent:
                     f"no equilibrium was found beyond {done:.4g} of the load: it buckles, or turns bonds too far;"
                     " lower it, bond with more and shorter bonds, or use solve_explicit with damping"
                 )
-    turned = np.concatenate([state.pose[:, :3] - state.rest, rotation_vector(state.pose[:, 4:])], axis=1)
     force, walls = strained(model, 1.0).interaction.gradient(state.pose)
-    return Bent(state, turned, force, walls, rounds, residual)
+    return Bent(state, moved_from_rest(state), force, walls, rounds, residual)
+
+
+def moved_from_rest(state: State) -> Floats:
+    """Return displacements and rotation vectors of a state [m, rad], internal order, (n, 6)."""
+    return np.concatenate([state.pose[:, :3] - state.rest, rotation_vector(state.pose[:, 4:])], axis=1)
 
 
 def strained(model: Model, share: float) -> Model:
@@ -105,18 +109,15 @@ class _Trial:
 def _advance(model: Model, system: System, start: State, share: float, motion: Floats) -> _Trial:
     """Return the equilibrium under a `share` of the loads after a prescribed `motion`."""
     state = start.copy()
-    metric = np.repeat([1.0, 1.0 / system.length], 3)
     noise = 1e-14 * float((model.bonds.kn * model.bonds.length).max()) * np.sqrt(len(motion))
     beams, _ = beam_tables(model.bonds, model.layout, model.period, state.integrity, may_share=False)
     for k in range(_ROUNDS):
         force, walls = model.interaction.gradient(state.pose)
         load = share * model.constraints.final_load(len(motion), state.pose)
-        rest = np.where(system.free, load - force, 0.0) * metric
-        supports = np.where(system.free, walls, force)
-        scale = np.linalg.norm(load * metric) + np.linalg.norm(supports * metric)
-        if k and np.linalg.norm(rest) <= _TOLERANCE * scale + noise:
+        rest, scale = _sizes(system, load, force, walls)
+        if k and rest <= _TOLERANCE * scale + noise:
             wide, _, sick = count_turned(state.pose, beams)
-            left = float(np.linalg.norm(rest) / scale) if scale > 0.0 else 0.0
+            left = rest / scale if scale > 0.0 else 0.0
             return _Trial(k) if wide or sick else _Trial(k, state, left)
         tangent = replace(system, matrix=tangent_matrix(model, system.matrix.bonds, state.pose))
         right = (load - force).ravel()
@@ -161,42 +162,40 @@ def _solved(
 
 
 def tangent_matrix(model: Model, pattern: bsr_array, pose: Floats) -> Stiffness:
-    """Return the second derivative of the bond energy at a pose, (6 n, 6 n); `pattern` is that at rest.
+    """Return the symmetric part of the second derivative of the bond energy at a pose, (6 n, 6 n).
 
-    It is symmetric. The antisymmetric part, the torque on an element, stems from applying spins one after the other,
-    not from the energy, and vanishes in equilibrium.
+    The antisymmetric part is the torque on each element, because spins are applied one after the other. It vanishes
+    in equilibrium. `pattern` is a matrix with the blocks of the result, such as that at rest.
     """
     layout = model.layout
-    m = len(layout.i)
     whole = model.interaction.bond_tangents(pose)
     H = np.moveaxis(0.5 * (whole + np.swapaxes(whole, 0, 1)), 2, 0)
-
-    start, inward = pattern.indptr, np.diff(layout.in_start)
-    diagonal = start[:-1] + inward
+    diagonal, above, below = layout.blocks
     data = np.zeros_like(pattern.data)
     np.add.at(data, diagonal[layout.i], H[:, :6, :6])
     np.add.at(data, diagonal[layout.j], H[:, 6:, 6:])
-    place = np.arange(m)
-    data[start[layout.j] + place - layout.in_start[layout.j]] = H[:, 6:, :6]
-    leaving = layout.i[layout.out_bond]
-    data[diagonal[leaving] + 1 + place - layout.out_start[leaving]] = H[layout.out_bond, :6, 6:]
+    data[above], data[below] = H[:, :6, 6:], H[:, 6:, :6]
     return model.interaction.tangent(pose, data, pattern)
 
 
 def at_pose(model: Model, system: System, pose: Floats) -> Stiffness:
-    """Return the tangent of a strained model at a pose, where the stresses of cells are stored."""
+    """Return the tangent of a strained model at a pose, into which the stresses of its cells are written."""
     model.interaction.gradient(pose)
     return tangent_matrix(model, system.matrix.bonds, pose)
 
 
 def unbalanced(model: Model, system: System, pose: Floats) -> float:
-    """Return the unbalanced force under the final loads over that of loads and supports [-].
+    """Return the unbalanced force at a pose over that of the final loads and supports, with torques over R̄ [-]."""
+    rest, scale = _sizes(system, model.constraints.final_load(len(pose), pose), *model.interaction.gradient(pose))
+    return rest / scale if scale > 0.0 else 0.0
 
-    Torques are divided by the mean radius.
+
+def _sizes(system: System, load: Floats, force: Floats, walls: Floats) -> tuple[float, float]:
+    """Return the norm of the unbalanced force, and that of loads and supports, with torques over R̄ [N].
+
+    Loads, resistance of the bonds and loads by walls have the shape (n, 6) [N, N·m].
     """
     metric = np.repeat([1.0, 1.0 / system.length], 3)
-    force, walls = model.interaction.gradient(pose)
-    load = model.constraints.final_load(len(pose), pose)
     rest = np.where(system.free, load - force, 0.0) * metric
-    scale = np.linalg.norm(load * metric) + np.linalg.norm(np.where(system.free, walls, force) * metric)
-    return float(np.linalg.norm(rest) / scale) if scale > 0.0 else 0.0
+    supports = np.where(system.free, walls, force) * metric
+    return float(np.linalg.norm(rest)), float(np.linalg.norm(load * metric) + np.linalg.norm(supports))

@@ -9,16 +9,15 @@ from bondem._passes import calls
 from bondem._progress import staged
 from bondem._tables.statics_tables import DynamicRelaxation, RelaxationSpan
 from bondem._tables.step_tables import Beams, BeamSums, UniformBeams
-from bondem._types import Floats, PerElement
+from bondem._types import PerElement
 from bondem.errors import ConvergenceError, InputError
-from bondem.geometry.rotations import rotation_vector
 from bondem.interactions.beams.beam_tables import beam_tables, count_turned
 from bondem.model.highest_frequency import stiffest
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.statics.floating import refuse_floating
 from bondem.statics.linear import require_lasting
-from bondem.statics.nonlinear import strained
+from bondem.statics.nonlinear import moved_from_rest, strained
 from bondem.statics.static import StaticResult
 
 # Intended ω_max of the relaxing motion for its time step of 1, whose stability limit is 2.
@@ -57,9 +56,7 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
     if not model.interaction.has_potential:
         title = model.interaction.title
         raise InputError(f"solve_relaxed needs a potential, which the {title} lacks; use solve_static")
-    model.interaction.refuse_facets(
-        "solve_relaxed does not support cells; use solve_static, also with nonlinear=True"
-    )
+    model.interaction.refuse_facets("solve_relaxed supports no cells; use solve_static, also with nonlinear=True")
     layout, constraints = model.layout, model.constraints
     n = len(layout.order)
     prescribed = constraints.prescribed(n)
@@ -104,8 +101,7 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
             f"forces do not balance after {done} steps: {ratio:.3g} of them remain; raise tolerance= or most=, or"
             " use solve_static"
         )
-    turned = np.concatenate([state.pose[:, :3] - state.rest, rotation_vector(state.pose[:, 4:])], axis=1)
-    values = turned[layout.rank]
+    values = moved_from_rest(state)[layout.rank]
     reaction = np.where(prescribed, -relaxation.before - load, 0.0)[layout.rank]
     energy = model.interaction.energy(state.pose, state.rest, state.integrity, state.eigenstrain)
     return StaticResult(
@@ -141,9 +137,5 @@ def masses(model: Model) -> tuple[PerElement, PerElement]:
         about += np.bincount(end, weights=np.maximum(kt, bonds.kb + bonds.ks * arm**2), minlength=n)
     along[along == 0.0] = 1.0
     about[about == 0.0] = 1.0
-    scale = stiffest(model, along, about) / _FREQUENCY**2
-    return _scaled(along, scale), _scaled(about, scale)
-
-
-def _scaled(values: Floats, scale: float) -> Floats:
-    return values * (scale if scale > 0.0 else 1.0)
+    scale = stiffest(model, along, about) / _FREQUENCY**2 or 1.0
+    return along * scale, about * scale

@@ -187,26 +187,15 @@ class Statics:
         solution = motion + change
         unbalanced = (system.matrix @ solution - load).reshape(n, 6)
         reaction = np.where(constraints.prescribed(n), unbalanced, 0.0)
-        values = solution.reshape(n, 6)[layout.rank]
-        displacement, rotation = values[:, :3].copy(), values[:, 3:].copy()
+        displacement, rotation = (part.copy() for part in np.hsplit(solution.reshape(n, 6)[layout.rank], 2))
+        reaction = reaction[layout.rank] + law.of_walls(displacement, rotation, strain, model.pressed)
         return StaticResult(
-            displacement=displacement,
-            rotation=rotation,
-            reaction=reaction[layout.rank] + law.of_walls(displacement, rotation, strain, model.pressed),
-            energy=linear_energy(model, displacement, rotation, strain),
-            model=model,
-            iterations=iterations,
-            residual=_residual(system, unbalanced, load.reshape(n, 6)),
-        )
+            displacement, rotation, reaction, linear_energy(model, displacement, rotation, strain), model,
+            iterations=iterations, residual=_residual(system, unbalanced, load.reshape(n, 6)),
+        )  # fmt: skip
 
     @one_blas_thread
-    def response(
-        self,
-        load: PerElement6,
-        *,
-        guess: PerElement6 | None = None,
-        rtol: float = 1e-10,
-    ) -> PerElement6:
+    def response(self, load: PerElement6, *, guess: PerElement6 | None = None, rtol: float = 1e-10) -> PerElement6:
         """Compute displacements and rotations [m, rad] under other nodal forces and moments [N, N·m], (n, 6) each.
 
         Supports are at rest. Loads on a specimen that is free to move must be balanced.
@@ -253,7 +242,7 @@ def _residual(system: System, unbalanced: Floats, load: Floats) -> float:
 
 
 def _check_balance(system: System, load: Floats) -> None:
-    """Reject a load that drives a rigid motion that the supports permit."""
+    """Raise InputError if a load (6 n,) [N, N·m] drives a rigid motion that the supports permit."""
     forces = load.reshape(-1, 6) / np.repeat([1.0, system.length], 3)
     if np.abs(system.loose.T @ load).max(initial=0.0) > 1e-8 * np.linalg.norm(forces):
         raise InputError(

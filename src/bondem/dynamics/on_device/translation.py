@@ -8,12 +8,13 @@ from typing import Any, TypeVar
 import numpy as np
 
 from bondem._device import Launch
+from bondem._indices import group_starts
 from bondem._passes import Kernel
 from bondem._tables.damage_tables import EventLog
 from bondem._tables.device_tables import BondsOfElements, DeviceSpan, LoadsOfBonds, RowOrder
 from bondem._tables.step_tables import Ledger, StepBlocks
 from bondem._types import Ints, Uint32s
-from bondem.specimen.ordering import Layout, starts
+from bondem.specimen.ordering import Layout
 
 _T = TypeVar("_T")
 
@@ -87,7 +88,7 @@ class Translation:
 
 def new_row_order(row: Ints | Uint32s, rows: int) -> RowOrder:
     """Return the loads or walls sorted by the row on which each acts, given these rows and their number."""
-    return RowOrder(starts(row, rows), np.argsort(row, kind="stable").astype(np.int64))
+    return RowOrder(group_starts(row, rows), np.argsort(row, kind="stable").astype(np.int64))
 
 
 #: Function that returns a pass over an index, given its tables (`bondem._passes.kernels`).

@@ -2,13 +2,13 @@
 
 import numpy as np
 
+from bondem._indices import group_starts
 from bondem._passes import steps
 from bondem._tables.cell_tables import CorrectedMass
 from bondem.dynamics.parts.cell_part import BodyOfCells
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.interactions.step_part import Part
 from bondem.model.model import Model
-from bondem.specimen.ordering import starts
 
 
 def mass_of_waves(model: Model, shared: SharedTables, body: BodyOfCells) -> list[Part]:
@@ -18,7 +18,7 @@ def mass_of_waves(model: Model, shared: SharedTables, body: BodyOfCells) -> list
     layout, n = model.layout, len(model.layout.order)
     cell = body.walls.cell
     mass = CorrectedMass(
-        *layout.adjacency, model.correction[layout.order], starts(cell, n),
+        *layout.adjacency, model.correction[layout.order], group_starts(cell, n),
         np.argsort(cell, kind="stable").astype(np.int64), np.zeros((n, 6)), np.zeros(n), np.zeros((n, 6)),
     )  # fmt: skip
     of_cells = shared.moving, body.facets, body.walls, mass

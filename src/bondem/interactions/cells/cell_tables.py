@@ -6,6 +6,7 @@
 import numpy as np
 
 from bondem._core import run_pass
+from bondem._indices import group_starts
 from bondem._passes import calls
 from bondem._tables.cell_tables import (
     CellDilatation,
@@ -20,7 +21,7 @@ from bondem.geometry.rotations import turned_vectors
 from bondem.interactions.beams.bond_table import with_twins, with_zeros
 from bondem.interactions.cells.cell_constants import CellConstants
 from bondem.interactions.cells.dilatation_gradients import GradientConstants
-from bondem.specimen.ordering import Layout, starts
+from bondem.specimen.ordering import Layout
 
 #: Column of a pose that holds the stress λ θ of a cell [Pa].
 STRESS = 3
@@ -73,7 +74,7 @@ def gradient_tables(gradients: GradientConstants, n: int, walls: WallConstraints
     turned = turned_vectors(np.repeat(walls.base[wall, 3:], 2, axis=0), gradients.wall_way.reshape(-1, 3))
     return DilatationGradients(
         start, other, np.tile(spring, 2)[order], np.zeros(n), layer, following, np.ascontiguousarray(way),
-        starts(cell, layered), wall[by_cell], np.ascontiguousarray(turned.reshape(-1, 6)[by_cell]),
+        group_starts(cell, layered), wall[by_cell], np.ascontiguousarray(turned.reshape(-1, 6)[by_cell]),
         np.ascontiguousarray(gradients.weight), np.zeros((layered, 4)), np.zeros((layered, 3)),
     )  # fmt: skip
 
@@ -82,7 +83,7 @@ def _of_cells(i: Ints, j: Ints, n: int) -> tuple[Ints, Ints, np.ndarray]:
     """Return the start of the sides of each of n cells, the sides sorted by cell, and the cells opposite."""
     near, far = np.concatenate([i, j]), np.concatenate([j, i])
     order = np.argsort(near, kind="stable")
-    return starts(near, n), order, far[order].astype(np.uint32)
+    return group_starts(near, n), order, far[order].astype(np.uint32)
 
 
 def facet_release(
@@ -99,7 +100,7 @@ def facet_release(
     """
     n, (slack_i, slack_j) = len(constants.weight), constants.slack()
     release = FacetRelease(
-        constants.weight, cells.weight, cells.given, slack_i, slack_j, *layout.adjacency, starts(walls.cell, n),
+        constants.weight, cells.weight, cells.given, slack_i, slack_j, *layout.adjacency, group_starts(walls.cell, n),
         np.argsort(walls.cell, kind="stable").astype(np.int64), np.zeros(n, dtype=np.uint32),
         np.zeros(1, dtype=np.int64),
     )  # fmt: skip

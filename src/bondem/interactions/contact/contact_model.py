@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._cache_lines import lines
+from bondem._indices import group_starts
 from bondem._tables.packing_tables import SphereGrid
 from bondem._threads import current_threads
 from bondem._types import Floats, Ints, PerBond, PerElement
@@ -15,7 +16,7 @@ from bondem.interactions.contact.contact_assignment import ContactLaws
 from bondem.interactions.contact.contact_search import found_walls, new_wall_sources, walls_at
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.local_origin import local_rest
-from bondem.specimen.ordering import Layout, starts
+from bondem.specimen.ordering import Layout
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,7 +90,7 @@ class ContactModel:
         branch = lattice.particles.nearest(lattice.centre[user[later]] - lattice.centre[user[earlier]])
         distance = np.linalg.norm(branch, axis=1)
         gap = np.minimum(distance - radius[earlier] - radius[later], 0.0)
-        pairs = RestGaps(starts(later, n), earlier.astype(np.uint32), gap)
+        pairs = RestGaps(group_starts(later, n), earlier.astype(np.uint32), gap)
         # the core finds the walls that each sphere at rest touches, so that only it evaluates shapes of walls
         count = len(walls.shape)
         still = walls_at(walls, walls_at_rest(count))

@@ -3,10 +3,11 @@
 import numpy as np
 from scipy.sparse import bsr_array
 
+from bondem._indices import group_starts
 from bondem._types import Floats
 from bondem.interactions.non_local.non_local_constants import NonLocalConstants
 from bondem.interactions.row_sums import row_sums
-from bondem.specimen.ordering import Layout, starts
+from bondem.specimen.ordering import Layout
 
 
 def local_stiffness(constants: NonLocalConstants, layout: Layout) -> bsr_array:
@@ -30,7 +31,7 @@ def local_stiffness(constants: NonLocalConstants, layout: Layout) -> bsr_array:
     column = np.concatenate([np.arange(n), ends[1], ends[0]])
     blocks = np.concatenate([diagonal, beside, np.swapaxes(beside, 1, 2)])
     order = np.lexsort((column, row))
-    indptr, indices = starts(row, n).astype(np.int32), column[order].astype(np.int32)
+    indptr, indices = group_starts(row, n).astype(np.int32), column[order].astype(np.int32)
     return bsr_array((blocks[order], indices, indptr), shape=(6 * n, 6 * n))
 
 

@@ -7,17 +7,17 @@ errors of long wavelength.
 """
 
 import numpy as np
-from scipy.sparse import coo_array, csc_array, dia_array
-from scipy.sparse.csgraph import connected_components
+from scipy.sparse import csc_array, dia_array
 from scipy.sparse.linalg import LinearOperator, cg, splu
 
 from bondem._blas import one_blas_thread
 from bondem._core import run_pass
+from bondem._indices import components, group_starts, inverse
 from bondem._passes import calls
 from bondem._tables.tessellation_tables import BalanceField, CellBranches
 from bondem._threads import current_threads
-from bondem._types import Floats, Pairs, PerBond3, PerElement3
-from bondem.geometry.morton import morton_code
+from bondem._types import Floats, Pairs, PerBond, PerBond3, PerElement3
+from bondem.geometry.morton import morton_order
 
 # Largest number of iterations; bodies of 1e5 cells take about 130.
 _MOST = 2000
@@ -33,22 +33,24 @@ SCALE = np.where(ROW == COLUMN, 1.0, np.sqrt(2.0))
 
 @one_blas_thread
 def solved_balance(position: PerElement3, pairs: Pairs, branch: PerBond3, right: Floats, most: float) -> Floats:
-    """Solve the balance for the tensors Y of the cells, as rows of six components times `SCALE`, shape (n, 6).
+    """Return the symmetric tensors Y of the cells that solve N Y = `right`, with N as in the text of the module.
+
+    Tensors are rows of six components times `SCALE`, (n, 6).
 
     Args:
         position: centres of the cells [m], (n, 3).
         pairs: cells of each facet, (m, 2).
         branch: b of each facet [m^1.5], (m, 3).
-        right: right-hand sides, as rows of six components times `SCALE` [m³], (n, 6).
+        right: right-hand sides [m³], (n, 6).
         most: norm of the remainder at which the iteration ends [m³].
     """
     n = len(position)
-    order = np.argsort(morton_code(position), kind="stable")
-    rank = np.empty(n, dtype=np.int64)
-    rank[order] = np.arange(n)
+    order = morton_order(position)
+    rank = inverse(order)
     ends = rank[pairs]
     branches = _of_cells(n, ends, branch)
-    diagonal = _scalar_diagonal(n, ends, branch)
+    weight = (branch**2).sum(axis=1) / 3.0
+    diagonal = np.asarray(np.bincount(ends[:, 0], weight, n) + np.bincount(ends[:, 1], weight, n), dtype=float)
     right, found = _without_means(right[order], ends), np.empty((n, 6))
 
     def applied(given: Floats) -> Floats:
@@ -58,7 +60,7 @@ def solved_balance(position: PerElement3, pairs: Pairs, branch: PerBond3, right:
     shape = (6 * n, 6 * n)
     y, _ = cg(
         LinearOperator(shape, matvec=applied, dtype=float), right.ravel(), rtol=0.0, atol=most, maxiter=_MOST,
-        M=_preconditioner(ends, branch, diagonal),
+        M=_preconditioner(ends, weight, diagonal),
     )  # fmt: skip
     return np.asarray(y, dtype=float).reshape(n, 6)[rank]
 
@@ -67,29 +69,23 @@ def _of_cells(n: int, ends: Pairs, branch: PerBond3) -> CellBranches:
     """Return neighbour and branch of each facet, cell by cell; facets of which a cell is the second come last."""
     near, far = ends.ravel(order="F"), ends[:, ::-1].ravel(order="F")
     order = np.argsort(near, kind="stable")
-    start = np.concatenate([[0], np.cumsum(np.bincount(near, minlength=n))]).astype(np.int64)
     both = np.concatenate([branch, branch])[order]
-    return CellBranches(start, far[order].astype(np.uint32), np.ascontiguousarray(both))
+    return CellBranches(group_starts(near, n), far[order].astype(np.uint32), np.ascontiguousarray(both))
 
 
 def _without_means(right: Floats, ends: Pairs) -> Floats:
     """Return right-hand sides, less their mean over each connected piece, which is a rounding error."""
-    n = len(right)
-    graph = coo_array((np.ones(len(ends), dtype=np.int8), tuple(ends.T)), shape=(n, n))
-    _, piece = connected_components(graph, directed=False)
+    piece = components(ends, len(right))
     size = np.bincount(piece)
     return right - np.column_stack([(np.bincount(piece, column) / size)[piece] for column in right.T])
 
 
-def _scalar_diagonal(n: int, ends: Pairs, branch: PerBond3) -> Floats:
-    """Return the diagonal of the scalar Laplacian, (n,)."""
-    weight = (branch**2).sum(axis=1) / 3.0
-    return np.asarray(np.bincount(ends[:, 0], weight, n) + np.bincount(ends[:, 1], weight, n), dtype=float)
+def _preconditioner(ends: Pairs, weight: PerBond, diagonal: Floats) -> LinearOperator:
+    """Return the inverse of the scalar Laplacian's diagonal (n,), plus that of the Laplacian of groups of cells.
 
-
-def _preconditioner(ends: Pairs, branch: PerBond3, diagonal: Floats) -> LinearOperator:
-    """Return the preconditioner: the inverse of the diagonal, plus that of the Laplacian between groups of cells."""
-    n, weight = len(diagonal), (branch**2).sum(axis=1) / 3.0
+    `weight` of the scalar Laplacian is |b|² / 3 of each facet [m³], (m,).
+    """
+    n = len(diagonal)
     inverse = np.divide(1.0, diagonal, out=np.zeros(n), where=diagonal > 0.0)[:, None]
     begin = np.arange(0, n, _GROUP)
     groups = len(begin)

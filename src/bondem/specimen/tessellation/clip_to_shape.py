@@ -6,38 +6,11 @@ so are its other triangles (a binary partition of space). A piece without triang
 
 import numpy as np
 
-from bondem._core import room_for, run_pass
+from bondem._core import run_pass, with_room
 from bondem._passes import calls
 from bondem._tables.tessellation_tables import Solids, Splitting, WallTree
 from bondem._types import PerElement3
-from bondem.specimen.tessellation.polygon_buffer import (
-    TAG,
-    buffer_corners,
-    first_corners,
-    new_buffer,
-    polygon_buffer,
-    polygon_count,
-    roomier_buffer,
-)
-
-
-def new_splitting(position: PerElement3, tolerance: float) -> Splitting:
-    """Return initial work tables for splitting cells by walls, with a tolerance of depth [m]."""
-    found, below, cell, end = (np.empty(64, np.int64) for _ in range(4))
-    lid, work, other = (polygon_buffer() for _ in range(3))
-    return Splitting(position, tolerance, found, below, lid, work, other, cell, end, np.zeros(2, np.int64))
-
-
-def with_more_scratch(splitting: Splitting) -> Splitting:
-    """Return a copy of the tables of a splitting, with longer lists of scratch data."""
-    found, below = (room_for(values, 2 * len(values)) for values in (splitting.found, splitting.below))
-    return splitting._replace(found=found, below=below)
-
-
-def with_more_pieces(splitting: Splitting) -> Splitting:
-    """Return a copy of the tables of a splitting, with room for more pieces."""
-    cell, end = (room_for(values, 2 * len(values)) for values in (splitting.cell, splitting.end))
-    return splitting._replace(cell=cell, end=end)
+from bondem.specimen.tessellation.polygon_buffer import new_buffer, polygon_buffer, roomier_buffer, solids_in
 
 
 def trimmed(solids: Solids, position: PerElement3, walls: WallTree, tolerance: float) -> Solids:
@@ -49,15 +22,15 @@ def trimmed(solids: Solids, position: PerElement3, walls: WallTree, tolerance: f
         walls: search tree of the triangles of the walls.
         tolerance: depth of a wall in a cell below which it does not split the cell [m].
     """
-    splitting = new_splitting(position, tolerance)
+    found, below, cell, end = (np.empty(64, np.int64) for _ in range(4))
+    lid, work, other = (polygon_buffer() for _ in range(3))
+    splitting = Splitting(position, tolerance, found, below, lid, work, other, cell, end, np.zeros(2, np.int64))
     stack, piece, pile = new_buffer(256, 2048), new_buffer(256, 2048), new_buffer(1024, 8192)
     while (ended := run_pass(calls.split_by_walls(solids, walls, splitting, stack, piece, pile))) != "all_split":
         if ended == "pieces_full":
-            splitting, pile = with_more_pieces(splitting), roomier_buffer(pile)
+            splitting, pile = with_room(splitting, "cell", "end"), roomier_buffer(pile)
         else:
-            splitting, stack, piece = with_more_scratch(splitting), roomier_buffer(stack), roomier_buffer(piece)
-    faces, pieces = polygon_count(pile), int(splitting.done[1])
-    return Solids(
-        splitting.cell[:pieces], np.append(0, splitting.end[:pieces]), pile.what[:faces, TAG].copy(),
-        pile.plane[:faces], first_corners(pile), buffer_corners(pile),
-    )  # fmt: skip
+            splitting = with_room(splitting, "found", "below")
+            stack, piece = roomier_buffer(stack), roomier_buffer(piece)
+    pieces = int(splitting.done[1])
+    return solids_in(pile, splitting.cell[:pieces], np.append(0, splitting.end[:pieces]))

@@ -52,7 +52,7 @@ class Tessellation:
 
     Attributes:
         centres: centres and radii of the elements, sorted into boxes.
-        faces: polygons of the whole cells; between two elements only that of the lower number.
+        faces: polygons of the whole cells; between two elements only that of the element of lower number.
         whole: elements whose cells are whole, shape (w,).
         whole_bulk: volumes and moments of the whole cells.
         cut: pieces of all other cells, inside the shape.
@@ -178,7 +178,16 @@ def _batches(
 def tessellation(
     particles: Particles, progress: Callable[[float], None] | None = None, *, outlines: bool = False
 ) -> Tessellation:
-    """Cut the shape of particles into cells, for the tables of `tessellate`; keep whole cells for `outlines=True`."""
+    """Cut the shape of particles into cells, some of them in pieces; `tessellate` converts them to tables.
+
+    Args:
+        particles: spheres in a shape; without one, in the box around them.
+        progress: function called repeatedly with the completed share, 0 … 1.
+        outlines: True to return the whole cells as solids too.
+
+    Raises:
+        InputError: Centres coincide or lie outside the shape, a cell has no volume, or a periodic cell is too small.
+    """
     shape, n = particles.envelope, len(particles)
     reach = usual_reach(particles)
     flat, walls = _walls(particles, shape, reach)
@@ -221,9 +230,7 @@ def _joined_bulk(parts: list[Bulk]) -> Bulk:
     return Bulk(*(np.concatenate(column) for column in zip(*parts, strict=True)))
 
 
-def tessellate(
-    particles: Particles, progress: Callable[[float], None] | None = None
-) -> tuple[Pairs, Facets, Cells]:
+def tessellate(particles: Particles, progress: Callable[[float], None] | None = None) -> tuple[Pairs, Facets, Cells]:
     """Cut the shape of particles into Laguerre cells.
 
     Args:
@@ -240,9 +247,7 @@ def tessellate(
     """
     report = progress or (lambda share: None)
     made = tessellation(particles, lambda share: report(0.9 * share))
-    found, owner = made.cut.found, made.cut.owner
-    a = owner[found.piece]
-    b = np.where(found.other >= 0, owner[found.other], found.element)
+    found, (a, b) = made.cut.found, made.cut.sides
     shared = Polygons(a, b, found.area, found.normal, found.centroid, found.moment)
     every = together([made.faces, shared.chosen(a != b)])
     free = free_facets(particles.envelope, made.centres.position, made.centres.reach, every.chosen(every.b < 0))

@@ -2,25 +2,11 @@
 
 import numpy as np
 
-from bondem._core import room_for, run_pass
+from bondem._core import run_pass, with_room
 from bondem._passes import calls
 from bondem._tables.tessellation_tables import Dividing, Solids
 from bondem._types import Floats, Ints
-from bondem.specimen.tessellation.polygon_buffer import (
-    TAG,
-    buffer_corners,
-    first_corners,
-    new_buffer,
-    polygon_buffer,
-    polygon_count,
-    roomier_buffer,
-)
-
-
-def with_more_parts(dividing: Dividing) -> Dividing:
-    """Return a copy of the table of a division, with room for twice as many parts."""
-    cell, owner, end = (room_for(values, 2 * len(values)) for values in (dividing.cell, dividing.owner, dividing.end))
-    return dividing._replace(cell=cell, owner=owner, end=end)
+from bondem.specimen.tessellation.polygon_buffer import new_buffer, polygon_buffer, roomier_buffer, solids_in
 
 
 def divided(solids: Solids, sphere: Floats, near: Ints, start: Ints, tolerance: float) -> tuple[Solids, Ints]:
@@ -34,7 +20,7 @@ def divided(solids: Solids, sphere: Floats, near: Ints, start: Ints, tolerance: 
         tolerance: depth of a plane in a solid below which it does not divide the solid [m].
 
     Returns:
-        The parts, and the element to which each belongs. Faces on planes between parts have tags of splits.
+        The parts, and the element to which each belongs, (parts,). Faces between parts have tags up to `SPLIT`.
     """
     cell, owner, end = (np.empty(64, np.int64) for _ in range(3))
     lid, work = polygon_buffer(), polygon_buffer()
@@ -42,12 +28,8 @@ def divided(solids: Solids, sphere: Floats, near: Ints, start: Ints, tolerance: 
     part, spare, pile = new_buffer(256, 2048), new_buffer(256, 2048), new_buffer(1024, 8192)
     while (ended := run_pass(calls.divide_solids(solids, dividing, part, spare, pile))) != "all_divided":
         if ended == "parts_full":
-            dividing, pile = with_more_parts(dividing), roomier_buffer(pile)
+            dividing, pile = with_room(dividing, "cell", "owner", "end"), roomier_buffer(pile)
         else:
             part, spare = roomier_buffer(part), roomier_buffer(spare)
-    faces, parts = polygon_count(pile), int(dividing.done[1])
-    made = Solids(
-        dividing.cell[:parts], np.append(0, dividing.end[:parts]), pile.what[:faces, TAG].copy(), pile.plane[:faces],
-        first_corners(pile), buffer_corners(pile),
-    )  # fmt: skip
-    return made, dividing.owner[:parts]
+    parts = int(dividing.done[1])
+    return solids_in(pile, dividing.cell[:parts], np.append(0, dividing.end[:parts])), dividing.owner[:parts]

@@ -66,9 +66,7 @@ def _match(solids: Solids, groups: FaceGroups) -> tuple[Ints, Ints, Ints, Floats
     return pile.what[:count, KIND].copy(), pile.what[:count, TAG].copy(), first_corners(pile), buffer_corners(pile)
 
 
-def _grouped(
-    pieces: Solids, of_face: Ints, inner: Ints, position: PerElement3, tolerance: float
-) -> FaceGroups:
+def _grouped(pieces: Solids, of_face: Ints, inner: Ints, position: PerElement3, tolerance: float) -> FaceGroups:
     """Group the faces `inner` of pieces by their plane, between two cells or between pieces of the same cell."""
     n, tag, own = len(position), pieces.tag[inner], pieces.cell[of_face[inner]]
     split = tag <= SPLIT
@@ -84,9 +82,7 @@ def _grouped(
     shift = np.zeros((len(one), 3))
     shift[between] = position[high[one][between]] - position[low[one][between]]
     work, other = polygon_buffer(), polygon_buffer()
-    return FaceGroups(
-        of_face, plus, first, minus, second, shift, tolerance, work, other, np.zeros(1, np.int64)
-    )
+    return FaceGroups(of_face, plus, first, minus, second, shift, tolerance, work, other, np.zeros(1, np.int64))
 
 
 def patches(pieces: Solids, position: PerElement3, tolerance: float) -> Patches:

@@ -13,6 +13,7 @@ import numpy as np
 from scipy.spatial import KDTree
 
 from bondem._core import run_pass
+from bondem._indices import group_starts
 from bondem._passes import calls
 from bondem._tables.tessellation_tables import Bins, CellRequest, CellRoom, Solids
 from bondem._types import Floats, Ints, Vector
@@ -20,13 +21,10 @@ from bondem.errors import InputError
 from bondem.specimen.particles import Particles
 from bondem.specimen.tessellation.polygon_buffer import (
     MOST_CORNERS,
-    TAG,
-    buffer_corners,
-    first_corners,
     new_buffer,
     polygon_buffer,
-    polygon_count,
     roomier_buffer,
+    solids_in,
 )
 
 # Largest number of faces of a cell.
@@ -71,7 +69,7 @@ def bins(particles: Particles, lower: Vector, upper: Vector, reach: float) -> Bi
     at = np.clip(((x - lower) / extent * count).astype(np.int64), 0, count - 1)
     box = (at[:, 0] * count[1] + at[:, 1]) * count[2] + at[:, 2]
     member = np.argsort(box, kind="stable")
-    start = np.concatenate([[0], np.cumsum(np.bincount(box, minlength=int(count.prod())))])
+    start = group_starts(box, int(count.prod()))
     period = np.zeros(3) if particles.period is None else np.array(particles.period)
     size = reach / 3.0
     tolerance = max(_SHALLOW * size, _ROUNDING * float(np.abs([lower, upper]).max()))
@@ -83,7 +81,7 @@ def bins(particles: Particles, lower: Vector, upper: Vector, reach: float) -> Bi
 
 
 def _bounds(radius: Floats, box: Ints, count: Ints, width: Vector) -> Floats:
-    """Return bounds B around elements [m], (n,): the largest radius of any box, less at most κ times its distance."""
+    """Return bounds at elements [m], (n,): at a distance L, no radius is above the bound + `_SLOPE` L."""
     most = np.zeros(int(count.prod()))
     np.maximum.at(most, box, radius)
     most = most.reshape(tuple(count))
@@ -142,20 +140,11 @@ def plain_cells(centres: Bins, chosen: Ints, half: Floats) -> Solids:
         else:
             pile = roomier_buffer(pile)
     where = request.done[1]
-    if ended == "swallowed":
-        raise InputError(
-            f"the cell of element {where} has no volume: larger spheres enclose it; remove it, or make radii"
-            " more alike"
-        )
-    if ended == "narrow":
-        raise InputError(
-            f"the cell of element {where} has a neighbour half a period away; enlarge the periodic cell, with more"
-            " elements"
-        )
-    if ended == "crowded":
-        raise InputError(f"the cell of element {where} has more than {_FACES} faces; make radii more alike")
-    faces = polygon_count(pile)
-    return Solids(
-        chosen, request.end, pile.what[:faces, TAG].copy(), pile.plane[:faces], first_corners(pile),
-        buffer_corners(pile),
-    )
+    faults = {
+        "swallowed": "no volume: larger spheres enclose it; remove it, or make radii more alike",
+        "narrow": "a neighbour half a period away; enlarge the periodic cell, with more elements",
+        "crowded": f"more than {_FACES} faces; make radii more alike",
+    }
+    if ended in faults:
+        raise InputError(f"the cell of element {where} has {faults[ended]}")
+    return solids_in(pile, chosen, request.end)

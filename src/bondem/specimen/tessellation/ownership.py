@@ -8,9 +8,8 @@ across a slot, and every facet lies in the radical plane of its two elements.
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 
+from bondem._indices import components
 from bondem._tables.tessellation_tables import Bulk, Solids
 from bondem._types import Floats, Ints, Mask, PerElement3
 from bondem.errors import InputError
@@ -39,6 +38,12 @@ class Owned:
     measures: Bulk
     found: Patches
     owner: Ints
+
+    @property
+    def sides(self) -> tuple[Ints, Ints]:
+        """Elements on both sides of each patch, (k,) each; -1 for none, beyond a wall."""
+        other = self.found.other
+        return self.owner[self.found.piece], np.where(other >= 0, self.owner[other], self.found.element)
 
 
 def owned(pieces: Solids, measures: Bulk, found: Patches, sphere: Floats, width: float, sliver: float) -> Owned:
@@ -77,16 +82,11 @@ def _with_centre(cell: Ints, measures: Bulk, found: Patches) -> Mask:
     """Return a mask (p,) of the pieces connected to the piece of their cell that is nearest to its centre."""
     a, b = found.piece, found.other
     same = (b >= 0) & (cell[a] == cell[b])
-    part = _parts(a[same], b[same], len(cell))
+    part = components(np.column_stack([a, b])[same], len(cell))
     # the larger of two pieces that touch the centre
     order = np.lexsort((-measures.volume, np.maximum(measures.beyond, 0.0), cell))
     first = order[np.unique(cell[order], return_index=True)[1]]
     return np.isin(part, part[first])
-
-
-def _parts(a: Ints, b: Ints, count: int) -> Ints:
-    graph = coo_matrix((np.ones(len(a), dtype=np.int8), (a, b)), shape=(count, count))
-    return connected_components(graph, directed=False)[1]
 
 
 def _claims(owner: Ints, found: Patches) -> tuple[Ints, Ints, Ints]:
@@ -98,7 +98,7 @@ def _claims(owner: Ints, found: Patches) -> tuple[Ints, Ints, Ints]:
     a, b = found.piece, found.other
     two = b >= 0
     both = two & (owner[a] < 0) & (owner[b] < 0)
-    part = _parts(a[both], b[both], len(owner))
+    part = components(np.column_stack([a, b])[both], len(owner))
     plain = (found.element >= 0) & (owner[a] < 0)
     forth = two & (owner[a] < 0) & (owner[b] >= 0)
     back = two & (owner[b] < 0) & (owner[a] >= 0)

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from bondem._core import room_for
-from bondem._tables.tessellation_tables import PolygonBuffer
+from bondem._core import with_room
+from bondem._tables.tessellation_tables import PolygonBuffer, Solids
 from bondem._types import Floats, Ints
 
 #: Columns of `PolygonBuffer.what`, the integers of each polygon.
@@ -27,11 +27,17 @@ def buffer_corners(pile: PolygonBuffer) -> Floats:
     return pile.vertex[: pile.used[1]]
 
 
+def solids_in(pile: PolygonBuffer, cell: Ints, face: Ints) -> Solids:
+    """Return the solids of which a buffer has the faces: their cells (k,), and the first face of each, (k + 1,)."""
+    faces = polygon_count(pile)
+    return Solids(
+        cell, face, pile.what[:faces, TAG].copy(), pile.plane[:faces], first_corners(pile), buffer_corners(pile)
+    )
+
+
 def roomier_buffer(pile: PolygonBuffer) -> PolygonBuffer:
     """Return a copy of a buffer, with room for twice as many polygons and corners."""
-    used = np.array([*pile.used[:2], 0])
-    what, plane, vertex = (room_for(values, 2 * len(values)) for values in pile[:3])
-    return PolygonBuffer(what, plane, vertex, used)
+    return with_room(pile._replace(used=np.array([*pile.used[:2], 0])), "what", "plane", "vertex")
 
 
 def new_buffer(polygons: int, corners: int) -> PolygonBuffer:

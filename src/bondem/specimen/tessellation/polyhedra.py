@@ -70,19 +70,18 @@ def _moved_on(solid: Polyhedra, own: Ints) -> Polyhedra:
 def _of_body(particles: Particles) -> Polyhedra:
     made = tessellation(particles, outlines=True)
     position, plain = made.centres.position, made.outlines
-    found, owner = made.cut.found, made.cut.owner
+    found = made.cut.found
     own = plain.cell[solid_of_face(plain)]
     behind = np.maximum(plain.tag, -1)
     retained = np.flatnonzero((behind < 0) | ~made.is_cut[np.maximum(behind, 0)])
     corners, begin = ranges(plain.corner, retained)
-    a = owner[found.piece]
-    b = np.where(found.other >= 0, owner[found.other], found.element)
+    a, b = made.cut.sides
     outer = np.flatnonzero(a != b)
     back = outer[b[outer] >= 0]
     forth, size_forth = ranges(found.corner, outer)
     turned, size_turned = ranges(found.corner, back)
-    turned = np.repeat(size_turned[:-1] + size_turned[1:] - 1, np.diff(size_turned)) - np.arange(len(turned))
-    turned = ranges(found.corner, back)[0][turned]
+    # the corners of each polygon in reverse order
+    turned = turned[np.repeat(size_turned[:-1] + size_turned[1:] - 1, np.diff(size_turned)) - np.arange(len(turned))]
     vertex = np.concatenate([
         plain.vertex[corners] + np.repeat(position[own[retained]], np.diff(begin), axis=0), found.vertex[forth],
         found.vertex[turned],

@@ -11,9 +11,10 @@ from bondem._tables.tessellation_tables import WallTree
 from bondem._types import Floats, PerElement, PerElement3, Vector
 from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import Ball, BoundingBox, Box, Cylinder
+from bondem.geometry.planes import depth_below_side
 from bondem.geometry.shape import Cut, Joined, Overlap, Placed, Shape
 from bondem.geometry.surface import Surface
-from bondem.geometry.triangles import boxes_of_tree
+from bondem.geometry.triangles import boxes_of_tree, tree_order
 
 # Least number of sides of a cylinder, and of divisions of the triangles of an icosahedron into four for a ball.
 _SIDES, _QUARTERED = 64, 3
@@ -103,11 +104,9 @@ class Prism(Shape):
 
     def face_depth(self, face: str, points: PerElement3) -> PerElement:
         self._check_face(face)
-        x, y, z = np.atleast_2d(points).T
-        if face == "x_min":
-            return x
-        if face == "x_max":
-            return self.length - x
+        if face != "side":
+            return depth_below_side(self.bounds, face, points)
+        _, y, z = np.atleast_2d(points).T
         step = 2.0 * math.pi / self.sides
         angle = np.arctan2(z, y)
         off = angle - (np.floor(angle / step) + 0.5) * step
@@ -174,25 +173,10 @@ def wall_tree(corner: Floats) -> WallTree:
     plane = np.column_stack([normal, (normal * corner.mean(axis=1)).sum(axis=1)])
     count = len(corner)
     leaves = 1 << max(count - 1, 1).bit_length()
-    order = np.full((1, leaves), -1)
-    order[0, :count] = np.arange(count)
-    middle = np.concatenate([corner.mean(axis=1), np.full((1, 3), np.inf)])  # leaves without a triangle come last
-    while order.shape[1] > 1:
-        there = middle[order]
-        known = np.where(np.isfinite(there), there, np.nan)
-        spread = np.where(order.max(axis=1)[:, None] < 0, 0.0, _spread(known))
-        along = np.take_along_axis(there, spread.argmax(axis=1)[:, None, None], axis=2)[:, :, 0]
-        order = np.take_along_axis(order, np.argsort(along, axis=1, kind="stable"), axis=1)
-        order = order.reshape(2 * len(order), -1)
-    owner = order.ravel()
+    order = np.append(np.arange(count), np.full(leaves - count, -1))
+    middle = np.concatenate([corner.mean(axis=1), np.full((1, 3), np.inf)])  # row -1 for leaves without a triangle
+    owner = tree_order(middle, order)
     none = owner[:, None] < 0
     lower = np.where(none, np.inf, corner.min(axis=1)[owner])
     upper = np.where(none, -np.inf, corner.max(axis=1)[owner])
     return WallTree(corner, plane, *boxes_of_tree(lower, upper), owner)
-
-
-def _spread(points: Floats) -> Floats:
-    """Return the extent of each group of points along each axis [m], (g, 3); points with NaN are ignored."""
-    return np.where(np.isnan(points), -np.inf, points).max(axis=1) - np.where(
-        np.isnan(points), np.inf, points
-    ).min(axis=1)

@@ -32,14 +32,9 @@ class FacetMatrix:
         assert plain.forms is not None
         self.plain = replace(plain, weight=plain.weight.copy())
         self._i, self._j = layout.i.astype(np.int64), layout.j.astype(np.int64)
-        start, inward = plain.bonds.indptr.astype(np.int64), np.diff(layout.in_start)
-        self._diagonal = start[:-1] + inward
-        place = np.arange(len(self._i))
-        self._below = start[self._j] + place - layout.in_start[self._j]  # row j, column i
-        above = np.empty(len(place), dtype=np.int64)
-        leaving = self._i[layout.out_bond]
-        above[layout.out_bond] = self._diagonal[leaving] + 1 + place - layout.out_start[leaving]
-        self._above = above  # row i, column j
+        diagonal, above, below = layout.blocks
+        # (i, i), (i, j), (j, i) and (j, j) of each facet, (4, m)
+        self._blocks = np.stack([diagonal[self._i], above, below, diagonal[self._j]])
         self._plain_rows = _by_rows(self.plain)
         self._plain_columns = self._plain_rows.T
         self.rescale(root)
@@ -58,12 +53,12 @@ class FacetMatrix:
         self.rounded = bonds.astype(np.float32), forms.astype(np.float32)
 
     def force(self, motion: Floats) -> Floats:
-        """Return K u of motions (6 n,)."""
+        """Return forces and torques K u [N, N·m] of motions [m, rad], (6 n,)."""
         weighted = self.plain.weight * (self._plain_rows @ motion)
         return np.asarray(self.plain.bonds @ motion, dtype=float) + self.swelling_force(weighted)
 
     def swelling_force(self, stress: Floats) -> Floats:
-        """Return Fᵀ σ of stresses of cells (n,), (6 n,)."""
+        """Return forces and torques [N, N·m], (6 n,), of the stresses λ θ of cells [Pa], (n,)."""
         return np.asarray(self._plain_columns @ stress, dtype=float)
 
     def add(self, facets: Ints, block: Floats, form_i: Floats, form_j: Floats) -> None:
@@ -80,21 +75,18 @@ class FacetMatrix:
         self.plain.__dict__.pop("_rows", None)  # cached rows of the forms, now out of date
         forms = ((form[:, None] @ turn)[:, 0] for form in (form_i, form_j))
         self._put(self.scaled, facets, np.swapaxes(turn, 1, 2) @ block @ turn, *forms)
-        i, j = self._diagonal[self._i[facets]], self._diagonal[self._j[facets]]
-        places = np.concatenate([i, j, self._above[facets], self._below[facets]])
+        places = self._blocks[:, facets]
         assert self.scaled.forms is not None
         self.rounded[0][places] = self.scaled.bonds.data[places]
         self.rounded[1][places] = self.scaled.forms.data[places, 0]
 
     def _put(self, matrix: Stiffness, facets: Ints, block: Floats, form_i: Floats, form_j: Floats) -> None:
         assert matrix.forms is not None
-        i, j = self._diagonal[self._i[facets]], self._diagonal[self._j[facets]]
-        above, below = self._above[facets], self._below[facets]
         data, form, u, v = matrix.bonds.data, matrix.forms.data[:, 0], slice(6), slice(6, 12)
-        for place, rows, columns in ((i, u, u), (above, u, v), (below, v, u), (j, v, v)):
+        ends = (u, u, form_i), (u, v, form_i), (v, u, form_j), (v, v, form_j)
+        for place, (rows, columns, own) in zip(self._blocks[:, facets], ends, strict=True):
             np.add.at(data, place, block[:, rows, columns])
-        for place, part in ((i, form_i[:, u]), (above, form_i[:, v]), (below, form_j[:, u]), (j, form_j[:, v])):
-            np.add.at(form, place, part)
+            np.add.at(form, place, own[:, columns])
 
 
 def _by_rows(matrix: Stiffness) -> csr_array:

@@ -9,6 +9,7 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import reverse_cuthill_mckee
 
 from bondem._core import bound_pass
+from bondem._indices import inverse
 from bondem._passes import calls
 from bondem._tables.quasistatic_tables import ClumpCorrection, ConjugateGradients, ScaledMatrix
 from bondem._types import Floats
@@ -24,8 +25,7 @@ def new_clump_correction(iteration: Iteration) -> ClumpCorrection:
     clumps = iteration.coarse
     matrix = coo_array(clumps.regular)
     sequence = reverse_cuthill_mckee(clumps.regular.tocsr(), symmetric_mode=True)
-    order = np.empty(len(sequence), dtype=np.int64)
-    order[sequence] = np.arange(len(sequence))
+    order = inverse(sequence)
     row, column = order[matrix.row], order[matrix.col]
     low = row >= column
     band = np.zeros((int((row - column).max()) + 1, len(order)))

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import csr_array
+from scipy.sparse import csr_array, vstack
 
 from bondem._types import Floats, Ints, Mask
 from bondem.boundary.conditions import Drive, Load
@@ -100,7 +100,7 @@ class PointGauges:
         Raises:
             InputError: A gauge is not a pair of regions.
         """
-        self._names, rows = list(gauges), []
+        self._names, rows = list(gauges), [csr_array((0, 6 * len(model.layout.order)))]
         for name, ends in gauges.items():
             pair = isinstance(ends, tuple) and len(ends) == 2
             if not (pair and all(isinstance(one, Region) for one in ends)):
@@ -108,25 +108,23 @@ class PointGauges:
                     f"solve_quasistatic: gauge '{name}' needs two regions, such as"
                     " (bd.Face('x_min'), bd.Face('x_max'))"
                 )
-            rows += [MeasuringPoints.of(one, model.lattice) for one in ends]
-        size = (3 * len(self._names), 6 * len(model.layout.order))
-        self._matrix = csr_array(size)
-        for g, points in enumerate(rows):
-            sign = 1.0 if g % 2 else -1.0
-            self._matrix = self._matrix + sign * _mean_motion(model, points, 3 * (g // 2), size)
+            first, second = (_mean_motion(model, MeasuringPoints.of(one, model.lattice)) for one in ends)
+            rows.append(csr_array(second - first))
+        self._matrix = csr_array(vstack(rows))
 
     def read(self, motion: Floats) -> dict[str, Floats]:
         """Return the displacement of each second end from its first, for small rotations [m], (3,) each."""
         return dict(zip(self._names, (self._matrix @ motion).reshape(-1, 3), strict=True))
 
 
-def _mean_motion(model: Model, points: MeasuringPoints, row: int, size: tuple[int, int]) -> csr_array:
-    """Return the matrix whose three rows from `row` on give u + θ × arm of points, averaged, from motions (6 n,)."""
+def _mean_motion(model: Model, points: MeasuringPoints) -> csr_array:
+    """Return the matrix (3, 6 n) that gives the mean of u + θ × arm over points from motions (6 n,)."""
     arm = points.position - model.lattice.centre[points.element]
     first, weight = 6 * model.layout.rank[points.element], points.weight
     entries = [(a, a, weight) for a in range(3)]
     for a, b, c in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):  # (θ × arm)_a = θ_b arm_c - θ_c arm_b
         entries += [(a, 3 + b, weight * arm[:, c]), (a, 3 + c, -weight * arm[:, b])]
-    rows = np.concatenate([np.full(len(first), row + a) for a, _, _ in entries])
+    rows = np.repeat([a for a, _, _ in entries], len(first))
     columns = np.concatenate([first + b for _, b, _ in entries])
-    return csr_array((np.concatenate([value for _, _, value in entries]), (rows, columns)), shape=size)
+    values = np.concatenate([value for _, _, value in entries])
+    return csr_array((values, (rows, columns)), shape=(3, 6 * len(model.layout.order)))

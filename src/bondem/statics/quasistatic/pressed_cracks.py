@@ -1,10 +1,8 @@
 """Check for cracks that open under pressure along them, which an equilibrium loses as a crack opens."""
 
-import warnings
-
 import numpy as np
 
-from bondem._names import users_line
+from bondem._names import warn_user
 from bondem._types import Ints
 from bondem.errors import FractureEnergyWarning
 from bondem.observables.principal_stresses import principal_stresses
@@ -34,8 +32,9 @@ class PressedCracks:
     def warn(self) -> None:
         """Issue a `FractureEnergyWarning` if the mean pressure along the cracks exceeds the limit."""
         if self._pressing > _LIMIT * self._pulling:
-            warnings.warn(
+            warn_user(
                 f"solve_quasistatic: the pressure along the cracks is {self._pressing / self._pulling:.1f} times the "
                 "tension across them. Equilibria lose it where a crack opens, and dissipate too much energy; use "
-                "solve_explicit", FractureEnergyWarning, stacklevel=users_line(),
-            )  # fmt: skip
+                "solve_explicit",
+                FractureEnergyWarning,
+            )

@@ -170,13 +170,9 @@ def solve_quasistatic(
 
 
 def _followed(
-    model: Model,
-    drive: Region,
-    pairs: Mapping[str, tuple[Region, Region]],
-    limits: tuple[float, float, float, int],
-    progress: Callable[[float], None] | None,
-    halt: Halt,
-) -> QuasistaticResult:
+    model: Model, drive: Region, pairs: Mapping[str, tuple[Region, Region]], limits: tuple[float, float, float, int],
+    progress: Callable[[float], None] | None, halt: Halt,
+) -> QuasistaticResult:  # fmt: skip
     """Follow a path to its end, or until a signal; `limits` are ripple, together, until and most."""
     band, close, share, limit = limits
     body, equilibrium, onset = _begin(model)
@@ -186,8 +182,8 @@ def _followed(
     following = np.full(len(body.integrity), np.inf)
     motion, before = body.motion.copy(), (body.integrity, body.closed)
     first, size, reported, end = 0.0, 0.0, 0.0, "events"
-    if progress is not None:
-        progress(0.0)
+    report = progress or (lambda share: None)
+    report(0.0)
     for event in range(limit):
         if halt() is not None:
             end = "interrupted"
@@ -230,11 +226,9 @@ def _followed(
         if borne < share:
             end = "unloaded"
             break
-        if progress is not None:
-            reported = max(reported, (1.0 - borne) / (1.0 - share))
-            progress(reported)
-    if progress is not None:
-        progress(1.0)
+        reported = max(reported, (1.0 - borne) / (1.0 - share))
+        report(reported)
+    report(1.0)
     pressed.warn()
     return path.result(body, before, end, equilibrium)
 
@@ -267,9 +261,7 @@ def _folds(motion: Floats, factor: float) -> bool:
     return float((turn > _SMALL).mean()) > _TURNED
 
 
-def _next(
-    body: DamagedBody, onset: FacetOnset, following: Floats, found: Loaded, close: float
-) -> tuple[Ints, float]:
+def _next(body: DamagedBody, onset: FacetOnset, following: Floats, found: Loaded, close: float) -> tuple[Ints, float]:
     """Return the facets that fail next, in the user's order, and the load factor; none if nothing fails.
 
     `following` is the load at the next event of each softening facet over that of its curve [-], inf for none.
@@ -302,9 +294,12 @@ class _Path:
         self._motion, self._factor = np.zeros(6 * len(model.layout.order)), 0.0
 
     def settle(self, potential: float, load: float, displacement: float) -> None:
-        """Store the state at a factor of 1 since the last event: energy less work of loads, load and displacement.
+        """Record the equilibrium after the last event at a factor of 1, and the energy that the event dissipated.
 
-        At the factor of the event that energy fell by the dissipated energy, because walls and loads did not change.
+        Args:
+            potential: energy of the body less the work of its loads [J], which falls by the dissipated energy.
+            load: load on the driven region [N].
+            displacement: displacement of this region [m].
         """
         if self._rows:
             square = self._rows[-1][0] ** 2
@@ -340,8 +335,7 @@ class _Path:
         rows = np.array(self._rows).reshape(-1, 5)
         facet = np.array([k for k, *_ in self._facets], dtype=np.int64)
         bond: Ints = layout.bond_order[facet]
-        own = np.empty_like(body.integrity)
-        own[layout.bond_order] = body.left
+        own = body.left[layout.reversed.bond_order]
         if end != "parted":
             body.restore(*before)
         state = body.state(self._motion, self._factor, balanced=end != "parted")

@@ -35,9 +35,10 @@ class CrackedHalves:
 def taken_cracks(table: SofteningTable, halves: CrackedHalves, opened: SofteningSearch) -> Floats:
     """Return the rows of cracks (`bondem.damage.crack_columns`, (c, CRACK_COLUMNS)) with equal forces in a run.
 
-    A crack keeps one integrity s for all directions: s_1 = γ = s, and s_2 = s_3 = 1. Its first axis is the direction
-    in which it softens next. If a half is in compression, or not in tension along that direction, the first axis is
-    the normal of the facet, along which pressure remains. Both choices give the force of the equilibrium.
+    A crack keeps its integrity s along its first axis and in its grip, and has 1 along the other two. Its first axis
+    is the direction in which it softens next. If a half is in compression, or not in tension along that direction,
+    the first axis is the normal of the facet, along which pressure remains. Both choices give the force of the
+    equilibrium.
 
     Args:
         table: strengths of the facets.
