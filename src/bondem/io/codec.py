@@ -40,11 +40,10 @@ _TYPES: dict[str, type] = {
     cls.__name__: cls
     for cls in (
         *LAWS.values(), *CELL_LAWS.values(), *WHOLE_LAWS.values(), *CRITERIA.values(), Bilinear, Weibull, Normal,
-        LocalDamping, BondDamping, MassDamping, TchamwaWielgosz, VelocityVerlet, AtRest, ContactEnd,
-        LoadDrop, Plan,
+        LocalDamping, BondDamping, MassDamping, TchamwaWielgosz, VelocityVerlet, AtRest, ContactEnd, LoadDrop, Plan,
         LinearContact, HertzMindlin, Adhesion, PlaneWall, CylinderWall, SphereWall, Driven, Servo, Free,
-        Drive, Fix, Load, Pressure, BodyForce, Absorbing, Eigenstrain, Gauge, WallGauge,
-        StrainGauge, Constant, Ramp, Table,
+        Drive, Fix, Load, Pressure, BodyForce, Absorbing, Eigenstrain, Gauge, WallGauge, StrainGauge,
+        Constant, Ramp, Table,
         Ball, BoundingBox, Box, Cell, Cylinder, Surface, Placed, Overlap, Joined, Cut,
         Aggregates, Body, Difference, Everything, Face, Index, Intersection, Plane, Union, Within,
     )
@@ -116,8 +115,7 @@ def _rebuild(name: str, given: dict[str, Any]) -> Any:
     if name == StressCriterion.__name__:
         raise RunFileError(
             f"the criterion of the run uses the function {given.get('function')}, which a file cannot store; give"
-            " it again:"
-            " failure=bd.StressCriterion(...) as it was"
+            " it again: failure=bd.StressCriterion(...) as it was"
         )
     if name == Servo.__name__:
         given = {"damping": 0.0} | given  # files of versions whose platens were not damped
