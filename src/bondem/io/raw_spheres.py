@@ -75,17 +75,23 @@ def floats(path: Path, line: int, words: Sequence[str]) -> list[float]:
     return found
 
 
-def snapshot_number(path: Path, frame: int, count: int) -> int:
+def snapshot_number(path: Path, number: int, count: int, *, argument: str = "frame") -> int:
     """Convert the number of a snapshot, negative from the end, to an index from 0.
+
+    Args:
+        path: the file, for messages.
+        number: number of the snapshot.
+        count: number of snapshots in the file.
+        argument: name of the argument of the user, for messages.
 
     Raises:
         InputError: the file has no such snapshot.
     """
-    if not -count <= frame < count:
+    if not -count <= number < count:
         raise InputError(
-            f"frame = {shown(frame)}: '{path}' has {count} snapshots; give one from 0 to {count - 1}, or -1"
+            f"{argument} = {shown(number)}: '{path}' has {count} snapshots; give one from 0 to {count - 1}, or -1"
         )
-    return frame % count
+    return number % count
 
 
 def chosen_frame(path: Path, number: int, frames: Iterable[_Frame], empty: str = "") -> _Frame:
