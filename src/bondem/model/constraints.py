@@ -12,7 +12,7 @@ from bondem._types import Floats, PerBond, PerElement
 from bondem.boundary.conditions import BoundaryCondition, Drive, Fix, Load
 from bondem.boundary.couples import Couple, couple_table
 from bondem.boundary.loads import Absorbing, BodyForce, Eigenstrain, Pressure
-from bondem.boundary.schedules import Schedule
+from bondem.boundary.schedules import Schedule, joined_tables
 from bondem.errors import InputError
 from bondem.interactions.interaction import Interaction
 from bondem.specimen.lattice import Lattice
@@ -170,15 +170,11 @@ class Constraints:
         row_of[element] = np.arange(len(element))
         for d, (a, b) in enumerate(((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))):
             dashpots[(fixed[:, a] | fixed[:, b]) > 0, d] = 0.0
-        tables = [schedule.table for schedule in schedules]
-        lengths = [len(times) for times, _ in tables]
         return cls(
             element=element,
             row_of=row_of,
             fixed=fixed[element],
-            start=np.concatenate([[0], np.cumsum(lengths)]).astype(np.int64),
-            times=_joined([times for times, _ in tables]),
-            values=_joined([values for _, values in tables]),
+            **joined_tables(schedules),
             drive_row=_joined_rows([row_of[chosen] for chosen, *_ in drives]),
             drive_dof=_joined_rows([np.full(len(c), dof) for c, dof, _, _ in drives]),
             drive_schedule=_joined_rows([np.full(len(c), s) for c, _, s, _ in drives]),
@@ -296,10 +292,6 @@ def _follows(condition: Load | Pressure, body: Lattice) -> bool:
         " method='laguerre', or leave out follows="
     )
     return True
-
-
-def _joined(parts: list[Floats]) -> Floats:
-    return np.concatenate(parts) if parts else np.zeros(0)
 
 
 def _joined_rows(parts: list[np.ndarray]) -> np.ndarray:
