@@ -32,7 +32,10 @@ class Couple:
     schedule: int
 
     def places(self, pose: Floats | None) -> tuple[Floats, Floats]:
-        """Return arms and points relative to their centroid [m], (k, 3) each, in a pose or (None) the reference."""
+        """Return the arms, and the points relative to their weighted centroid [m], (k, 3) each.
+
+        They are those of a pose (n, 7), or of the reference for None.
+        """
         arm, centre = self.arm, self.centre
         if pose is not None:
             arm, centre = turned_vectors(pose[self.element, 4:], self.arm), pose[self.element, :3]

@@ -124,15 +124,9 @@ class SurfaceModel:
         stiffness = np.diag([2.0 * mean.G] * 3 + [mean.G] * 3)
         stiffness[:3, :3] += mean.K - 2.0 * mean.G / 3.0
         return AffineEstimate(
-            stiffness=stiffness,
-            E=mean.E,
-            nu=mean.nu,
-            coordination=self.coordination,
-            looseness=self.looseness,
-            wall=0.0,
-            shear=shear / normal,
+            stiffness, mean.E, mean.nu, self.coordination, self.looseness, wall=0.0, shear=shear / normal,
             bending=float(k.kb.sum()) / normal,
-        )
+        )  # fmt: skip
 
 
 @cache

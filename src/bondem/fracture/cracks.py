@@ -10,13 +10,12 @@ from scipy.sparse import coo_array, csr_array
 from scipy.sparse.csgraph import breadth_first_order, connected_components
 from scipy.spatial import KDTree
 
-from bondem._checks import instance, number, place
+from bondem._checks import instance, number, place, unit_vector
 from bondem._types import Floats, Ints
 from bondem.errors import InputError
 from bondem.fracture.crack_faces import faces_of
 from bondem.fracture.crack_polygons import CrackPolygons, crack_polygons
 from bondem.fracture.crack_surfaces import CrackSurfaces, crack_surfaces
-from bondem.fracture.directions import unit_vector
 from bondem.io.vtk_polygons import write_polygons
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
@@ -83,6 +82,7 @@ class Cracks:
 
         Raises:
             InputError: The file cannot be written.
+            RunFileError: The disk is full, or another failure to write.
         """
         row = self.polygons.facet
         fields = {

@@ -1,7 +1,7 @@
 """Elements, bonds, facets and cells of a body in an HDF5 file, bit for bit: reading does not repeat the tessellation.
 
-`/elements` holds positions and radii, and the edges of a periodic cell.
-`/facets` holds the arrays of `Facets`, `/cells` those of `Cells`, `/cells/free` those of `FreeFacets`, by name.
+`/elements` has positions and radii, and the edges of a periodic cell.
+`/facets` has the arrays of `Facets`, `/cells` those of `Cells`, `/cells/free` those of `FreeFacets`, by name.
 A scene of several bodies has `/bodies/label`, with names and shapes as JSON in the attributes of that group.
 """
 

@@ -1,6 +1,6 @@
 """Conversion of frozen dataclasses to JSON and back, for an explicit list of types.
 
-`{"type": "Face", "name": "x_min", "depth": 0.02}` holds the arguments of the object. An unknown type or key raises an
+`{"type": "Face", "name": "x_min", "depth": 0.02}` has the arguments of the object. An unknown type or key raises an
 error, so that files of a newer bondem are rejected instead of misread. Numbers keep every bit, as JSON prints the
 shortest text that reads back exactly.
 """
@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from bondem.boundary.conditions import Drive, Fix, Load
+from bondem.boundary.conditions import MOTIONS, Drive, Fix, Load
 from bondem.boundary.gauges import Gauge, StrainGauge, WallGauge
 from bondem.boundary.loads import Absorbing, BodyForce, Eigenstrain, Pressure
 from bondem.boundary.schedules import Constant, Ramp, Table
@@ -82,8 +82,8 @@ def _arguments(value: Any) -> dict[str, Any]:
         parts = ("fracture_energy", "friction", "curve", "scatter", "parameters")
         return {"function": value.name} | {name: getattr(value, name) for name in parts}
     if isinstance(value, Drive):
-        names = ("x", "y", "z", "rx", "ry", "rz"), ("vx", "vy", "vz", "wx", "wy", "wz")
-        motion = {names[rate][dof]: schedule for dof, schedule, rate in value.motion}
+        names = {number: name for name, number in MOTIONS.items()}
+        motion = {names[dof, rate]: schedule for dof, schedule, rate in value.motion}
         return {"region": value.region, "friction": value.friction} | motion
     if isinstance(value, Driven):
         return value.components | ({"axis": value.axis, "about": value.about} if value.turns else {})

@@ -55,6 +55,7 @@ def export(
     Raises:
         InputError: an unknown format, one that cannot represent these elements, a field of the wrong length or with a
             name that is in use or that the format cannot represent, or a file that cannot be written.
+        RunFileError: the disk is full, or another failure to write.
         MissingDependencyError: meshio is not installed.
     """
     path = place("export: path", path)

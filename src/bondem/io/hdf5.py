@@ -65,15 +65,7 @@ def write_head(file: h5py.File, name: str, schema: int, texts: Mapping[str, str]
 
 
 def refuse_newer(path: Path, schema: int, version: str, known: int, kind: Kind) -> None:
-    """Raise the error of the kind for a file with a schema above the largest known one.
-
-    Args:
-        path: the file.
-        schema: schema of the file.
-        version: version of bondem that wrote the file.
-        known: largest known schema.
-        kind: kind of the file.
-    """
+    """Raise the error of `kind` if the schema of a file, which bondem `version` wrote, is above the `known` ones."""
     if schema > known:
         raise kind.error(
             f"'{path}' was written by bondem {version}, which is newer than this {__version__}; update bondem to read"

@@ -129,7 +129,7 @@ def _float(word: str) -> float:
 
 
 def _box(path: Path, frame: _Frame) -> tuple[Floats, Floats, list[str], bool]:
-    """Lower and upper corner, (3,) each, kinds of the borders, and True if the box is tilted."""
+    """Return lower and upper corner, (3,) each, the kinds of the borders, and True if the box is tilted."""
     line, behind, rows = frame.items.get("BOX BOUNDS", (frame.line, "", []))
     bounds = [floats(path, number, text.split()) for number, text in rows]
     if len(bounds) != 3 or any(len(row) < 2 for row in bounds):

@@ -47,6 +47,7 @@ def write_vtkhdf(
     Raises:
         InputError: the file cannot be written, the state is of another lattice, a field has the wrong length or a
             name in use, or `bonds` is given for cells.
+        RunFileError: the disk is full, or another failure to write.
     """
     path = place("write_vtkhdf: path", path)
     instance("write_vtkhdf", "lattice", lattice, Lattice, "a lattice")
