@@ -139,6 +139,19 @@ def vector(owner: str, name: str, value: object, *, unit: str = "", advice: str 
     return x, y, z
 
 
+def unit_vector(owner: str, name: str, value: object) -> Floats:
+    """Return a direction as a unit vector, (3,).
+
+    Raises:
+        InputError: The value is not three finite components, or has no length.
+    """
+    found = np.array(vector(owner, name, value))
+    size = float(np.linalg.norm(found))
+    if size == 0.0:
+        raise InputError(f"{owner}: {name} has no length; give a direction such as (1, 0, 0)")
+    return found / size
+
+
 def array(owner: str, name: str, value: object, *, wanted: str) -> Floats:
     """Return a copy of an argument that must be numbers, as an array of any shape; `wanted` ends the message.
 

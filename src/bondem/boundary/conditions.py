@@ -24,6 +24,11 @@ from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Region, as_region
 
 _AXES = {"x": 0, "y": 1, "z": 2}
+#: Degree of freedom of each argument of `Drive`, and True for a velocity.
+MOTIONS = {
+    name: (dof, rate) for rate, names in ((False, "x y z rx ry rz"), (True, "vx vy vz wx wy wz"))
+    for dof, name in enumerate(names.split())
+}  # fmt: skip
 
 
 def _components(owner: str, axes: str) -> tuple[int, ...]:
@@ -104,17 +109,13 @@ class Drive:
 
     def __init__(self, region: Region, *, friction: float | None = None, **components: float | Schedule) -> None:
         as_region("Drive", region)
-        names = {}
-        for k, axis in enumerate("xyz"):
-            names |= {axis: (k, False), "v" + axis: (k, True), "r" + axis: (3 + k, False), "w" + axis: (3 + k, True)}
-        unknown = sorted(set(components) - set(names))
+        unknown = sorted(set(components) - set(MOTIONS))
         if unknown:
-            raise InputError(f"Drive: unknown component '{unknown[0]}'; choose from {', '.join(names)}")
+            raise InputError(f"Drive: unknown component '{unknown[0]}'; choose from {', '.join(MOTIONS)}")
         if not components:
             raise InputError("Drive: no component is prescribed; name one, such as x= or vx=")
-        motion = tuple(
-            (names[key][0], as_schedule("Drive", key, value), names[key][1]) for key, value in components.items()
-        )
+        numbers = {key: MOTIONS[key] for key in components}
+        motion = tuple((k, as_schedule("Drive", key, components[key]), rate) for key, (k, rate) in numbers.items())
         if len({dof for dof, _, _ in motion}) < len(motion):
             raise InputError("Drive: give the displacement or the velocity of a component, not both")
         _check_friction("Drive", region, tuple(dof for dof, *_ in motion), friction)

@@ -8,7 +8,7 @@ import numpy as np
 from bondem._tables.step_tables import CoupleTable
 from bondem._types import Floats, Ints, PerElement6
 from bondem.boundary.balanced_forces import balanced_forces
-from bondem.geometry.rotations import turned_vectors
+from bondem.geometry.rotations import cross_matrices, turned_vectors
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +32,10 @@ class Couple:
     schedule: int
 
     def places(self, pose: Floats | None) -> tuple[Floats, Floats]:
-        """Return arms and points relative to their centroid [m], (k, 3) each, in a pose or (None) the reference."""
+        """Return the arms, and the points relative to their weighted centroid [m], (k, 3) each.
+
+        They are those of a pose (n, 7), or of the reference for None.
+        """
         arm, centre = self.arm, self.centre
         if pose is not None:
             arm, centre = turned_vectors(pose[self.element, 4:], self.arm), pose[self.element, :3]
@@ -62,13 +65,13 @@ class Couple:
         _, place = self.places(pose)
         inertia = np.einsum("k,ka,kb->ab", self.share, place, place)
         inverse = np.linalg.pinv(np.trace(inertia) * np.eye(3) - inertia, rcond=1e-9, hermitian=True)
-        share, a = self.share[:, None, None], _cross(arm)
+        share, a = self.share[:, None, None], cross_matrices(arm)
         # f_p = w (J⁻¹ M) × s: it turns with the region, while M stays
-        by_moment = -share * _cross(place) @ inverse
-        moved = by_moment @ _cross(self.moment[None])[0] - _cross(force)
-        lost = _cross(force) @ a
+        by_moment = -share * cross_matrices(place) @ inverse
+        moved = by_moment @ cross_matrices(self.moment[None])[0] - cross_matrices(force)
+        lost = cross_matrices(force) @ a
         given = np.concatenate([moved, lost + a @ moved], axis=1)
-        seen = share * inverse @ _cross(place)
+        seen = share * inverse @ cross_matrices(place)
         return given, np.concatenate([seen, -seen @ a], axis=2).transpose(1, 0, 2)
 
 
@@ -83,11 +86,3 @@ def couple_table(couples: Sequence[Couple], row_of: Ints) -> CoupleTable:
         arm=np.concatenate([np.zeros((0, 3)), *(one.arm for one in couples)]),
         share=np.concatenate([np.zeros(0), *(one.share for one in couples)]),
     )  # fmt: skip
-
-
-def _cross(vectors: Floats) -> Floats:
-    """Return the matrices [v]× of vectors (k, 3), for which [v]× b = v × b, (k, 3, 3)."""
-    matrix = np.zeros((len(vectors), 3, 3))
-    for row, column, axis in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        matrix[:, row, column], matrix[:, column, row] = -vectors[:, axis], vectors[:, axis]
-    return matrix

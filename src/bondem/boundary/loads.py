@@ -290,15 +290,7 @@ class Eigenstrain:
 
 def is_face(region: Region) -> bool:
     """Return True if a region is a face or part of one."""
-    match region:
-        case Face():
-            return True
-        case Difference(first=first):
-            return is_face(first)
-        case Intersection(first=first, second=second):
-            return is_face(first) or is_face(second)
-        case _:
-            return False
+    return _face_in(region) is not None
 
 
 def acts_on_facets(region: Region, lattice: Lattice) -> bool:
@@ -308,18 +300,24 @@ def acts_on_facets(region: Region, lattice: Lattice) -> bool:
 
 def face_of(owner: str, region: Region) -> Face:
     """Return the face that a region equals or is part of; raise InputError if there is none."""
+    face = _face_in(as_region(owner, region))
+    if face is None:
+        raise InputError(
+            f'{owner}: {region} is not a face; give bd.Face("x_min") or a part of one, and one {owner} for each face'
+        )
+    return face
+
+
+def _face_in(region: Region) -> Face | None:
     match region:
         case Face():
             return region
         case Difference(first=first):
-            return face_of(owner, first)
+            return _face_in(first)
         case Intersection(first=first, second=second):
-            return face_of(owner, first if isinstance(first, Face | Difference | Intersection) else second)
-        case _:
-            as_region(owner, region)
-    raise InputError(
-        f'{owner}: {region} is not a face; give bd.Face("x_min") or a part of one, and one {owner} for each face'
-    )
+            face = _face_in(first)
+            return _face_in(second) if face is None else face
+    return None
 
 
 def facet_numbers(region: Region, body: Lattice) -> Ints:

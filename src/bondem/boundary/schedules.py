@@ -1,6 +1,7 @@
 """Schedules: values over time. Every schedule is piecewise linear, so that the core needs only one kind."""
 
 from abc import ABC, abstractmethod
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -107,6 +108,16 @@ class Table(Schedule):
     @property
     def table(self) -> tuple[Floats, Floats]:
         return np.array(self.times), np.array(self.values)
+
+
+def joined_tables(schedules: Sequence[Schedule]) -> dict[str, np.ndarray]:
+    """Return `times` [s] and `values` of schedules one after the other; those of schedule k begin at `start`[k]."""
+    tables = [schedule.table for schedule in schedules]
+    return {
+        "start": np.cumsum([0, *(len(times) for times, _ in tables)]).astype(np.int64),
+        "times": np.concatenate([np.zeros(0), *(times for times, _ in tables)]),
+        "values": np.concatenate([np.zeros(0), *(values for _, values in tables)]),
+    }
 
 
 def as_schedule(owner: str, name: str, value: "float | Schedule") -> Schedule:

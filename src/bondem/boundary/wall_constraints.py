@@ -14,8 +14,8 @@ from bondem._tables.cell_tables import WallConstraints
 from bondem._types import Floats, Ints, Mask, PerElement, PerElement3, PerElement6
 from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
 from bondem.boundary.loads import facet_numbers, is_face
-from bondem.boundary.schedules import Schedule
-from bondem.geometry.rotations import turned_vectors
+from bondem.boundary.schedules import Schedule, joined_tables
+from bondem.geometry.rotations import cross_matrices, turned_vectors
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.ordering import Layout
 
@@ -210,10 +210,7 @@ class Supports:
             lever: levers as rotated by the cells [m], (g, 3); None for those of the reference.
         """
         b, P = self.lever if lever is None else lever, self.axes[:, :, None] * np.eye(3)
-        cross = np.zeros((len(b), 3, 3))
-        for r, c, axis in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-            cross[:, r, c], cross[:, c, r] = -b[:, axis], b[:, axis]
-        moved = np.concatenate([P, -P @ cross], axis=2)  # P (u + θ × b)
+        moved = np.concatenate([P, -P @ cross_matrices(b)], axis=2)  # P (u + θ × b)
         own = self.k[:, None, None] * np.swapaxes(moved, 1, 2) @ moved
         own[:, 3:, 3:] += self.H
         return own, -np.hstack([self.share, np.cross(b, self.share)])
@@ -232,7 +229,6 @@ class Supports:
 
     def _table(self, layout: Layout, row_of: Ints, base: Floats) -> WallConstraints:
         cell, count, fixed = layout.rank[self.cell], len(self.cell), self.fixed
-        tables = [schedule.table for schedule in fixed.drives]
         inward = np.eye(3)[fixed.across]
         inward *= -np.sign((inward * self.normal).sum(axis=1, keepdims=True))
         return WallConstraints(
@@ -240,9 +236,7 @@ class Supports:
             share=self.share,
             H=np.ascontiguousarray(self.H.reshape(-1, 9)[:, [0, 4, 8, 1, 2, 5]]), base=base,
             axes=self.axes, drive=fixed.drive,
-            rate=np.array(fixed.rate, dtype=np.uint8), times=np.concatenate([np.zeros(0), *(t for t, _ in tables)]),
-            values=np.concatenate([np.zeros(0), *(values for _, values in tables)]),
-            start=np.cumsum([0, *(len(t) for t, _ in tables)]).astype(np.int64),
+            rate=np.array(fixed.rate, dtype=np.uint8), **joined_tables(fixed.drives),
             wall=base[:, :3].copy(), increment=np.zeros((count, 3)), load=np.zeros((count, 6)),
             friction=fixed.friction, inward=inward,
         )  # fmt: skip

@@ -9,10 +9,13 @@ from bondem._types import Floats, Triple
 from bondem.boundary.schedules import Schedule, as_schedule
 from bondem.errors import InputError
 
-_COMPONENTS = ("x", "y", "z", "growth")
-# Number of the component that is a turn, and the names of its angle and angular velocity.
+# Number of the component that is a turn.
 TURN = 4
-_TURNS = {"angle": (TURN, False), "spin": (TURN, True)}
+# Number of each component by the name of its argument, and True for a velocity.
+_COMPONENTS = {
+    "x": (0, False), "y": (1, False), "z": (2, False), "growth": (3, False), "vx": (0, True), "vy": (1, True),
+    "vz": (2, True), "vgrowth": (3, True), "angle": (TURN, False), "spin": (TURN, True),
+}  # fmt: skip
 
 
 def direction(owner: str, value: object) -> Triple:
@@ -55,14 +58,11 @@ class Driven:
     def __init__(
         self, *, axis: Triple | None = None, about: Triple | None = None, **components: float | Schedule
     ) -> None:
-        names = {name: (k, False) for k, name in enumerate(_COMPONENTS)}
-        names |= {"v" + name: (k, True) for k, name in enumerate(_COMPONENTS)} | _TURNS
-        unknown = sorted(set(components) - set(names))
+        unknown = sorted(set(components) - set(_COMPONENTS))
         if unknown:
-            raise InputError(f"Driven: unknown component '{unknown[0]}'; choose from {', '.join(names)}")
-        motion = tuple(
-            (names[key][0], as_schedule("Driven", key, value), names[key][1]) for key, value in components.items()
-        )
+            raise InputError(f"Driven: unknown component '{unknown[0]}'; choose from {', '.join(_COMPONENTS)}")
+        numbers = {key: _COMPONENTS[key] for key in components}
+        motion = tuple((k, as_schedule("Driven", key, components[key]), rate) for key, (k, rate) in numbers.items())
         if not motion or len({k for k, _, _ in motion}) < len(motion):
             raise InputError("Driven: name each component once, as a displacement or as a velocity")
         object.__setattr__(self, "motion", motion)
@@ -81,9 +81,7 @@ class Driven:
     @property
     def components(self) -> dict[str, Schedule]:
         """Schedules by the names of their arguments."""
-        names = {place: name for name, place in _TURNS.items()}
-        names |= {(k, False): name for k, name in enumerate(_COMPONENTS)}
-        names |= {(k, True): "v" + name for k, name in enumerate(_COMPONENTS)}
+        names = {number: name for name, number in _COMPONENTS.items()}
         return {names[component, rate]: schedule for component, schedule, rate in self.motion}
 
 

@@ -50,7 +50,7 @@ def wall_outlines(walls: Sequence[Wall], lower: Floats, upper: Floats) -> WallOu
         lower, upper: corners of the box about the specimen [m], shape (3,).
     """
     corner = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
-    box = np.asarray(lower) + corner * (np.asarray(upper) - np.asarray(lower))
+    box = lower + corner * (upper - lower)
     parts = [_polygons(wall, box) for wall in walls]
     size = [len(loop) for loops, _ in parts for loop in loops]
     empty = np.zeros((0, 3))

@@ -8,6 +8,7 @@ from scipy.spatial.transform import Rotation
 
 from bondem._tables.columns import WallKind
 from bondem._types import Floats, Ints, PerElement, PerElement3, Triple
+from bondem.boundary.schedules import Schedule, joined_tables
 from bondem.boundary.wall_motions import TURN, Driven, Free, Servo
 from bondem.boundary.wall_rows import named_rows, no_rows
 from bondem.boundary.walls import PlaneWall, SphereWall, Wall, pivot
@@ -78,7 +79,7 @@ class WallTable:
             position: centres of the elements [m], (n, 3).
             radius: contact radii of the elements [m], (n,).
         """
-        tables: list[tuple[Floats, Floats]] = []
+        schedules: list[Schedule] = []
         drives: list[tuple[int, int, int, bool]] = []
         axes: list[Triple] = []
         servos: list[tuple[int, int, float, float, float]] = []
@@ -86,21 +87,18 @@ class WallTable:
             match wall.motion:
                 case Driven(motion=motion, axis=axis):
                     for component, schedule, rate in motion:
-                        drives.append((k, component, len(tables), rate))
+                        drives.append((k, component, len(schedules), rate))
                         axes.append(axis if component == TURN else (0.0, 0.0, 0.0))
-                        tables.append(schedule.table)
+                        schedules.append(schedule)
                 case Servo(force=force, speed=speed, mass=platen, damping=damping):
-                    servos.append((k, len(tables), speed, mass if platen is None else platen, damping))
-                    tables.append(force.table)
+                    servos.append((k, len(schedules), speed, mass if platen is None else platen, damping))
+                    schedules.append(force)
         free = [(k, wall.motion) for k, wall in enumerate(walls) if isinstance(wall.motion, Free)]
-        lengths = [len(times) for times, _ in tables]
         drive = np.array(drives, dtype=np.int64).reshape(-1, 4)
         return cls(
             shape=_shapes(walls, origin),
             inertia=_inertias(walls),
-            start=np.concatenate([[0], np.cumsum(lengths)]).astype(np.int64),
-            times=np.concatenate([np.zeros(0), *(times for times, _ in tables)]),
-            values=np.concatenate([np.zeros(0), *(values for _, values in tables)]),
+            **joined_tables(schedules),
             drive_wall=drive[:, 0].copy(),
             drive_component=drive[:, 1].copy(),
             drive_schedule=drive[:, 2].copy(),

@@ -56,9 +56,9 @@ class Curve:
         return float(self.nu.min()), float(self.nu.max())
 
     def value_for(self, nu: float) -> float | None:
-        """Parameter value for a given ν [-], or None outside the range of the curve's monotone branch.
+        """Parameter value for a given ν [-]; None for a ν outside the longest monotone branch of the curve.
 
-        This is the inverse of `nu_at` on the longest monotone branch, the whole curve if that is monotone.
+        It is the inverse of `nu_at` on that branch.
         """
         first, last = self._branch
         low, high = sorted((self.nu[first], self.nu[last]))
@@ -99,12 +99,8 @@ class Curve:
         return int(first), int(last)
 
 
+@cache
 def curve(law: type[BondLaw]) -> Curve | None:
     """Return the calibration curve shipped with bondem for a family of laws, or None."""
-    return _shipped(law.__name__)
-
-
-@cache
-def _shipped(law: str) -> Curve | None:
-    file = files("bondem.calibration").joinpath("curves", f"{law}.json")
-    return Curve.read(law, json.loads(file.read_text(encoding="utf-8"))) if file.is_file() else None
+    file = files("bondem.calibration").joinpath("curves", f"{law.__name__}.json")
+    return Curve.read(law.__name__, json.loads(file.read_text(encoding="utf-8"))) if file.is_file() else None

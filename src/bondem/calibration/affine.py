@@ -92,15 +92,10 @@ def affine_estimate(lattice: Lattice, law: BondAssignment, *, bar: bool | None =
     if not (math.isfinite(E) and E > 0.0):
         raise InputError("lattice: its bonds do not resist every strain; pack a body, not a chain or a plane")
     return AffineEstimate(
-        stiffness=stiffness,
-        E=E,
-        nu=nu,
-        coordination=float(np.average(bonds.mean(axis=1), weights=weight)),
-        looseness=float(np.average((1.0 / bonds).sum(axis=1), weights=weight)),
-        wall=wall,
-        shear=float(k.ks @ square) / normal,
-        bending=float(k.kb @ weight) / normal,
-    )
+        stiffness, E, nu, coordination=float(np.average(bonds.mean(axis=1), weights=weight)),
+        looseness=float(np.average((1.0 / bonds).sum(axis=1), weights=weight)), wall=wall,
+        shear=float(k.ks @ square) / normal, bending=float(k.kb @ weight) / normal,
+    )  # fmt: skip
 
 
 def _inside_gauge(lattice: Lattice) -> PerBond:

@@ -70,8 +70,7 @@ def balanced_density(lattice: Lattice, rho: float) -> PerElement:
     if np.abs(rows @ factor - wanted).max() > _ROUNDING or not (factor > 0.0).all():
         raise InputError(
             f"lattice: {len(mass)} connected elements cannot have the mass and inertia of {particles.envelope} at"
-            " positive"
-            " densities; pack more elements, or use the uniform density of eq (19) (bd.element_density)"
+            " positive densities; pack more elements, or use the uniform density of eq (19) (bd.element_density)"
         )
     density = np.full(len(particles), uniform)
     density[inside] *= factor

@@ -89,9 +89,7 @@ class Calibration:
         if self.strength is None:
             raise InputError("calibrate: no strengths were calibrated; give bd.calibrate ucs= and tension=")
         found = self.strength.parameters
-        return MohrCoulomb(
-            tension=found["tension"], cohesion=found["cohesion"], friction_angle=self.friction_angle
-        )
+        return MohrCoulomb(tension=found["tension"], cohesion=found["cohesion"], friction_angle=self.friction_angle)
 
     @property
     def tensions(self) -> tuple[Tension, ...]:
@@ -180,6 +178,9 @@ class Calibration:
 
         Args:
             lattice: the specimen, with elements of any size.
+
+        Raises:
+            InputError: bonds that do not resist every strain, or several bodies.
 
         Warns:
             ExtrapolationWarning: the lattice is outside the range of the fit of the correction.
@@ -328,17 +329,9 @@ def calibrate(
             lattices, calibrated, ucs=ucs, tension=tension, friction_angle=friction_angle, density=density
         )
     return Calibration(
-        law=calibrated,
-        density=density,
-        material=material,
-        parameter=free.name,
-        table=tuple(trials[key] for key in sorted(trials)),
-        responses=responses,
-        slopes=slopes,
-        reason=reason,
-        strength=strength,
-        friction_angle=friction_angle,
-    )
+        calibrated, density, material, parameter=free.name, table=tuple(trials[key] for key in sorted(trials)),
+        responses=responses, slopes=slopes, reason=reason, strength=strength, friction_angle=friction_angle,
+    )  # fmt: skip
 
 
 def _require_slender(lattice: Lattice) -> None:

@@ -97,6 +97,5 @@ def recommend(nu: float) -> Recommendation:
             )
     raise UnreachableTargetError(
         f"nu = {nu:g}: no bond law reaches it by more than {_MARGIN:g} ({', '.join(reaches)}); choose law= and"
-        " search="
-        " yourself"
+        " search= yourself"
     )

@@ -135,9 +135,5 @@ def _stiffness(law: BondLaw, bonds: BondGeometry, changed: dict[str, Any]) -> Fl
 def _slope_of_moduli(moduli: BulkModuli, change: Floats) -> Slope:
     K, G = moduli.K, moduli.G
     rate = Isotropic.average(change)
-    dK, dG = rate.K, rate.G
-    whole = 3.0 * K + G
-    return Slope(
-        log_E=(dK * G / K + 3.0 * dG * K / G) / whole,
-        nu=4.5 * (dK * G - dG * K) / whole**2,
-    )
+    dK, dG, whole = rate.K, rate.G, 3.0 * K + G
+    return Slope(log_E=(dK * G / K + 3.0 * dG * K / G) / whole, nu=4.5 * (dK * G - dG * K) / whole**2)

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-from bondem._checks import count, number, place, shown
+from bondem._checks import count, instance, number, place, shown
 from bondem._progress import staged
 from bondem._types import Floats
 from bondem.calibration.secant import Secant
@@ -75,10 +75,7 @@ class StrengthCalibration:
         Raises:
             InputError: unknown parameter or sensitivities, other tests, or unequal numbers of packings in the tests.
         """
-        if parameter not in self.names:
-            raise InputError(
-                f"parameter = {shown(parameter)}: unknown parameter; choose from {', '.join(self.names)}"
-            )
+        inverse = self._inverse(parameter)
         given = self.nearest.measured if measured is None else measured
         if set(given) != set(self.targets) or len({len(values) for values in given.values()}) != 1:
             raise InputError(
@@ -87,7 +84,7 @@ class StrengthCalibration:
             )
         logs = np.log(np.array([given[test] for test in self.targets], dtype=float))
         goal = np.log([target for target, _ in self.targets.values()])
-        shift = self._inverse()[self.names.index(parameter)] @ (goal[:, None] - logs)
+        shift = inverse @ (goal[:, None] - logs)
         return Sample(self.nearest.parameters[parameter] * np.exp(shift))
 
     def interval(
@@ -131,22 +128,24 @@ class StrengthCalibration:
         Raises:
             InputError: an unknown parameter, or unknown sensitivities.
         """
+        room = np.array([tolerance / target for target, tolerance in self.targets.values()])
+        half = float(np.abs(self._inverse(parameter)) @ room)
+        value = self.nearest.parameters[parameter]
+        return value * math.exp(-half), value * math.exp(half)
+
+    def _inverse(self, parameter: str) -> Floats:
+        """Return the derivatives d ln parameter / d ln target [-], one per test, (m,)."""
         if parameter not in self.names:
             raise InputError(
                 f"parameter = {shown(parameter)}: unknown parameter; choose from {', '.join(self.names)}"
             )
-        room = np.array([tolerance / target for target, tolerance in self.targets.values()])
-        half = float(np.abs(self._inverse()[self.names.index(parameter)]) @ room)
-        value = self.nearest.parameters[parameter]
-        return value * math.exp(-half), value * math.exp(half)
-
-    def _inverse(self) -> Floats:
         if self.sensitivities is None:
             raise InputError("these runs have no slopes; start farther from the targets, or allow more runs")
         slopes = np.array([list(row.values()) for row in self.sensitivities.values()])
         size = np.array([target / tolerance for target, tolerance in self.targets.values()])
         zero = np.zeros(len(size))
-        return Secant(zero[: slopes.shape[1]], zero, slopes, zero, size).inverse()
+        secant = Secant(zero[: slopes.shape[1]], zero, slopes, zero, size)
+        return secant.inverse()[self.names.index(parameter)]
 
     def __str__(self) -> str:
         lines = [self.message]
@@ -216,8 +215,7 @@ def calibrate_strength(
     together = _scaled(names, strengths)
     low, high = _bounds(start, bounds)
     most = count(_WHO, "most", most, least=1)
-    if not isinstance(about, str):
-        raise InputError(f"{_WHO}: about = {shown(about)}: not a text; give a text")
+    instance(_WHO, "about", about, str, "a text")
     if progress is not None and not callable(progress):
         raise InputError(f"{_WHO}: progress = {shown(progress)}: not callable; give a function, or None")
     if executor is not None and not callable(getattr(executor, "submit", None)):

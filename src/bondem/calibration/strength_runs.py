@@ -21,7 +21,7 @@ _FILE = "strength_calibration.json"
 
 
 def is_series(test: object) -> bool:
-    """True if a test is a list of functions, one per packing."""
+    """Return True if a test is a list of functions, one per packing."""
     return isinstance(test, Sequence) and not isinstance(test, str)
 
 

@@ -99,10 +99,8 @@ class StrengthSearch:
 
     def _miss(self, y: Floats) -> float:
         """Largest distance of the strengths, not of their logarithms, from their targets over the tolerance."""
-        return float(np.max([
-            abs(math.exp(value) - target) / tolerance
-            for value, (target, tolerance) in zip(y, self.goals.values(), strict=True)
-        ]))  # fmt: skip
+        target, tolerance = np.array(list(self.goals.values())).T
+        return float((np.abs(np.exp(y) - target) / tolerance).max())
 
     def _visit(self, x: Floats, values: Floats | None = None) -> Floats | None:
         """Run the tests at a point; return the logarithms of the mean strengths, (m,), or None if a test failed."""

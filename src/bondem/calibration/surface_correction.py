@@ -124,15 +124,9 @@ class SurfaceModel:
         stiffness = np.diag([2.0 * mean.G] * 3 + [mean.G] * 3)
         stiffness[:3, :3] += mean.K - 2.0 * mean.G / 3.0
         return AffineEstimate(
-            stiffness=stiffness,
-            E=mean.E,
-            nu=mean.nu,
-            coordination=self.coordination,
-            looseness=self.looseness,
-            wall=0.0,
-            shear=shear / normal,
+            stiffness, mean.E, mean.nu, self.coordination, self.looseness, wall=0.0, shear=shear / normal,
             bending=float(k.kb.sum()) / normal,
-        )
+        )  # fmt: skip
 
 
 @cache
@@ -179,10 +173,7 @@ class SurfaceCorrection:
         Warns:
             ExtrapolationWarning: outside the range of the fit.
         """
-        if isinstance(where, Lattice):
-            own, bulk = self._both(where)
-            return own[0] / bulk[0]
-        return 1.0 + float(self._curve_terms(where) @ self.model.E_curve)
+        return self._ratio(where, 0, self.model.E_curve)
 
     def nu(self, where: Lattice | float) -> float:
         """Ratio of Poisson's ratio of a specimen to that of the bulk [-]; arguments and errors are those of `E`.
@@ -191,10 +182,7 @@ class SurfaceCorrection:
         overload their soft skin, and `static_tension` measures a ν some percent smaller. Between rigid plates their ν
         is the value given here.
         """
-        if isinstance(where, Lattice):
-            own, bulk = self._both(where)
-            return own[1] / bulk[1]
-        return 1.0 + float(self._curve_terms(where) @ self.model.nu_curve)
+        return self._ratio(where, 1, self.model.nu_curve)
 
     def E_error(self, where: Lattice | float) -> float:
         """Relative standard error of `E` for one packing [-]."""
@@ -204,12 +192,14 @@ class SurfaceCorrection:
         """Relative standard error of `nu` for one packing [-]."""
         return self._error(where, self.model.nu_error, self.model.nu_curve_error)
 
-    def _both(self, lattice: Lattice) -> tuple[tuple[float, float], tuple[float, float]]:
-        estimate = affine_estimate(lattice, self.law)
+    def _ratio(self, where: Lattice | float, which: int, curve: Floats) -> float:
+        """Return the ratio of E (0) or ν (1) to that of the bulk [-], by the estimate of a lattice or by a curve."""
+        if not isinstance(where, Lattice):
+            return 1.0 + float(self._curve_terms(where) @ curve)
+        estimate = affine_estimate(where, self.law)
         self._check(estimate)
-        return self.model.moduli(estimate), self.model.moduli(
-            self.model.bulk(self.law, lattice.particles.mean_radius)
-        )
+        bulk = self.model.bulk(self.law, where.particles.mean_radius)
+        return self.model.moduli(estimate)[which] / self.model.moduli(bulk)[which]
 
     def _curve_terms(self, s: float) -> Floats:
         if self.law.radius is not None:
@@ -228,26 +218,18 @@ class SurfaceCorrection:
         return of_curve
 
     def _check(self, estimate: AffineEstimate, *, wall: float | None = None) -> None:
-        found = {
-            "coordination": estimate.coordination,
-            "looseness": estimate.looseness,
-            "wall": estimate.wall if wall is None else wall,
-            "shear": estimate.shear,
-            "softness": 12.0 * estimate.bending / estimate.shear,
-        }
-        what = {
-            "coordination": "mean contacts at the ends of a bond",
-            "looseness": "mean of 1/z over the elements at the ends of bonds",
-            "wall": "R̄S/V",
-            "shear": "shear over normal stiffness of the bonds, Σ ks L² / Σ kn L²",
-            "softness": "bending over shear stiffness of the bonds, 12 Σ kb / Σ ks L²",
-        }
-        for name, value in found.items():
+        softness = 12.0 * estimate.bending / estimate.shear
+        for name, value, words in (
+            ("coordination", estimate.coordination, "mean contacts at the ends of a bond"),
+            ("looseness", estimate.looseness, "mean of 1/z over the elements at the ends of bonds"),
+            ("wall", estimate.wall if wall is None else wall, "R̄S/V"),
+            ("shear", estimate.shear, "shear over normal stiffness of the bonds, Σ ks L² / Σ kn L²"),
+            ("softness", softness, "bending over shear stiffness of the bonds, 12 Σ kb / Σ ks L²"),
+        ):
             low, high = self.model.fitted[name]
             if not low - 0.02 * (high - low) <= value <= high + 0.02 * (high - low):
                 warnings.warn(
-                    f"the surface correction was fitted for {what[name]} from {low:.3g} to {high:.3g}, but the"
-                    " value is"
+                    f"the surface correction was fitted for {words} from {low:.3g} to {high:.3g}, but the value is"
                     f" {value:.3g}: test the specimen itself (labtests.static_tension or uniform_stress)",
                     ExtrapolationWarning,
                     stacklevel=users_line(),

@@ -7,7 +7,7 @@ from typing import Literal
 import numpy as np
 from scipy.special import stdtrit
 
-from bondem._checks import choice
+from bondem._checks import choice, number
 from bondem._types import Floats
 from bondem.errors import InputError
 
@@ -19,8 +19,7 @@ _MOST = 2**16
 def half_width(n: int, *, kind: Kind, level: float) -> float:
     """Half-width of an interval over the standard deviation of n packings [-]; for errors see `Sample.interval`."""
     choice("interval", "kind", kind, Kind)
-    if not 0.0 < level < 1.0:
-        raise InputError(f"level = {level}: not a probability; give a number between 0 and 1, such as 0.95")
+    number("", "level", level, above=0.0, below=1.0, advice="a probability between 0 and 1, such as 0.95")
     if n < 2:
         raise InputError("a single packing has no scatter; calibrate on two or more")
     share = 1.0 / n + (1.0 if kind == "prediction" else 0.0)
@@ -71,8 +70,7 @@ class Sample:
         Raises:
             InputError: fewer than two packings, or a precision that is not positive or needs more than 65 536.
         """
-        if not precision > 0.0:
-            raise InputError(f"precision = {precision}: not positive; give a positive share, such as 0.01")
+        number("", "precision", precision, above=0.0, advice="a positive share, such as 0.01")
         if len(self.values) < 2:
             raise InputError("a single packing has no scatter; calibrate on two or more")
         ratio = self.std / abs(precision * self.mean)

@@ -57,6 +57,7 @@ class CrackedFaces:
             *self._joints.of_cells, facets.lever_i, facets.lever_j, facets.pitch, facets.normal, facets.j, facets.k,
             strengths.area, self._joints.cracks.listed, strengths.plane, self._open, self._faced, self.outer,
             group_starts(pairs.first, len(self._faced)),
-            np.argsort(pairs.first, kind="stable").astype(np.uint32), chosen, whole, np.zeros(c, dtype=np.uint32), np.zeros((c, 12)), np.zeros(c), exact_sums(),
+            np.argsort(pairs.first, kind="stable").astype(np.uint32), chosen, whole,
+            np.zeros(c, dtype=np.uint32), np.zeros((c, 12)), np.zeros(c), exact_sums(),
             np.zeros(portions, dtype=np.int64),
         )  # fmt: skip

@@ -7,7 +7,6 @@ import numpy as np
 from bondem._types import Floats, Ints
 from bondem.geometry.rotations import turned_vectors
 from bondem.model.state import State
-from bondem.observables.fracture_energy import areas_of
 from bondem.specimen.lattice import Lattice
 
 
@@ -37,7 +36,7 @@ class Faces:
 def faces_of(lattice: Lattice, state: State, chosen: Ints) -> Faces:
     """Compute the geometry of the facets or beams numbered `chosen`, user's order, in a state."""
     i, j = lattice.pairs[chosen].T
-    area = areas_of(lattice, state.model.interaction.bonds)[chosen]
+    area = lattice.elements.bond_area(state.model.interaction.bonds.radius)[chosen]
     straight = lattice.elements.bond_normal[chosen]
     arm = lattice.elements.bond_arm(state.model.interaction.bonds.lever, chosen)
     on_i, gap = moved_points(lattice, state, chosen, lattice.centre[i] + arm)

@@ -6,10 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.stats import theilslopes
 
-from bondem._checks import array, instance, number, possible, shown, vector
+from bondem._checks import array, instance, number, possible, shown, unit_vector, vector
 from bondem._types import Floats
 from bondem.errors import InputError
-from bondem.fracture.directions import unit_vector
 from bondem.observables.breakage import BrokenBonds
 
 # Largest number of advances for Theil–Sen, which computes a slope for every pair; of more, an even sample is used.

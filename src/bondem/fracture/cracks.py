@@ -10,13 +10,12 @@ from scipy.sparse import coo_array, csr_array
 from scipy.sparse.csgraph import breadth_first_order, connected_components
 from scipy.spatial import KDTree
 
-from bondem._checks import instance, number, place
+from bondem._checks import instance, number, place, unit_vector
 from bondem._types import Floats, Ints
 from bondem.errors import InputError
-from bondem.fracture.crack_faces import Faces, faces_of
+from bondem.fracture.crack_faces import faces_of
 from bondem.fracture.crack_polygons import CrackPolygons, crack_polygons
 from bondem.fracture.crack_surfaces import CrackSurfaces, crack_surfaces
-from bondem.fracture.directions import unit_vector
 from bondem.io.vtk_polygons import write_polygons
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
@@ -83,6 +82,7 @@ class Cracks:
 
         Raises:
             InputError: The file cannot be written.
+            RunFileError: The disk is full, or another failure to write.
         """
         row = self.polygons.facet
         fields = {
@@ -114,14 +114,12 @@ def cracks(lattice: Lattice, state: State, *, integrity: float = 0.0) -> Cracks:
     chosen = np.flatnonzero(whole <= integrity)
     faces = faces_of(lattice, state, chosen)
     polygons = crack_polygons(lattice, state, chosen, faces, partial(polyhedra, lattice))
-    first, second = _edges(lattice, polygons, len(chosen)) if lattice.facets else _near(lattice, faces)
-    k = len(chosen)
+    k, reach = len(chosen), _NEAR * 2.0 * lattice.particles.mean_radius
+    first, second = _edges(lattice, polygons, k) if lattice.facets else _close(lattice, faces.reference, reach).T
     links = coo_array((np.ones(len(first), dtype=bool), (first, second)), shape=(k, k)).tocsr()
     _, found = connected_components(links, directed=False)
     order = np.argsort(-np.bincount(found, faces.area), kind="stable")
-    rank = np.empty_like(order)
-    rank[order] = np.arange(len(order))
-    label = rank[found].astype(np.int64)
+    label = np.argsort(order)[found]
     shift = _unwrapped(lattice, links, faces.centroid, label)
     surfaces = crack_surfaces(faces, polygons, label, shift)
     return Cracks(
@@ -132,14 +130,8 @@ def cracks(lattice: Lattice, state: State, *, integrity: float = 0.0) -> Cracks:
 
 def _edges(lattice: Lattice, polygons: CrackPolygons, k: int) -> tuple[Ints, Ints]:
     """Return pairs of facets that share an edge (two corners) in the reference."""
-    corner, size = polygons.reference, np.diff(polygons.start)
-    facet = np.repeat(polygons.facet, size)
-    period = lattice.particles.period
-    inside = corner if period is None else np.mod(corner, period)
-    if period is not None:
-        inside = np.where(inside >= period, 0.0, inside)  # rounding
-    near = KDTree(inside, boxsize=period).query_pairs(_SAME * lattice.particles.mean_radius, output_type="ndarray")
-    count = len(corner)
+    facet, count = np.repeat(polygons.facet, np.diff(polygons.start)), len(polygons.reference)
+    near = _close(lattice, polygons.reference, _SAME * lattice.particles.mean_radius)
     same = coo_array((np.ones(len(near), dtype=bool), near.T), shape=(count, count))
     points, spot = connected_components(same, directed=False)
     at = coo_array((np.ones(count, dtype=np.int32), (facet, spot)), shape=(k, points)).tocsr()
@@ -149,15 +141,13 @@ def _edges(lattice: Lattice, polygons: CrackPolygons, k: int) -> tuple[Ints, Int
     return shared.row[pairs], shared.col[pairs]
 
 
-def _near(lattice: Lattice, faces: Faces) -> tuple[Ints, Ints]:
-    """Return pairs of broken beams whose middles lie near each other in the reference."""
-    period, middle = lattice.particles.period, faces.reference
-    inside = middle if period is None else np.mod(middle, period)
+def _close(lattice: Lattice, place: Floats, reach: float) -> Ints:
+    """Return pairs of points that are at most `reach` apart, also across the border of a periodic cell, (p, 2)."""
+    period = lattice.particles.period
     if period is not None:
-        inside = np.where(inside >= period, 0.0, inside)
-    reach = _NEAR * 2.0 * lattice.particles.mean_radius
-    near = KDTree(inside, boxsize=period).query_pairs(reach, output_type="ndarray")
-    return near[:, 0], near[:, 1]
+        place = np.mod(place, period)
+        place = np.where(place >= period, 0.0, place)  # rounding
+    return KDTree(place, boxsize=period).query_pairs(reach, output_type="ndarray")
 
 
 def _unwrapped(lattice: Lattice, links: csr_array, centroid: Floats, label: Ints) -> Floats:

@@ -131,9 +131,7 @@ def _clusters(events: BrokenBonds, reach: float, span: float, period: Floats | N
     many, found = connected_components(links, directed=False)
     begin = np.full(many, np.inf)
     np.minimum.at(begin, found, events.time)
-    rank = np.empty(many, dtype=np.int64)
-    rank[np.argsort(begin, kind="stable")] = np.arange(many)
-    return rank[found]
+    return np.argsort(np.argsort(begin, kind="stable"))[found]
 
 
 def _emissions(events: BrokenBonds, label: Ints, period: Floats | None) -> AcousticEmission:
@@ -151,9 +149,7 @@ def _emissions(events: BrokenBonds, label: Ints, period: Floats | None) -> Acous
         way -= period * np.rint(way / period)
     moment = np.zeros((c, 3))
     np.add.at(moment, label, weight[:, None] * way)
-    share = np.zeros((c, len(MODES)))
-    for column, mode in enumerate(MODES):
-        share[:, column] = np.bincount(label, weight * (events.mode == mode), c)
+    share = np.column_stack([np.bincount(label, weight * (events.mode == mode), c) for mode in MODES])
     return AcousticEmission(
         time=events.time[first], duration=last - events.time[first],
         position=origin + moment / np.bincount(label, weight, c)[:, None], energy=energy,

@@ -86,10 +86,6 @@ def explain(model: Model, state: State | None = None, *, most: int = 5) -> Expla
     )  # fmt: skip
 
 
-def _part(model: Model) -> str:
-    return model.interaction.bond
-
-
 def _doubts(model: Model, one: ImpliedFracture) -> list[str]:
     """Return descriptions of properties that are hardly intended or not resolved."""
     found = strength_doubts(one.strength, one.E, one.density, one.fracture_energy)
@@ -118,7 +114,7 @@ def _doubts(model: Model, one: ImpliedFracture) -> list[str]:
 
 
 def _implied_lines(model: Model, one: ImpliedFracture) -> list[str]:
-    what, cells = _part(model), model.interaction.evaluated == "traction"
+    what, cells = model.interaction.bond, model.interaction.evaluated == "traction"
     given = "as given" if one.softens else "of brittle facets, f_t² L / E"
     if not cells:
         given = f"of {'bonds that soften' if one.softens else 'brittle bonds'}, estimated"
@@ -146,7 +142,7 @@ def _state_lines(
     model: Model, state: State, nearest: Ints, index: Floats, position: Floats, broken: int, softening: int,
     yielding: float,
 ) -> list[str]:  # fmt: skip
-    what = _part(model)
+    what = model.interaction.bond
     lines = ["", f"At t = {_number(state.time, 's')}: {broken} {what}s broken, {softening} softening"]
     for _ in model.yielding:
         lines.append(f"  the cell nearest to yielding is at {yielding:.3g} of its strength (1 yields)")

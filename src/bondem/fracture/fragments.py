@@ -66,9 +66,7 @@ def fragments(lattice: Lattice, state: State, *, integrity: float = 0.0) -> Frag
     mass, inertia = 1.0 / state.motion[rank, 3], 1.0 / state.motion[rank, 7]
     heavy = np.bincount(found, mass).astype(float)
     order = np.argsort(-heavy, kind="stable")
-    place = np.empty_like(order)
-    place[order] = np.arange(len(order))
-    label = place[found]
+    label = np.argsort(order)[found]
     total = heavy[order]
     position = _sums(label, mass[:, None] * state.position) / total[:, None]
     velocity = _sums(label, mass[:, None] * state.velocity) / total[:, None]

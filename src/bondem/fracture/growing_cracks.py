@@ -43,10 +43,6 @@ class GrowingCracks:
         """Return the outlines of all facets and beams with an integrity below 1."""
         whole = state.bond_integrity
         chosen = np.flatnonzero(whole < 1.0)
-        if not len(chosen):
-            none = np.zeros(0)
-            fields = dict.fromkeys(("integrity", "area", "opening", "sliding"), none) | {"facet": chosen}
-            return CrackOutlines(np.zeros((0, 3)), np.zeros(1, dtype=np.int64), fields)
         faces = faces_of(self._lattice, state, chosen)
         found = crack_polygons(self._lattice, state, chosen, faces, self._solid)
         row = found.facet

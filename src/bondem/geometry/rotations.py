@@ -47,5 +47,13 @@ def relative_rotations(p: Floats, q: Floats) -> tuple[Floats, Floats]:
     return sign * scalar, sign[:, None] * vector
 
 
+def cross_matrices(vectors: Floats) -> Floats:
+    """Return the matrices [v]× of vectors (k, 3), for which [v]× b = v × b, (k, 3, 3)."""
+    matrix = np.zeros((len(vectors), 3, 3))
+    for row, column, axis in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        matrix[:, row, column], matrix[:, column, row] = -vectors[:, axis], vectors[:, axis]
+    return matrix
+
+
 def _contiguous(values: Floats) -> Floats:
     return np.ascontiguousarray(values, dtype=float)

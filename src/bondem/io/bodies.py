@@ -1,6 +1,7 @@
-"""Facets and cells of a body in an HDF5 file, bit for bit: reading does not repeat the tessellation.
+"""Elements, bonds, facets and cells of a body in an HDF5 file, bit for bit: reading does not repeat the tessellation.
 
-`/facets` holds the arrays of `Facets`, `/cells` those of `Cells`, `/cells/free` those of `FreeFacets`, by name.
+`/elements` has positions and radii, and the edges of a periodic cell.
+`/facets` has the arrays of `Facets`, `/cells` those of `Cells`, `/cells/free` those of `FreeFacets`, by name.
 A scene of several bodies has `/bodies/label`, with names and shapes as JSON in the attributes of that group.
 """
 
@@ -10,13 +11,32 @@ from dataclasses import fields
 import h5py
 import numpy as np
 
+from bondem.geometry.shape import Shape
 from bondem.io.codec import decode, encode
 from bondem.io.hdf5 import array_at
 from bondem.io.older_bodies import LACKING, balanced_body
 from bondem.specimen.bodies import Bodies
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.particles import Particles, freeze
+from bondem.specimen.particles import Particles, filled, freeze
 from bondem.specimen.tessellation.facets import Cells, Facets, FreeFacets
+
+
+def write_elements(file: h5py.File, particles: Particles) -> None:
+    """Write positions and radii of elements, and the period of a periodic cell."""
+    file["elements/position"], file["elements/radius"] = particles.position, particles.radius
+    if particles.period is not None:
+        file["elements/period"] = particles.period
+
+
+def read_elements(file: h5py.File, shape: Shape | None) -> Particles:
+    """Read the elements that `write_elements` wrote, with the shape that they fill.
+
+    Raises:
+        KeyError: An array is missing.
+    """
+    period = array_at(file, "elements/period") if "elements/period" in file else None
+    # a carved packing may extend beyond its shape, which `Particles` would reject
+    return filled(Particles(array_at(file, "elements/position"), array_at(file, "elements/radius"), period), shape)
 
 
 def write_bonds(file: h5py.File, lattice: Lattice) -> None:

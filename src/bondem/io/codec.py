@@ -1,6 +1,6 @@
 """Conversion of frozen dataclasses to JSON and back, for an explicit list of types.
 
-`{"type": "Face", "name": "x_min", "depth": 0.02}` holds the arguments of the object. An unknown type or key raises an
+`{"type": "Face", "name": "x_min", "depth": 0.02}` has the arguments of the object. An unknown type or key raises an
 error, so that files of a newer bondem are rejected instead of misread. Numbers keep every bit, as JSON prints the
 shortest text that reads back exactly.
 """
@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from bondem.boundary.conditions import Drive, Fix, Load
+from bondem.boundary.conditions import MOTIONS, Drive, Fix, Load
 from bondem.boundary.gauges import Gauge, StrainGauge, WallGauge
 from bondem.boundary.loads import Absorbing, BodyForce, Eigenstrain, Pressure
 from bondem.boundary.schedules import Constant, Ramp, Table
@@ -40,11 +40,10 @@ _TYPES: dict[str, type] = {
     cls.__name__: cls
     for cls in (
         *LAWS.values(), *CELL_LAWS.values(), *WHOLE_LAWS.values(), *CRITERIA.values(), Bilinear, Weibull, Normal,
-        LocalDamping, BondDamping, MassDamping, TchamwaWielgosz, VelocityVerlet, AtRest, ContactEnd,
-        LoadDrop, Plan,
+        LocalDamping, BondDamping, MassDamping, TchamwaWielgosz, VelocityVerlet, AtRest, ContactEnd, LoadDrop, Plan,
         LinearContact, HertzMindlin, Adhesion, PlaneWall, CylinderWall, SphereWall, Driven, Servo, Free,
-        Drive, Fix, Load, Pressure, BodyForce, Absorbing, Eigenstrain, Gauge, WallGauge,
-        StrainGauge, Constant, Ramp, Table,
+        Drive, Fix, Load, Pressure, BodyForce, Absorbing, Eigenstrain, Gauge, WallGauge, StrainGauge,
+        Constant, Ramp, Table,
         Ball, BoundingBox, Box, Cell, Cylinder, Surface, Placed, Overlap, Joined, Cut,
         Aggregates, Body, Difference, Everything, Face, Index, Intersection, Plane, Union, Within,
     )
@@ -83,8 +82,8 @@ def _arguments(value: Any) -> dict[str, Any]:
         parts = ("fracture_energy", "friction", "curve", "scatter", "parameters")
         return {"function": value.name} | {name: getattr(value, name) for name in parts}
     if isinstance(value, Drive):
-        names = ("x", "y", "z", "rx", "ry", "rz"), ("vx", "vy", "vz", "wx", "wy", "wz")
-        motion = {names[rate][dof]: schedule for dof, schedule, rate in value.motion}
+        names = {number: name for name, number in MOTIONS.items()}
+        motion = {names[dof, rate]: schedule for dof, schedule, rate in value.motion}
         return {"region": value.region, "friction": value.friction} | motion
     if isinstance(value, Driven):
         return value.components | ({"axis": value.axis, "about": value.about} if value.turns else {})
@@ -116,8 +115,7 @@ def _rebuild(name: str, given: dict[str, Any]) -> Any:
     if name == StressCriterion.__name__:
         raise RunFileError(
             f"the criterion of the run uses the function {given.get('function')}, which a file cannot store; give"
-            " it again:"
-            " failure=bd.StressCriterion(...) as it was"
+            " it again: failure=bd.StressCriterion(...) as it was"
         )
     if name == Servo.__name__:
         given = {"damping": 0.0} | given  # files of versions whose platens were not damped

@@ -21,6 +21,7 @@ def write_csv(path: str | Path, table: Mapping[str, ArrayLike], *, owner: str) -
 
     Raises:
         InputError: The file cannot be written.
+        RunFileError: The disk is full, or another failure to write.
     """
     path = place(f"{owner}: path", path)
     require_writable(path, "table")

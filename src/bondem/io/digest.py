@@ -27,7 +27,7 @@ def digest_of(items: Iterable[tuple[str, Any]]) -> str:
 
 
 def agree(found: str, stored: object) -> bool:
-    """True if a digest equals the one stored in a file."""
+    """Return True if a digest equals the one stored in a file."""
     return hmac.compare_digest(found.encode(), text_of(stored).encode(errors="replace"))
 
 

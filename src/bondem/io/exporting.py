@@ -4,7 +4,7 @@ import csv
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, TextIO
+from typing import Any
 
 import numpy as np
 
@@ -55,6 +55,7 @@ def export(
     Raises:
         InputError: an unknown format, one that cannot represent these elements, a field of the wrong length or with a
             name that is in use or that the format cannot represent, or a file that cannot be written.
+        RunFileError: the disk is full, or another failure to write.
         MissingDependencyError: meshio is not installed.
     """
     path = place("export: path", path)
@@ -200,25 +201,18 @@ def _write_data(path: Path, frame: _Frame, suffix: str) -> None:
 
 
 def _write_dump(path: Path, frame: _Frame, suffix: str) -> None:
-    step = 0 if frame.state is None else frame.state.step
     edge = "ff ff ff" if frame.lattice.particles.period is None else "pp pp pp"
     name, size = frame.lattice.elements.size_column
-    velocity = {} if frame.state is None else dict(zip(("vx", "vy", "vz"), frame.state.velocity.T, strict=True))
-    if frame.state is None:
-        columns = frame.columns
-    else:
-        others = (name for name in frame.fields if name != "velocity")
-        columns = velocity | {key: values for name in others for key, values in frame.columns_of(name).items()}
+    step, columns = 0, frame.columns
+    if frame.state is not None:
+        velocity = {f"v{axis}": columns.pop(f"velocity_{axis}") for axis in "xyz"}
+        step, columns = frame.state.step, velocity | columns
     with open(path, "w", encoding="utf-8") as file:
         file.write(f"ITEM: TIMESTEP\n{step}\nITEM: NUMBER OF ATOMS\n{len(size)}\nITEM: BOX BOUNDS {edge}\n")
         file.writelines(f"{float(low)!r} {float(high)!r}\n" for low, high in zip(*frame.bounds, strict=True))
         file.write(f"ITEM: ATOMS id type x y z {' '.join([name, *columns])}\n")
-        _write_rows(file, [*frame.position.T, size, *columns.values()])
-
-
-def _write_rows(file: TextIO, columns: list[Floats]) -> None:
-    for k, row in enumerate(zip(*(column.tolist() for column in columns), strict=True), start=1):
-        file.write(f"{k} 1 {' '.join(map(repr, row))}\n")
+        rows = np.column_stack([frame.position, size, *columns.values()]).tolist()
+        file.writelines(f"{k} 1 {' '.join(map(repr, row))}\n" for k, row in enumerate(rows, start=1))
 
 
 def _write_mesh(path: Path, frame: _Frame, suffix: str) -> None:
@@ -234,11 +228,7 @@ def _write_mesh(path: Path, frame: _Frame, suffix: str) -> None:
         lines, vertices = [("line", frame.pairs)], [("vertex", np.arange(len(size))[:, None])]
         # the other formats take one kind of cell, and keep points without a cell
         mesh = meshio.Mesh(frame.position, vertices + lines if suffix in _MIXED else lines, point_data=fields)
-    meshio.write(path, mesh, file_format=_meshio_format(suffix))
-
-
-def _meshio_format(suffix: str) -> str:
-    return {".msh": "gmsh"}.get(suffix, suffix[1:])
+    meshio.write(path, mesh, file_format={".msh": "gmsh"}.get(suffix, suffix[1:]))
 
 
 def _polyhedra(frame: _Frame) -> tuple[Floats, list[tuple[str, Any]], list[Ints]]:

@@ -6,7 +6,7 @@ replaced by an error of one line that names the file.
 """
 
 import io
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,8 +15,10 @@ from typing import Any
 import h5py
 import numpy as np
 
+from bondem import __version__
 from bondem.errors import BondemError
 from bondem.io.atomic import write_bytes
+from bondem.io.digest import fixed
 
 #: Version of the format, whose metadata have checksums.
 FORMAT = ("v108", "v108")
@@ -52,6 +54,23 @@ def writing(path: Path) -> Iterator[h5py.File]:
     with h5py.File(content, "w", libver=FORMAT) as file:
         yield file
     write_bytes(path, content.getbuffer())
+
+
+def write_head(file: h5py.File, name: str, schema: int, texts: Mapping[str, str]) -> None:
+    """Write the name and the schema of a format, the version of bondem, and texts by name."""
+    file.attrs["format"], file.attrs["schema"] = fixed(name), schema
+    file.attrs["bondem_version"] = fixed(__version__)
+    for key, text in texts.items():
+        file.create_dataset(key, data=fixed(text))
+
+
+def refuse_newer(path: Path, schema: int, version: str, known: int, kind: Kind) -> None:
+    """Raise the error of `kind` if the schema of a file, which bondem `version` wrote, is above the `known` ones."""
+    if schema > known:
+        raise kind.error(
+            f"'{path}' was written by bondem {version}, which is newer than this {__version__}; update bondem to read"
+            " it"
+        )
 
 
 def put(group: Any, name: str, values: Any) -> None:

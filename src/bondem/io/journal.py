@@ -241,20 +241,14 @@ class JournaledFile(io.RawIOBase):
             return
         try:
             self._require_uncut()
-            while data:
-                done = os.pwrite(self._file.fileno(), data, at)
-                data, at = data[done:], at + done
-            self._size = max(self._size, at)
+            _write_at(self._file.fileno(), data, at)
+            self._size = max(self._size, at + len(data))
         except OSError as error:
             self._error = error
 
 
-class RecoveredFile(io.BytesIO):
-    """Last commit of a file in memory, for files whose commit is in the journal only."""
-
-
-def committed(path: Path) -> Path | RecoveredFile:
-    """Return the source of the committed contents: the file itself, or the result of its complete journal."""
+def committed(path: Path) -> Path | io.BytesIO:
+    """Return the source of the committed contents: the file, or in memory the result of its complete journal."""
     found = _read_journal(journal_of(path))
     if found is None:
         return path
@@ -263,7 +257,7 @@ def committed(path: Path) -> Path | RecoveredFile:
     data.extend(bytes(max(length - len(data), 0)))
     for begin, page in pages:
         data[begin : begin + len(page)] = page
-    return RecoveredFile(bytes(data[:length]))
+    return io.BytesIO(bytes(data[:length]))
 
 
 def recover(path: Path, file: Any) -> None:
@@ -327,9 +321,13 @@ def _read_journal(journal: Path) -> tuple[int, list[tuple[int, bytes]]] | None:
 
 def _apply(descriptor: int, length: int, pages: dict[int, bytearray]) -> None:
     for number, page in sorted(pages.items()):
-        view, at = memoryview(page), number * _PAGE
-        while view:
-            done = os.pwrite(descriptor, view, at)
-            view, at = view[done:], at + done
+        _write_at(descriptor, memoryview(page), number * _PAGE)
     os.ftruncate(descriptor, length)
     os.fsync(descriptor)
+
+
+def _write_at(descriptor: int, data: memoryview, at: int) -> None:
+    """Write all bytes at an offset; the system may take only a part at a time."""
+    while data:
+        done = os.pwrite(descriptor, data, at)
+        data, at = data[done:], at + done

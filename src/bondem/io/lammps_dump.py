@@ -79,7 +79,8 @@ def read_dump(
     radius = _radii(path, line, by_name, size)
     period = upper - lower if periodic and not partly else None
     corner = lower if periodic or partly else np.zeros(3)
-    return RawSpheres(place - corner, radius, period, unit=_unit(chosen), partly=partly)
+    unit = LAMMPS_UNITS.get(chosen.units[0][1]) if chosen.units else None
+    return RawSpheres(place - corner, radius, period, unit=unit, partly=partly)
 
 
 def _frames(path: Path) -> Iterator[_Frame]:
@@ -116,19 +117,19 @@ def _row(path: Path, line: int, text: str, count: int) -> list[float]:
     words = text.split()
     if len(words) != count:
         raise InputError(f"'{path}', line {line}: {len(words)} columns where ITEM: ATOMS names {count}; correct it")
-    # words such as chemical symbols are not used, and become nan
-    return [one if (one := _float(word)) is not None else np.nan for word in words]
+    return [_float(word) for word in words]
 
 
-def _float(word: str) -> float | None:
+def _float(word: str) -> float:
+    """Return a word as a number; NaN for others, such as chemical symbols, which are not used."""
     try:
         return float(word)
     except ValueError:
-        return None
+        return np.nan
 
 
 def _box(path: Path, frame: _Frame) -> tuple[Floats, Floats, list[str], bool]:
-    """Lower and upper corner, (3,) each, kinds of the borders, and True if the box is tilted."""
+    """Return lower and upper corner, (3,) each, the kinds of the borders, and True if the box is tilted."""
     line, behind, rows = frame.items.get("BOX BOUNDS", (frame.line, "", []))
     bounds = [floats(path, number, text.split()) for number, text in rows]
     if len(bounds) != 3 or any(len(row) < 2 for row in bounds):
@@ -164,7 +165,3 @@ def _radii(path: Path, line: int, columns: dict[str, Floats], size: str | float 
         f"'{path}', line {line}: no column {size or 'radius or diameter'} among {listed(columns)}; dump it, or give"
         " radius= as its name or as one radius for all"
     )
-
-
-def _unit(frame: _Frame) -> float | None:
-    return LAMMPS_UNITS.get(frame.units[0][1]) if frame.units else None

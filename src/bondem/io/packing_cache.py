@@ -36,12 +36,12 @@ _WORTH_KEEPING = 1000
 
 
 def wanted(count: int) -> bool:
-    """True if a packing of this number of spheres is to be cached, according to the environment."""
+    """Return True if packings of `count` spheres are cached: if this saves time, and the environment allows it."""
     return count >= _WORTH_KEEPING and os.environ.get("BONDEM_PACKING_CACHE", "on").lower() != "off"
 
 
 def key(request: Mapping[str, Any]) -> str:
-    """Key of a request for a packing: a hash of all inputs that determine its bits.
+    """Return the key of a request for a packing: a hash of all inputs that determine its bits.
 
     Args:
         request: all arguments by name, with defaults: JSON values, arrays, and shapes, size laws and targets of

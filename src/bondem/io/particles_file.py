@@ -15,17 +15,16 @@ from typing import Any
 
 import numpy as np
 
-from bondem import __version__
 from bondem._checks import instance, place, require_file
 from bondem.errors import InputError
 from bondem.geometry.shape import Shape
 from bondem.io.atomic import require_writable
-from bondem.io.bodies import read_bonds, write_bonds
+from bondem.io.bodies import read_bonds, read_elements, write_bonds, write_elements
 from bondem.io.codec import decode, encode
 from bondem.io.digest import agree, arrays_of, digest_of, fixed, text_of
-from bondem.io.hdf5 import Kind, array_at, damage, reading, writing
+from bondem.io.hdf5 import Kind, array_at, damage, reading, refuse_newer, write_head, writing
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.particles import Particles, filled
+from bondem.specimen.particles import Particles
 
 FORMAT = "bondem particles"
 #: Current schema: files may contain facets and cells from 2 on, and contain a digest from 3 on.
@@ -52,7 +51,6 @@ def save_particles(
     path = place("save_particles: path", path)
     given = instance("save_particles", "particles", particles, (Particles, Lattice), "bd.Particles or a lattice")
     instance("save_particles", "provenance", provenance or {}, Mapping, "a mapping of names to what JSON can hold")
-    lattice = given if isinstance(given, Lattice) else None
     elements = given.particles if isinstance(given, Lattice) else given
     texts = {
         "shape": json.dumps(encode(elements.shape)),
@@ -60,17 +58,10 @@ def save_particles(
     }
     require_writable(path, "particle file")
     with writing(path) as file:
-        file.attrs["format"] = fixed(FORMAT)
-        file.attrs["schema"] = SCHEMA
-        file.attrs["bondem_version"] = fixed(__version__)
-        for name, text in texts.items():
-            file.create_dataset(name, data=fixed(text))
-        file["elements/position"] = elements.position
-        file["elements/radius"] = elements.radius
-        if elements.period is not None:
-            file["elements/period"] = elements.period
-        if lattice is not None:
-            write_bonds(file, lattice)
+        write_head(file, FORMAT, SCHEMA, texts)
+        write_elements(file, elements)
+        if isinstance(given, Lattice):
+            write_bonds(file, given)
         file.attrs["digest"] = fixed(digest_of(arrays_of(file)))
 
 
@@ -112,22 +103,14 @@ def _read(path: Path) -> tuple[Particles, Lattice | None, dict[str, Any]]:
         version, schema = text_of(head.get("bondem_version", "")), head.get("schema")
         if schema is None or not version:
             raise InputError(f"'{path}' is damaged (its version of bondem is missing); {_KIND.again}")
-        if schema > SCHEMA:
-            raise InputError(
-                f"'{path}' was written by bondem {version}, which is newer than this {__version__}; update bondem to"
-                " read it"
-            )
+        refuse_newer(path, schema, version, SCHEMA, _KIND)
         with damage(path, _KIND):
             if schema >= _DIGESTED and not agree(digest_of(arrays_of(file)), head["digest"]):
                 raise ValueError("its digest does not match")
-            period = array_at(file, "elements/period") if "elements/period" in file else None
             shape = decode(json.loads(array_at(file, "shape").item()))
             if not isinstance(shape, Shape | None):
                 raise ValueError(f"its shape is a {type(shape).__name__}")
-            # a carved packing may extend beyond its shape, which `Particles` would reject
-            particles = filled(
-                Particles(array_at(file, "elements/position"), array_at(file, "elements/radius"), period), shape
-            )
+            particles = read_elements(file, shape)
             lattice = read_bonds(file, particles) if "bonds/pairs" in file else None
             stored = json.loads(array_at(file, "provenance").item())
             origin = {"bondem_version": version} | {key: decode(value) for key, value in stored.items()}

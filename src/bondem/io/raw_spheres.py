@@ -46,7 +46,11 @@ class RawSpheres:
 
 
 def numbered_lines(path: Path) -> Iterator[tuple[int, str]]:
-    """Yield number, from 1, and stripped text of each non-empty line; InputError for a file that is not text."""
+    """Yield the number, from 1, and the stripped text of each line that is not empty.
+
+    Raises:
+        InputError: the file is not text.
+    """
     try:
         with open(path, encoding=encoding_of(path)) as file:
             for number, line in enumerate(file, start=1):
@@ -75,17 +79,17 @@ def floats(path: Path, line: int, words: Sequence[str]) -> list[float]:
     return found
 
 
-def snapshot_number(path: Path, frame: int, count: int) -> int:
-    """Convert the number of a snapshot, negative from the end, to an index from 0.
+def snapshot_number(path: Path, number: int, count: int, *, argument: str = "frame") -> int:
+    """Convert the number of one of `count` snapshots, negative from the end, to an index from 0.
 
     Raises:
-        InputError: the file has no such snapshot.
+        InputError: the file has no such snapshot; the message names `argument`.
     """
-    if not -count <= frame < count:
+    if not -count <= number < count:
         raise InputError(
-            f"frame = {shown(frame)}: '{path}' has {count} snapshots; give one from 0 to {count - 1}, or -1"
+            f"{argument} = {shown(number)}: '{path}' has {count} snapshots; give one from 0 to {count - 1}, or -1"
         )
-    return frame % count
+    return number % count
 
 
 def chosen_frame(path: Path, number: int, frames: Iterable[_Frame], empty: str = "") -> _Frame:

@@ -16,15 +16,9 @@ IDENTITY = "identity"
 
 def text_of_model(model: Model) -> str:
     """Encode the parameters of a model as JSON, without its elements and bonds."""
-    return json.dumps({
-        "bond": encode(model.bond),
-        "boundary": encode(tuple(model.boundary)),
-        "contact": encode(model.contact),
-        "walls": encode(tuple(model.walls)),
-        "failure": encode(model.failure),
-        "mass_matrix": model.mass_matrix,
-        "shape": encode(model.lattice.particles.shape),
-    })  # fmt: skip
+    names = ("bond", "boundary", "contact", "walls", "failure", "mass_matrix")
+    return json.dumps({name: encode(getattr(model, name)) for name in names}
+                      | {"shape": encode(model.lattice.particles.shape)})  # fmt: skip
 
 
 def identity_of(model: Model, plan: Plan, initial: State) -> str:

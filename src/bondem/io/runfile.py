@@ -37,11 +37,11 @@ from bondem.dynamics.history import History
 from bondem.dynamics.plan import Plan
 from bondem.errors import RunFileError
 from bondem.io.atomic import require_writable
-from bondem.io.bodies import complete_body, read_bonds, write_bonds
+from bondem.io.bodies import complete_body, read_bonds, read_elements, write_bonds, write_elements
 from bondem.io.codec import decode, encode
 from bondem.io.digest import agree, arrays_of, digest_of, fixed, text_of
 from bondem.io.hdf5 import FORMAT as HDF5
-from bondem.io.hdf5 import Kind, array_at, damage, reading
+from bondem.io.hdf5 import Kind, array_at, damage, reading, refuse_newer, write_head
 from bondem.io.journal import JournaledFile, committed
 from bondem.io.older_bodies import with_corrected_normals
 from bondem.io.older_states import brought_up, shape_in
@@ -49,7 +49,6 @@ from bondem.io.run_identity import IDENTITY, text_of_model
 from bondem.io.snapshots import Outlined, Snapshots
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.specimen.particles import Particles, filled
 
 FORMAT = "bondem run"
 SCHEMA = 12
@@ -179,7 +178,8 @@ class RunFile:
         file.require_group("history")
         _put(file["history"], "records", history.records)
         _attributes(file["history"])["gauges"] = fixed(json.dumps(history.gauges))
-        stored.attrs.update(step=state.step, time=state.time, stale=state.stale, seconds=self._seconds())
+        seconds = self._before + time.perf_counter() - self._start
+        stored.attrs.update(step=state.step, time=state.time, stale=state.stale, seconds=seconds)
         stored.attrs["digest"] = fixed(_digest_of_state(state, history))
         self._commit()
 
@@ -199,27 +199,15 @@ class RunFile:
             self._replaced.close()
             self._replaced = None
 
-    def _seconds(self) -> float:
-        return self._before + time.perf_counter() - self._start
-
     def _new_file(self) -> h5py.File:
         if self._file is not None:
             return self._file
-        particles = self._model.lattice.particles
         self._file = file = h5py.File(self._raw, "w", libver=HDF5)
-        file.attrs["format"] = fixed(FORMAT)
-        file.attrs["schema"] = SCHEMA
-        file.attrs["bondem_version"] = fixed(__version__)
+        write_head(file, FORMAT, SCHEMA, self._texts)
         if self._identity:
             file.attrs[IDENTITY] = fixed(self._identity)
-        for name, text in self._texts.items():
-            file.create_dataset(name, data=fixed(text))
-        elements = file.create_group("elements")
-        elements["position"] = particles.position
-        elements["radius"] = particles.radius
-        elements["density"] = np.asarray(self._model.density, dtype=float)
-        if particles.period is not None:
-            elements["period"] = particles.period
+        write_elements(file, self._model.lattice.particles)
+        file["elements/density"] = np.asarray(self._model.density, dtype=float)
         write_bonds(file, self._model.lattice)
         file.attrs["digest"] = fixed(_digest_of_rest(file))
         return file
@@ -277,15 +265,9 @@ def read_run(path: str | Path, *, failure: Criterion | None = None) -> Checkpoin
     path = place("path", path)
     with reading_run(path) as file:
         head = head_of(file, path)
-        if head["schema"] > SCHEMA:
-            raise RunFileError(
-                f"'{path}' was written by bondem {head['bondem_version']}, which is newer than this"
-                f" {__version__}; update bondem to read it"
-            )
+        refuse_newer(path, head["schema"], head["bondem_version"], SCHEMA, KIND)
         if head["schema"] < _OLDEST:
-            raise RunFileError(
-                f"'{path}' was written by an older bondem without contacts; start the run again"
-            )
+            raise RunFileError(f"'{path}' was written by an older bondem without contacts; start the run again")
         with damage(path, KIND, RunFileError):
             if head["schema"] >= _DIGESTED and not agree(_digest_of_rest(file), head["digest"]):
                 raise ValueError("its digest does not match")
@@ -335,24 +317,15 @@ def _checkpoint(file: h5py.File, schema: int, failure: Criterion | None) -> Chec
             "failure= is not the criterion of the run; give the criterion with its parameters, or None"
         )
     made_of = {key: decode(value) for key, value in text.items()}
-    period = array_at(file, "elements/period") if "elements/period" in file else None
-    particles = filled(
-        Particles(array_at(file, "elements/position"), array_at(file, "elements/radius"), period), made_of["shape"]
-    )
     density = array_at(file, "elements/density")
-    lattice = read_bonds(file, particles)
+    lattice = read_bonds(file, read_elements(file, made_of["shape"]))
     if schema < _SHARED:
         lattice = with_corrected_normals(lattice, made_of["boundary"])
     model = Model(
-        lattice,
-        bond=made_of["bond"],
-        density=float(density) if density.ndim == 0 else density,
-        boundary=made_of["boundary"],
-        contact=made_of["contact"],
-        walls=made_of["walls"],
-        failure=failure or made_of.get("failure"),
+        lattice, **{name: made_of[name] for name in ("bond", "boundary", "contact", "walls")},
+        density=float(density) if density.ndim == 0 else density, failure=failure or made_of.get("failure"),
         mass_matrix=made_of.get("mass_matrix", "lumped"),
-    )
+    )  # fmt: skip
     state = State(model)
     for name in state.arrays:
         if schema < _SINCE.get(name, 0):

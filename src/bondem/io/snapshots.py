@@ -22,7 +22,7 @@ import numpy as np
 
 from bondem._types import Floats, Ints
 from bondem.boundary.wall_outlines import WallOutlines, wall_outlines
-from bondem.io.vtk_cells import Corners, fields_of_bodies
+from bondem.io.vtk_cells import Corners, drawn_bonds, fields_of_bodies
 from bondem.io.vtkhdf_series import Piece, begin_collection, static_lines, static_polyhedra
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -68,7 +68,7 @@ class Snapshots:
     def begin(cls, file: h5py.File, model: Model, cracks: Callable[[State], Outlined] | None) -> "Snapshots":
         """Create the group and write the constant data."""
         root = begin_collection(file)
-        lattice, n, drawn, corners = model.lattice, len(model.lattice.particles), _drawn(model), None
+        lattice, n, drawn, corners = model.lattice, len(model.lattice.particles), drawn_bonds(model.lattice), None
         pieces = {"elements": Piece.begin(root, "elements", "PolyData")}
         vertices = {"NumberOfPoints": np.array([n])} | static_lines(np.arange(n)[:, None])
         of_body = {name: np.asarray(values) for name, values in fields_of_bodies(lattice).items()}
@@ -104,8 +104,8 @@ class Snapshots:
         solid = pieces.get("cells")
         moves = solid is not None and (not solid.has_points or solid.has("orientation"))
         return cls(
-            pieces, cracks if "cracks" in pieces else None, _drawn(model), Corners(model.lattice) if moves else None,
-            _walls(model) if "walls" in pieces else (),
+            pieces, cracks if "cracks" in pieces else None, drawn_bonds(model.lattice),
+            Corners(model.lattice) if moves else None, _walls(model) if "walls" in pieces else (),
         )  # fmt: skip
 
     def take(self, model: Model, state: State) -> None:
@@ -165,16 +165,6 @@ def _walls(model: Model) -> tuple[WallOutlines, ...]:
 
 def _single(values: Any) -> Any:
     return np.asarray(values, dtype=np.float32)
-
-
-def _drawn(model: Model) -> np.ndarray:
-    """Numbers of the bonds that do not cross the border of a periodic cell, (b,)."""
-    if model.lattice.particles.period is None:
-        return np.arange(len(model.lattice.pairs))
-    position, pairs = model.lattice.particles.position, model.lattice.pairs
-    plain = position[pairs[:, 1]] - position[pairs[:, 0]]
-    across = np.abs(plain - model.lattice.branch).max(axis=1)
-    return np.flatnonzero(across < 1e-6 * model.lattice.particles.mean_radius)
 
 
 def _stress(model: Model, state: State) -> Floats | None:

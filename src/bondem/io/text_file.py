@@ -4,22 +4,18 @@ import codecs
 from pathlib import Path
 
 # Marks at the beginning of a file, and the encoding that each stands for.
-_MARKS = (
-    (codecs.BOM_UTF8, "utf-8-sig"),
-    (codecs.BOM_UTF16_LE, "utf-16"),
-    (codecs.BOM_UTF16_BE, "utf-16"),
-)
+_MARKS = {codecs.BOM_UTF8: "utf-8-sig", codecs.BOM_UTF16_LE: "utf-16", codecs.BOM_UTF16_BE: "utf-16"}
 
 
 def encoding_of(path: Path) -> str:
-    """Encoding of a text file: UTF-8 unless a byte-order mark states UTF-16.
+    """Return the encoding of a text file: UTF-8 unless a byte-order mark states UTF-16.
 
     Raises:
         OSError: the file cannot be read.
     """
     with open(path, "rb") as file:
         start = file.read(4)
-    return next((name for mark, name in _MARKS if start.startswith(mark)), "utf-8")
+    return next((name for mark, name in _MARKS.items() if start.startswith(mark)), "utf-8")
 
 
 def read_text(path: Path) -> str:

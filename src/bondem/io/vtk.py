@@ -11,7 +11,7 @@ from bondem._types import ArrayLike
 from bondem.errors import InputError
 from bondem.io.field_names import check_names
 from bondem.io.hdf5 import put
-from bondem.io.vtk_cells import fields_of_bodies, fields_of_cells, fields_of_motion, write_cells
+from bondem.io.vtk_cells import drawn_bonds, fields_of_bodies, fields_of_cells, fields_of_motion, write_cells
 from bondem.io.vtk_polygons import poly_data
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
@@ -47,6 +47,7 @@ def write_vtkhdf(
     Raises:
         InputError: the file cannot be written, the state is of another lattice, a field has the wrong length or a
             name in use, or `bonds` is given for cells.
+        RunFileError: the disk is full, or another failure to write.
     """
     path = place("write_vtkhdf: path", path)
     instance("write_vtkhdf", "lattice", lattice, Lattice, "a lattice")
@@ -69,7 +70,7 @@ def write_vtkhdf(
         checked = {name: _checked(name, field, len(lattice.particles)) for name, field in given.items()}
         write_cells(path, lattice, state.state if isinstance(state, StaticResult) else state, checked)
         return
-    particles, pairs = lattice.particles, lattice.pairs
+    particles = lattice.particles
     points = particles.position if state is None else particles.position + state.displacement
     of_elements: dict[str, ArrayLike] = {"radius": particles.radius, "connected": lattice.connected.astype(np.int8)}
     of_bonds: dict[str, ArrayLike] = {"length": lattice.length}
@@ -79,12 +80,11 @@ def write_vtkhdf(
         of_bonds["integrity"] = state.bond_integrity
     for added, own in ((elements, of_elements), (bonds, of_bonds)):
         check_names("write_vtkhdf", added or {}, own=own, forbidden="/")
-    plain = particles.position[pairs[:, 1]] - particles.position[pairs[:, 0]]
-    drawn = np.abs(plain - lattice.branch).max(axis=1) < 1e-6 * particles.mean_radius
-    lines = pairs[drawn]
+    drawn = drawn_bonds(lattice)
+    lines = lattice.pairs[drawn]
     with poly_data(path, points, "Lines", 2 * np.arange(len(lines) + 1), lines.ravel()) as root:
         _write_fields(root.create_group("PointData"), of_elements | dict(elements or {}), len(points))
-        _write_fields(root.create_group("CellData"), of_bonds | dict(bonds or {}), len(pairs), drawn)
+        _write_fields(root.create_group("CellData"), of_bonds | dict(bonds or {}), len(lattice.pairs), drawn)
 
 
 def _write_fields(

@@ -1,15 +1,15 @@
-"""Bodies of cells for ParaView as VTKHDF: an unstructured grid of polyhedra."""
+"""Bodies of cells for ParaView as VTKHDF, an unstructured grid of polyhedra, and fields of any body."""
 
 from collections.abc import Mapping
 from pathlib import Path
 
-import h5py
 import numpy as np
 
 from bondem._types import ArrayLike, Floats, Ints
 from bondem.geometry.rotations import turned_vectors
 from bondem.io.atomic import require_writable
 from bondem.io.hdf5 import put, writing
+from bondem.io.vtkhdf_series import begin_group, static_polyhedra
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observables.cell_stress import stress_fields
@@ -17,9 +17,6 @@ from bondem.specimen.lattice import Lattice
 from bondem.specimen.tessellation.polyhedra import polyhedra
 from bondem.statics.static import StaticResult
 
-# Number of the cell type polyhedron in VTK, and the version of VTKHDF that has it.
-_POLYHEDRON = 42
-_VERSION = (2, 5)
 # Corners of a cell that are closer than this coincide [mean radii].
 _SAME = 1e-7
 
@@ -45,6 +42,13 @@ def fields_of_bodies(lattice: Lattice) -> dict[str, ArrayLike]:
     return {"body": lattice.body} if len(lattice.names) > 1 else {}
 
 
+def drawn_bonds(lattice: Lattice) -> Ints:
+    """Return the numbers of the bonds that do not cross the border of a periodic cell, (b,)."""
+    i, j = lattice.pairs.T
+    plain = lattice.particles.position[j] - lattice.particles.position[i]
+    return np.flatnonzero(np.abs(plain - lattice.branch).max(axis=1) < 1e-6 * lattice.particles.mean_radius)
+
+
 def fields_of_cells(body: Lattice, state: State | StaticResult | None) -> dict[str, ArrayLike]:
     """Return fields of cells by name, with motion and stress for a given state or static solution."""
     cells = body.elements.require_cells().cells
@@ -67,29 +71,14 @@ def write_cells(path: Path, body: Lattice, state: State | None, fields: Mapping[
     """
     corners = Corners(body)
     point = corners.place if state is None else corners.moved(body, state)
-    n = len(body.particles)
-    count, faces = np.bincount(corners.cell, minlength=n), np.bincount(corners.polygon_cell, minlength=n)
+    cells = static_polyhedra(corners.cell, corners.number, corners.start, corners.polygon_cell, len(body.particles))
     require_writable(path, "VTK file")
     with writing(path) as file:
-        root = file.create_group("VTKHDF")
-        root.attrs["Version"] = _VERSION
-        root.attrs.create("Type", b"UnstructuredGrid", dtype=h5py.string_dtype("ascii", 16))
-        for name, values in (
-            ("Points", point), ("Types", np.full(n, _POLYHEDRON, dtype=np.uint8)),
-            ("Connectivity", np.arange(len(point))), ("Offsets", np.append(0, np.cumsum(count))),
-            ("FaceConnectivity", corners.number), ("FaceOffsets", corners.start),
-            ("PolyhedronToFaces", np.arange(len(corners.polygon_cell))),
-            ("PolyhedronOffsets", np.append(0, np.cumsum(faces))),
-        ):  # fmt: skip
+        root = begin_group(file, "UnstructuredGrid")
+        for name, values in ({"Points": point} | cells).items():
             put(root, name, values)
-        for name, size in (
-            ("Points", len(point)), ("Cells", n), ("ConnectivityIds", len(point)), ("Faces", faces.sum()),
-            ("FaceConnectivityIds", len(corners.number)), ("PolyhedronToFaceIds", faces.sum()),
-        ):  # fmt: skip
-            root["NumberOf" + name] = [size]
-        data = root.create_group("CellData")
         for name, values in fields.items():
-            put(data, name, values)
+            put(root, f"CellData/{name}", values)
 
 
 class Corners:

@@ -10,6 +10,7 @@ import numpy as np
 from bondem._types import ArrayLike, Floats, Ints
 from bondem.io.atomic import require_writable
 from bondem.io.hdf5 import put, writing
+from bondem.io.vtkhdf_series import begin_group, static_cells
 
 
 @contextmanager
@@ -25,17 +26,11 @@ def poly_data(path: Path, points: ArrayLike, chosen: str, offsets: Ints, corners
     """
     require_writable(path, "VTK file")
     with writing(path) as file:
-        root = file.create_group("VTKHDF")
-        root.attrs["Version"] = (2, 0)
-        root.attrs.create("Type", b"PolyData", dtype=h5py.string_dtype("ascii", 8))
-        root["NumberOfPoints"] = [len(np.asarray(points))]
-        put(root, "Points", points)
-        for kind in ("Vertices", "Lines", "Polygons", "Strips"):
-            starts, of = (offsets, corners) if kind == chosen else (np.zeros(1, np.int64), np.zeros(0, np.int64))
-            group = root.create_group(kind)
-            group["NumberOfCells"], group["NumberOfConnectivityIds"] = [len(starts) - 1], [len(of)]
-            put(group, "Offsets", starts)
-            put(group, "Connectivity", of)
+        root = begin_group(file, "PolyData")
+        root.attrs["Version"] = (2, 0)  # for readers that know no later one
+        cells = static_cells(chosen, offsets, corners)
+        for name, values in ({"NumberOfPoints": [len(np.asarray(points))], "Points": points} | cells).items():
+            put(root, name, values)
         yield root
 
 
@@ -50,6 +45,5 @@ def write_polygons(path: Path, vertex: Floats, start: Ints, fields: Mapping[str,
     """
     with poly_data(path, vertex, "Polygons", start, np.arange(start[-1])) as root:
         root.create_group("PointData")
-        data = root.create_group("CellData")
         for name, values in fields.items():
-            put(data, name, values)
+            put(root, f"CellData/{name}", values)

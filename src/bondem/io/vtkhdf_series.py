@@ -12,6 +12,7 @@ import h5py
 import numpy as np
 
 from bondem._types import Floats, Ints
+from bondem.io.digest import text_of
 
 _VERSION = (2, 5)
 _KINDS = ("Vertices", "Lines", "Polygons", "Strips")
@@ -22,15 +23,17 @@ _CHUNK = 1 << 13
 
 def begin_collection(file: h5py.File) -> h5py.Group:
     """Create the group of all pieces, still empty."""
-    root = file.create_group("VTKHDF", track_order=True)
-    root.attrs["Version"] = _VERSION
-    _set_type(root, b"PartitionedDataSetCollection")
+    root = begin_group(file, "PartitionedDataSetCollection")
     root.create_group("Assembly", track_order=True)
     return root
 
 
-def _set_type(group: h5py.Group, name: bytes) -> None:
-    group.attrs.create("Type", name, dtype=h5py.string_dtype("ascii", len(name)))
+def begin_group(place: h5py.Group, kind: str, name: str = "VTKHDF") -> h5py.Group:
+    """Create an empty group of a type of VTKHDF, such as "PolyData"."""
+    group = place.create_group(name, track_order=True)
+    group.attrs["Version"] = _VERSION
+    group.attrs.create("Type", kind.encode(), dtype=h5py.string_dtype("ascii", len(kind)))
+    return group
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,15 +59,14 @@ class Piece:
     """
 
     def __init__(self, group: h5py.Group) -> None:
-        self.group = group
-        self._plain = _text(group.attrs["Type"]) == "PolyData"
+        self.group: Any = group
+        self._plain = text_of(group.attrs["Type"]) == "PolyData"
 
     @classmethod
     def begin(cls, root: h5py.Group, name: str, kind: str) -> "Piece":
         """Create an empty piece of a collection; `kind` is "PolyData" or "UnstructuredGrid"."""
-        group = root.create_group(name, track_order=True)
-        group.attrs["Version"], group.attrs["Index"] = _VERSION, len(root) - 2  # the group has the assembly, too
-        _set_type(group, kind.encode())
+        group = begin_group(root, kind, name)
+        group.attrs["Index"] = len(root) - 2  # the group has the assembly, too
         assembly: Any = root["Assembly"]
         node = assembly.create_group(name, track_order=True)
         node[name] = h5py.SoftLink(group.name)
@@ -75,13 +77,12 @@ class Piece:
     @property
     def steps(self) -> int:
         """Number of steps."""
-        return int(_group(self.group, "Steps").attrs["NSteps"])
+        return int(self.group["Steps"].attrs["NSteps"])
 
     @property
     def times(self) -> Floats:
         """Times of the steps [s], (s,)."""
-        steps = _group(self.group, "Steps")
-        return np.asarray(steps["Values"][: self.steps]) if self.steps else np.zeros(0)
+        return np.asarray(self.group["Steps/Values"][: self.steps]) if self.steps else np.zeros(0)
 
     @property
     def has_points(self) -> bool:
@@ -110,21 +111,16 @@ class Piece:
                 and `Same` for rows that another piece has already stored.
             polygons: offsets of the corners of each polygon, (c + 1,), for a piece whose polygons change.
         """
-        group, steps = self.group, _group(self.group, "Steps")
+        group, steps = self.group, self.group["Steps"]
         part = cell = corner = place = 0
         if points is not None:
             place = append(group, "Points", points.astype(np.float32))
         if polygons is not None:
             assert points is not None
             part = append(group, "NumberOfPoints", np.array([len(points)]))
-            for kind in _KINDS:
-                own = polygons if kind == "Polygons" else np.zeros(1, dtype=np.int64)
-                append(group, f"{kind}/NumberOfCells", np.array([len(own) - 1]))
-                append(group, f"{kind}/NumberOfConnectivityIds", np.array([own[-1]]))
-                offset = append(group, f"{kind}/Offsets", own)
-                linked = append(group, f"{kind}/Connectivity", np.arange(own[-1]))
-                if kind == "Polygons":
-                    cell, corner = offset - part, linked
+            cells = static_cells("Polygons", polygons, np.arange(polygons[-1]))
+            at = {name: append(group, name, values) for name, values in cells.items()}
+            cell, corner = at["Polygons/Offsets"] - part, at["Polygons/Connectivity"]
         append(steps, "Values", np.array([time]))
         append(steps, "PartOffsets", np.array([part]))
         append(steps, "NumberOfParts", np.array([1]))
@@ -141,16 +137,16 @@ class Piece:
 
     def last(self, field: str, rows: np.ndarray) -> Same:
         """Return a reference to a point field in the last step, for a piece whose values `rows` equal it."""
-        begin = int(_group(self.group, f"Steps/PointDataOffsets/{field}")[-1])
-        return Same(_dataset(self.group, f"PointData/{field}"), begin, rows)
+        begin = int(self.group[f"Steps/PointDataOffsets/{field}"][-1])
+        return Same(self.group[f"PointData/{field}"], begin, rows)
 
     def cut(self, count: int) -> None:
         """Remove all steps but the first `count`, with their rows; static arrays stay."""
-        group, steps = self.group, _group(self.group, "Steps")
+        group, steps = self.group, self.group["Steps"]
         if count >= self.steps:
             return
         for where in ("PointData", "CellData"):
-            for name in _group(steps, f"{where}Offsets") if f"{where}Offsets" in steps else ():
+            for name in steps.get(f"{where}Offsets", ()):
                 _shorten(group, f"{where}/{name}", steps[f"{where}Offsets/{name}"], count)
         _shorten(group, "Points", steps["PointOffsets"], count)
         if int(steps["PartOffsets"][-1]):
@@ -158,18 +154,18 @@ class Piece:
             for kind in _KINDS:
                 ends = {"Offsets": "NumberOfCells", "Connectivity": "NumberOfConnectivityIds"}
                 for name, number in ends.items():
-                    counts = _dataset(group, f"{kind}/{number}")[:part]
-                    _dataset(group, f"{kind}/{name}").resize(int(counts.sum()) + part * (name == "Offsets"), axis=0)
+                    rows = int(group[f"{kind}/{number}"][:part].sum()) + part * (name == "Offsets")
+                    group[f"{kind}/{name}"].resize(rows, axis=0)
                 for number in ends.values():
-                    _dataset(group, f"{kind}/{number}").resize(part, axis=0)
-            _dataset(group, "NumberOfPoints").resize(part, axis=0)
+                    group[f"{kind}/{number}"].resize(part, axis=0)
+            group["NumberOfPoints"].resize(part, axis=0)
         for item in list(steps.values()):
             for one in item.values() if isinstance(item, h5py.Group) else (item,):
                 one.resize(count, axis=0)
         steps.attrs["NSteps"] = count
 
 
-def append(group: h5py.Group, name: str, rows: Any) -> int:
+def append(group: Any, name: str, rows: Any) -> int:
     """Append rows to an array, which is created with the first rows, and return their offset."""
     if name not in group:
         tail = rows.shape[1:]
@@ -178,7 +174,7 @@ def append(group: h5py.Group, name: str, rows: Any) -> int:
         group.create_dataset(
             name, shape=(0, *tail), maxshape=(None, *tail), chunks=(chunk, *tail), dtype=rows.dtype, fletcher32=True
         )
-    data = _dataset(group, name)
+    data = group[name]
     begin = len(data)
     data.resize(begin + len(rows), axis=0)
     if len(rows):
@@ -186,7 +182,7 @@ def append(group: h5py.Group, name: str, rows: Any) -> int:
     return begin
 
 
-def _stored(group: h5py.Group, name: str, values: Any) -> int:
+def _stored(group: Any, name: str, values: Any) -> int:
     if not isinstance(values, Same):
         return append(group, name, _small(values))
     if name not in group:
@@ -220,35 +216,33 @@ def static_polyhedra(cell: Ints, number: Ints, start: Ints, owner: Ints, count: 
 
 def static_lines(pairs: Ints) -> dict[str, Any]:
     """Return the static arrays of lines between points, (c, 2), or of vertices, (c, 1)."""
+    count, corners = pairs.shape
+    return static_cells("Lines" if corners == 2 else "Vertices", corners * np.arange(count + 1), pairs.ravel())
+
+
+def static_cells(chosen: str, offsets: Ints, corners: Ints) -> dict[str, Any]:
+    """Return the static arrays of PolyData with cells of one kind.
+
+    Args:
+        chosen: kind of the cells: "Vertices", "Lines", "Polygons" or "Strips".
+        offsets: offsets of the cells in `corners`, (c + 1,).
+        corners: points of all cells in sequence.
+    """
     arrays: dict[str, Any] = {}
     for kind in _KINDS:
-        own = pairs if kind == ("Lines" if pairs.shape[1] == 2 else "Vertices") else pairs[:0]
+        starts, of = (offsets, corners) if kind == chosen else (np.zeros(1, np.int64), np.zeros(0, np.int64))
         arrays |= {
-            f"{kind}/NumberOfCells": np.array([len(own)]), f"{kind}/NumberOfConnectivityIds": np.array([own.size]),
-            f"{kind}/Offsets": pairs.shape[1] * np.arange(len(own) + 1), f"{kind}/Connectivity": own.ravel(),
+            f"{kind}/NumberOfCells": np.array([len(starts) - 1]), f"{kind}/Offsets": starts,
+            f"{kind}/NumberOfConnectivityIds": np.array([len(of)]), f"{kind}/Connectivity": of,
         }  # fmt: skip
     return arrays
 
 
-def _shorten(group: h5py.Group, name: str, offsets: Any, count: int) -> None:
+def _shorten(group: Any, name: str, offsets: Any, count: int) -> None:
     if name in group and int(offsets[-1]):
-        _dataset(group, name).resize(int(offsets[count]), axis=0)
+        group[name].resize(int(offsets[count]), axis=0)
 
 
 def _small(values: Any) -> Any:
     values = np.asarray(values)
     return values.astype(np.float32) if values.dtype == np.float64 else values
-
-
-def _dataset(group: h5py.Group, name: str) -> h5py.Dataset:
-    item = group[name]
-    assert isinstance(item, h5py.Dataset)
-    return item
-
-
-def _group(group: h5py.Group, name: str) -> Any:
-    return group[name]
-
-
-def _text(value: Any) -> str:
-    return value.decode() if isinstance(value, bytes) else str(value)

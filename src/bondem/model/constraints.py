@@ -11,7 +11,7 @@ from bondem._types import Floats, PerBond, PerElement
 from bondem.boundary.conditions import BoundaryCondition, Drive, Fix, Load
 from bondem.boundary.couples import Couple
 from bondem.boundary.loads import Absorbing, BodyForce, Eigenstrain, Pressure
-from bondem.boundary.schedules import Schedule
+from bondem.boundary.schedules import Schedule, joined_tables
 from bondem.errors import InputError
 from bondem.interactions.interaction import Interaction
 from bondem.specimen.lattice import Lattice
@@ -142,14 +142,11 @@ class Constraints:
         row_of[element] = np.arange(len(element))
         for d, (a, b) in enumerate(((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))):
             dashpots[(fixed[:, a] | fixed[:, b]) > 0, d] = 0.0
-        tables = [schedule.table for schedule in schedules]
-        times, values = (_joined([table[k] for table in tables]) for k in range(2))
-        starts = np.cumsum([0, *(len(times) for times, _ in tables)]).astype(np.int64)
         return cls(
             element=element,
             row_of=row_of,
             fixed=fixed[element],
-            timeline=Timeline(times, values, starts),
+            timeline=Timeline(**joined_tables(schedules)),
             drives=Drives(
                 row=_joined_rows([row_of[chosen] for chosen, *_ in drives]),
                 dof=_joined_rows([np.full(len(c), dof) for c, dof, _, _ in drives]),
@@ -259,10 +256,6 @@ def _follows(condition: Load | Pressure, body: Lattice) -> bool:
         " method='laguerre', or leave out follows="
     )
     return True
-
-
-def _joined(parts: list[Floats]) -> Floats:
-    return np.concatenate(parts) if parts else np.zeros(0)
 
 
 def _joined_rows(parts: list[np.ndarray]) -> np.ndarray:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import instance, vector
-from bondem._types import Floats, PerElement, PerElement3
+from bondem._types import Floats, Ints, PerElement, PerElement3
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observables.bond_forces import bond_forces
@@ -55,10 +55,10 @@ class ElementStress:
             region: elements to average over, weighted with their volumes; `bd.Within(bd.Ball(r).moved(at))`.
 
         Raises:
-            InputError: `region` is no region, or has no connected element.
+            InputError: `region` is no region.
+            EmptyRegionError: The region has no connected element.
         """
-        chosen = as_region("mean", region).select(self.lattice)
-        share = self.volume[chosen] / self.volume[chosen].sum()
+        chosen, share = self._shares("mean", region)
         return np.einsum("n,nab->ab", share, self.stress[chosen])
 
     def mean_couple(self, region: Region, about: Sequence[float] | None = None) -> Floats:
@@ -74,11 +74,14 @@ class ElementStress:
             InputError: `region` is no region, or `about` is not three finite components.
             EmptyRegionError: The region has no connected element.
         """
-        chosen = as_region("mean_couple", region).select(self.lattice)
-        share = self.volume[chosen] / self.volume[chosen].sum()
+        chosen, share = self._shares("mean_couple", region)
         point = share @ self.centre[chosen] if about is None else np.array(vector("mean_couple", "about", about))
         arm = (self.centre[chosen] - point)[:, None, :]
         return np.einsum("n,nab->ab", share, self.couple_stress[chosen] + np.cross(arm, self.stress[chosen]))
+
+    def _shares(self, owner: str, region: Region) -> tuple[Ints, Floats]:
+        chosen = as_region(owner, region).select(self.lattice)
+        return chosen, self.volume[chosen] / self.volume[chosen].sum()
 
 
 def element_stress(model: Model, result: SmallMotion | State) -> ElementStress:

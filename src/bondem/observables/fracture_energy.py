@@ -7,12 +7,10 @@ from typing import cast
 import numpy as np
 
 from bondem._tables.columns import EventColumn, SoftColumn
-from bondem._types import Floats, Ints, PerBond
+from bondem._types import Floats, Ints
 from bondem.damage.crack_columns import FACET, ONSET, SPENT
-from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Region
 
 
@@ -55,11 +53,6 @@ class FractureEnergy:
         return self.ratio - self.crushed / (self.area * self.entered) if self.area > 0.0 else math.nan
 
 
-def areas_of(lattice: Lattice, stiffness: BondStiffness) -> PerBond:
-    """Return the areas of undeformed facets, or of the sections of bonds [m²], user's order, (m,)."""
-    return lattice.elements.bond_area(stiffness.radius)
-
-
 def fracture_energies(state: State) -> tuple[FractureEnergy, ...]:
     """Return the energy that broken bonds or facets have dissipated, for each criterion of `failure=` in its order.
 
@@ -68,7 +61,7 @@ def fracture_energies(state: State) -> tuple[FractureEnergy, ...]:
     model = cast(Model, state.model)
     broken, dissipated, absorbed = _broken(model, state)
     bond = model.layout.bond_order[broken]
-    area = areas_of(model.lattice, model.stiffness)[bond]
+    area = model.lattice.elements.bond_area(model.stiffness.radius)[bond]
     parts = model.failure_parts
     of_bond = np.zeros(len(state.integrity), dtype=np.int64)
     for number, part in enumerate(parts):

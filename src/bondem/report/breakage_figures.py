@@ -13,11 +13,12 @@ from bondem.labtests.outcome import Outcome
 from bondem.report.crack_pictures import draw_cracks, draw_fragments
 from bondem.report.findings import Examined
 from bondem.report.numbers import area, many, pieces_and_crumbs, with_unit
-from bondem.report.strength_figures import arranged, broken_in, magnified, panels, reach_of, view_of
-from bondem.report.style import AMBER, BLUE, GREEN, GREY, INK, ORANGE, PALE, PURPLE, legend_columns, sheet
+from bondem.report.strength_figures import broken_in, magnified, panels, reach_of, view_of
+from bondem.report.style import AMBER, BLUE, GREEN, GREY, INK, ORANGE, PALE, PURPLE, colour_bar, legend_columns, sheet
 from bondem.specimen.lattice import Lattice
 
-_COLOURS = dict(zip(PARTS, (BLUE, GREY, ORANGE, AMBER, PURPLE, GREEN, PALE), strict=True))
+# Colours of `PARTS` of the energy.
+_COLOURS = BLUE, GREY, ORANGE, AMBER, PURPLE, GREEN, PALE
 
 
 def draw_pieces(path: Path, specimen: Examined) -> None:
@@ -40,9 +41,7 @@ def _draw_test(figure: Figure, left: Axes, right: Axes, body: Lattice, outcome: 
     scale = draw_cracks(right, body, found, view=view_of(style))
     right.set_title(f"{cracks}, {area(cracking.surface)} of facets", color=INK)
     if len(found):
-        bar = figure.colorbar(scale, ax=right, orientation="horizontal", shrink=0.6, aspect=30, pad=0.02)
-        bar.set_label("opening [µm]")
-        bar.outline.set_edgecolor(GREY)
+        colour_bar(figure, scale, "opening [µm]", edge=GREY, ax=right, orientation="horizontal", shrink=0.6)
 
 
 def draw_energies(path: Path, specimen: Examined) -> None:
@@ -51,9 +50,8 @@ def draw_energies(path: Path, specimen: Examined) -> None:
     On a path with snap-back, only points beyond all previous strains are drawn.
     """
     names = [name for name in broken_in(specimen) if specimen.outcomes[name].energy]
-    rows, columns = arranged(len(names))
-    with sheet(path, 4.1 * columns + 0.4, 3.2 * rows + 0.5, rows, columns, squeeze=False) as (figure, axes):
-        for ax, name in zip(panels(axes, len(names)), names, strict=True):
+    with panels(path, len(names), (4.1, 3.2), margin=(0.4, 0.5)) as (figure, axes):
+        for ax, name in zip(axes, names, strict=True):
             outcome = specimen.outcomes[name]
             style = FAILURE_TESTS[name].figure_of(outcome.curves)
             strain = style.across[0] * outcome.curves["strain"]
@@ -61,13 +59,14 @@ def draw_energies(path: Path, specimen: Examined) -> None:
             farther = strain >= np.maximum.accumulate(strain)
             strain, energy = strain[farther], {part: along[farther] for part, along in outcome.energy.items()}
             top = np.zeros(len(strain))
-            for part in PARTS:
-                ax.fill_between(strain, top, top + energy[part], color=_COLOURS[part], linewidth=0.0, label=part)
+            for part, colour in zip(PARTS, _COLOURS, strict=True):
+                ax.fill_between(strain, top, top + energy[part], color=colour, linewidth=0.0, label=part)
                 top = top + energy[part]
             ax.plot(strain, energy["work"], color=INK, linestyle=(0, (4, 3)), linewidth=1.2, label="work of the load")
             ax.set(xlabel=f"{style.strain} [{style.across[1]}]", ylabel="energy [J]", title=style.title)
             ax.set_ylim(bottom=0.0)
             ax.text(0.02, 0.97, f"balance within {with_unit(float(missing), 'J', 2)}", transform=ax.transAxes,
                     va="top", fontsize=8.5)  # fmt: skip
-        handles, labels = axes[0, 0].get_legend_handles_labels()
-        figure.legend(handles, labels, loc="outside lower center", ncols=legend_columns(4 if columns > 1 else 2, 2))
+        handles, labels = axes[0].get_legend_handles_labels()
+        wide = 4 if len(names) > 1 else 2
+        figure.legend(handles, labels, loc="outside lower center", ncols=legend_columns(wide, 2))

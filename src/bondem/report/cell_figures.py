@@ -11,7 +11,7 @@ from matplotlib.colors import Normalize
 from bondem.report.cell_pictures import draw_cells, draw_section, section_through
 from bondem.report.findings import Examined
 from bondem.report.spheres import View
-from bondem.report.style import DIVERGING, SEQUENTIAL, sheet
+from bondem.report.style import DIVERGING, SEQUENTIAL, colour_bar, sheet
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.tessellation.polyhedra import polyhedra
 
@@ -30,11 +30,8 @@ def draw_body(path: Path, body: Lattice) -> None:
     cut = (x > middle[0]) & (y < middle[1])
     with sheet(path, 8.2, 4.7) as (figure, ax):
         draw_cells(ax, polyhedra(body), _coloured(SEQUENTIAL, norm, size), view=_VIEW, shown=~cut)
-        bar = figure.colorbar(
-            ScalarMappable(norm, SEQUENTIAL), ax=ax, orientation="horizontal", shrink=0.35, aspect=30, pad=0.02
-        )
-        bar.set_label("size of the cell over the mean,  (V / V̄)$^{1/3}$  [-]")
-        bar.outline.set_visible(False)
+        colour_bar(figure, ScalarMappable(norm, SEQUENTIAL), "size of the cell over the mean,  (V / V̄)$^{1/3}$  [-]",
+                   ax=ax, orientation="horizontal", shrink=0.35)  # fmt: skip
 
 
 def draw_bent(path: Path, specimen: Examined) -> None:
@@ -55,9 +52,8 @@ def draw_bent(path: Path, specimen: Examined) -> None:
         above.set_title(f"bent along y, {reach:.0f} times exaggerated")
         draw_section(below, section_through(solid, 2, 0.5 * float(lower[2] + upper[2])), colour)
         below.set(title="section through the axis", xlabel="x [mm]", ylabel="y [mm]")
-        bar = figure.colorbar(ScalarMappable(norm, DIVERGING), ax=[above, below], shrink=0.6, aspect=30, pad=0.02)
-        bar.set_label("mean axial stress of the cell,  σ$_{xx}$  [MPa]")
-        bar.outline.set_visible(False)
+        colour_bar(figure, ScalarMappable(norm, DIVERGING), "mean axial stress of the cell,  σ$_{xx}$  [MPa]",
+                   ax=[above, below], shrink=0.6)  # fmt: skip
 
 
 def _coloured(scale: str, norm: Normalize, values: np.ndarray) -> np.ndarray:

@@ -8,6 +8,7 @@ from matplotlib.collections import PolyCollection
 
 from bondem._types import Floats, Mask
 from bondem.report.spheres import View
+from bondem.report.style import fit_axes
 from bondem.specimen.tessellation.polyhedra import Polyhedra
 
 _LIGHT = np.array([-0.45, 0.60, 0.66]) / np.linalg.norm([-0.45, 0.60, 0.66])
@@ -58,14 +59,14 @@ def draw_cells(
     size = np.diff(solid.start)
     place = solid.vertex if moved is None else solid.vertex + moved
     placed = scale * place @ view.axes.T
-    normal = _normals(placed, solid.start)
+    following = _following(solid.start)
+    normal = np.add.reduceat(np.cross(placed, placed[following]), solid.start[:-1], axis=0)  # twice the area
     seen = np.flatnonzero(here[solid.cell] & ~behind & (normal[:, 2] > 0.0))
     depth = np.add.reduceat(placed[:, 2], solid.start[:-1]) / size
     seen = seen[np.argsort(depth[seen])]
     unit = normal[seen] / np.linalg.norm(normal[seen], axis=1, keepdims=True)
     face = np.clip(colour[solid.cell[seen]] * light_on(unit)[:, None], 0.0, 1.0)
     edge = outlined(solid)
-    following = _following(solid.start)
     paths: list[Floats] = []
     fills: list[Floats] = []
     for k, tint in zip(seen, face, strict=True):
@@ -77,9 +78,7 @@ def draw_cells(
             fills.append(np.append(0.7 * tint, 1.0))
     ax.add_collection(PolyCollection(paths, closed=False, facecolors=fills, edgecolors=fills, linewidths=0.35))
     flat = placed[np.repeat(here[solid.cell], size)]
-    margin = 0.02 * np.ptp(flat[:, :2], axis=0).max()
-    lower, upper = flat[:, :2].min(axis=0) - margin, flat[:, :2].max(axis=0) + margin
-    ax.set(xlim=(lower[0], upper[0]), ylim=(lower[1], upper[1]), aspect="equal")
+    fit_axes(ax, flat[:, :2])
     ax.axis("off")
 
 
@@ -107,11 +106,6 @@ def outlined(solid: Polyhedra) -> Mask:
     return true
 
 
-def _normals(place: Floats, start: np.ndarray) -> Floats:
-    """Twice the area vector of each polygon, (p, 3)."""
-    return np.add.reduceat(np.cross(place, place[_following(start)]), start[:-1], axis=0)
-
-
 def section_through(solid: Polyhedra, axis: int, at: float) -> CellSection:
     """Cut convex cells by the plane normal to an axis, 0 to 2, at the coordinate `at` [m]."""
     following = _following(solid.start)
@@ -137,12 +131,5 @@ def draw_section(ax: Axes, section: CellSection, colour: Floats, *, scale: float
     ax.add_collection(
         PolyCollection([scale * one for one in section.outline], facecolors=face, edgecolors="white", linewidths=0.35)
     )
-    _frame(ax, section, scale)
-
-
-def _frame(ax: Axes, section: CellSection, scale: float) -> None:
-    every = scale * np.concatenate(section.outline)
-    margin = 0.02 * np.ptp(every, axis=0).max()
-    lower, upper = every.min(axis=0) - margin, every.max(axis=0) + margin
-    ax.set(xlim=(lower[0], upper[0]), ylim=(lower[1], upper[1]), aspect="equal")
+    fit_axes(ax, scale * np.concatenate(section.outline))
     ax.grid(visible=False)

@@ -94,32 +94,22 @@ def draw_compaction(path: Path, course: Course) -> None:
         cycle = (course.time - begin) / period
         walls.plot(cycle, 1e3 * course.height, color=ORANGE, label="pressure wall, height")
         walls.plot(cycle, 1e3 * (0.5 * course.width + course.sway), color=BLUE, label="shear wall, from the middle")
-        walls.set_ylabel("[mm]")
-        walls.set_title("The walls")
-        walls.set_ylim(bottom=0.0)
+        walls.set(title="The walls", ylabel="[mm]", ylim=(0.0, None))
         walls.legend(loc="upper right", ncols=2)
         pressure.plot(cycle, course.pressed, color=ORANGE, linewidth=0.7, label="each record")
-        each = np.array([part.time.mean() for part in course.parts[1:]])
-        mean = np.array([_pressed(course, part).mean() for part in course.parts[1:]])
-        pressure.plot((each - begin) / period, mean, "o", color=INK, markersize=4.0, label="mean of a cycle")
+        middle = np.array([part.time.mean() for part in course.parts[1:]])
+        force = np.array([part["force"][:, 2].mean() for part in course.parts[1:]])
+        mean = force / (course.pressure * course.width**2)
+        pressure.plot((middle - begin) / period, mean, "o", color=INK, markersize=4.0, label="mean of a cycle")
         pressure.axhline(1.0, color=GREY, linewidth=1.0, linestyle="--", zorder=0)
-        pressure.set_ylim(bottom=0.0)
-        pressure.set_ylabel("held / asked  [-]")
-        pressure.set_title("Pressure on the pressure wall")
+        pressure.set(title="Pressure on the pressure wall", ylabel="held / asked  [-]", ylim=(0.0, None))
         pressure.legend(loc="upper right", ncols=2)
         density.plot(cycle, course.fraction, color=INK, label="between the walls")
         density.axhline(_CLOSE, color=GREY, linewidth=1.0, linestyle="--", label="random close packing, 0.636")
         density.legend(loc="lower right", ncols=2)
-        density.set_ylabel("φ  [-]")
-        density.set_title("Volume fraction")
-        density.set_xlabel("cycles of shear")
-        density.set_xlim(cycle[0], cycle[-1])
+        density.set(title="Volume fraction", ylabel="φ  [-]", xlabel="cycles of shear", xlim=(cycle[0], cycle[-1]))
         for ax in (walls, pressure):
             ax.tick_params(labelbottom=False)
-
-
-def _pressed(course: Course, part: History) -> Floats:
-    return part["force"][:, 2] / (course.pressure * course.width**2)
 
 
 def _grains(ax: Axes, course: Course) -> None:

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from functools import partial
-from itertools import product
 
 import numpy as np
 from matplotlib import colormaps
@@ -11,16 +10,17 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import Normalize
 
-from bondem._types import Floats, Mask, PerElement3
+from bondem._types import Floats, Mask
 from bondem.fracture.cracks import Cracks
 from bondem.fracture.fragments import Fragments
 from bondem.geometry.rotations import turned_vectors
 from bondem.model.state import State
 from bondem.report.cell_pictures import draw_cells
+from bondem.report.overlays import box_edges, seen_from
 from bondem.report.piece_colours import piece_palette
 from bondem.report.sphere_pictures import draw_spheres
 from bondem.report.spheres import View
-from bondem.report.style import GREY, SEQUENTIAL
+from bondem.report.style import GREY, SEQUENTIAL, fit_axes
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.tessellation.polyhedra import Polyhedra, polyhedra
 
@@ -120,19 +120,9 @@ def draw_cracks(
         order = np.argsort(depth)
         shapes = [placed[outline.start[k] : outline.start[k + 1], :2] for k in order]
         ax.add_collection(PolyCollection(shapes, facecolors=tint[order], edgecolors=tint[order], linewidths=0.2))
-    lower, upper = body.particles.envelope.bounds
-    edges = 1e3 * _box(np.array(lower), np.array(upper)) @ view.axes.T
-    ax.add_collection(LineCollection(list(edges[:, :, :2]), colors=GREY, linewidths=0.7, zorder=0))
-    flat = edges.reshape(-1, 3)[:, :2]
-    margin = 0.02 * np.ptp(flat, axis=0).max()
-    low, high = flat.min(axis=0) - margin, flat.max(axis=0) + margin
-    ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
+    corner, pairs = box_edges(*body.particles.envelope.bounds)
+    flat = seen_from(corner, view)[:, :2]
+    ax.add_collection(LineCollection(list(flat[pairs]), colors=GREY, linewidths=0.7, zorder=0))
+    fit_axes(ax, flat)
     ax.axis("off")
     return ScalarMappable(norm, SEQUENTIAL)
-
-
-def _box(lower: Floats, upper: Floats) -> PerElement3:
-    """Edges of a box, (12, 2, 3)."""
-    corner = np.array(list(product(*zip(lower, upper, strict=True))))
-    pairs = [(a, b) for a in range(8) for b in range(a + 1, 8) if bin(a ^ b).count("1") == 1]
-    return corner[np.array(pairs)]

@@ -54,13 +54,12 @@ def _of_calibration(findings: Findings) -> dict[str, _Columns]:
             f"{findings.fit.parameter} [-]": [one.value for one in trials],
             "E / E_mu [-]": [one.stiffness_ratio for one in trials], "nu [-]": [one.nu for one in trials],
         }  # fmt: skip
-    pulled = [one for one in findings.specimens if one.tension is not None]
+    pulled = [(one.seed, one.tension) for one in findings.specimens if one.tension is not None]
     if pulled:
-        tensions = [one.tension for one in pulled if one.tension is not None]
         found["tension"] = {
-            "seed": [one.seed for one in pulled], "stress [Pa]": [one.stress for one in tensions],
-            "strain along x [-]": [one.strain[0, 0] for one in tensions],
-            "strain across [-]": [0.5 * (one.strain[1, 1] + one.strain[2, 2]) for one in tensions],
+            "seed": [seed for seed, _ in pulled], "stress [Pa]": [one.stress for _, one in pulled],
+            "strain along x [-]": [one.strain[0, 0] for _, one in pulled],
+            "strain across [-]": [0.5 * (one.strain[1, 1] + one.strain[2, 2]) for _, one in pulled],
         }  # fmt: skip
     return found
 

@@ -12,6 +12,7 @@ from bondem.report.findings import Examined
 from bondem.report.numbers import with_unit
 from bondem.report.spheres import View, render
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, for_phones, sheet
+from bondem.specimen.lattice import Lattice
 from bondem.specimen.tessellation.polyhedra import polyhedra
 
 _KINDS = (
@@ -26,28 +27,19 @@ _VIEW = View(azimuth=math.radians(28.0), elevation=math.radians(24.0))
 
 def draw_modes(path: Path, specimen: Examined) -> None:
     """Draw the first bending, torsional and axial mode, exaggerated and coloured by the displacement of elements."""
-    frequencies = specimen.frequencies
-    assert frequencies is not None
-    lattice = specimen.lattice
-    chosen = lattice.connected
-    position, radius = lattice.particles.position[chosen], lattice.particles.radius[chosen]
-    modes = frequencies.modes
+    lattice, modes = specimen.lattice, [_mode(specimen, kind, column) for kind, _, column, _ in _KINDS]
     if lattice.cells is not None:
-        _draw_cell_modes(path, specimen)
+        _draw_cell_modes(path, lattice, modes)
         return
-    titles, images = [], []
-    for kind, _, column, _ in _KINDS:
-        best, every = _mode(specimen, kind, column)
-        shape = every[chosen, :3]
-        moved = np.linalg.norm(shape, axis=1)
-        # largest drawn displacement, as a share of the length, or of the width for torsion
-        reach = 0.4 * np.ptp(position[:, 1]) if kind == "torsion" else 0.2 * np.ptp(position[:, 0])
-        colour = colormaps["viridis"](moved / moved.max())[:, :3]
-        images.append(render(position + reach / moved.max() * shape, radius, colour, view=_VIEW, width=520))
-        titles.append(f"{kind}: {with_unit(float(modes.frequency[best]), 'Hz')}")
+    chosen = lattice.connected
+    position, radius = lattice.centre[chosen], lattice.particles.radius[chosen]
+    images = [
+        render(position + shape[chosen, :3], radius, colour[chosen], view=_VIEW, width=520)
+        for _, shape, colour in modes
+    ]
     tallest = max(len(image) for image in images)
     with sheet(path, 8.2, 8.2 / 3.0 * tallest / 520 + 0.42, 1, 3) as (_, axes):
-        for ax, title, image in zip(axes, titles, images, strict=True):
+        for ax, (title, *_), image in zip(axes, modes, images, strict=True):
             room = tallest - len(image)
             padded = np.pad(image, ((room // 2, room - room // 2), (0, 0), (0, 0)))
             ax.imshow(padded, interpolation="lanczos")
@@ -55,33 +47,35 @@ def draw_modes(path: Path, specimen: Examined) -> None:
             ax.axis("off")
 
 
-def _mode(specimen: Examined, kind: str, column: int) -> tuple[int, Floats]:
-    """Return number and shape, (n, 6), of the mode with the largest share of mass; bending is along z, upwards."""
-    frequencies = specimen.frequencies
+def _mode(specimen: Examined, kind: str, column: int) -> tuple[str, Floats, Floats]:
+    """Return title, exaggerated shape, (n, 6), and colours, (n, 3), of the mode with the largest share of mass.
+
+    Bending is along z, upwards.
+    """
+    frequencies, lattice = specimen.frequencies, specimen.lattice
     assert frequencies is not None
     best = int(np.argmax(frequencies.mass_share[:, 2 if kind == "bending" else column]))
     shape = frequencies.modes.shape[best]
     if kind == "bending":
         shape = shape * np.sign(shape[np.argmax(np.abs(shape[:, 2])), 2])
-    return best, shape
+    far, size = np.linalg.norm(shape[:, :3], axis=1), np.ptp(lattice.centre[lattice.connected], axis=0)
+    most = far[lattice.connected].max()
+    # largest drawn displacement, as a share of the length, or of the width for torsion
+    reach = 0.4 * size[1] if kind == "torsion" else 0.2 * size[0]
+    title = f"{kind}: {with_unit(float(frequencies.modes.frequency[best]), 'Hz')}"
+    return title, reach / most * shape, colormaps["viridis"](far / most)[:, :3]
 
 
-def _draw_cell_modes(path: Path, specimen: Examined) -> None:
-    """Draw the modes of a body of cells as motions of rigid polyhedra."""
-    body, solid = specimen.lattice, polyhedra(specimen.lattice)
-    assert specimen.frequencies is not None
+def _draw_cell_modes(path: Path, body: Lattice, modes: list[tuple[str, Floats, Floats]]) -> None:
+    """Draw modes, with the titles, shapes and colours of `_mode`, as motions of rigid polyhedra."""
+    solid = polyhedra(body)
     owner = np.repeat(solid.cell, np.diff(solid.start))
     arm = solid.vertex - body.centre[owner]
     with sheet(path, 8.2, 2.5, 1, 3) as (_, axes):
-        for ax, (kind, _, column, _) in zip(axes, _KINDS, strict=True):
-            best, shape = _mode(specimen, kind, column)
-            far = np.linalg.norm(shape[:, :3], axis=1)
-            reach = 0.4 * np.ptp(body.centre[:, 1]) if kind == "torsion" else 0.2 * np.ptp(body.centre[:, 0])
-            shift = shape[owner, :3] + np.cross(shape[owner, 3:], arm)
-            colour = colormaps["viridis"](far / far.max())[:, :3]
-            draw_cells(ax, solid, colour, view=_VIEW, moved=reach / far.max() * shift)
-            frequency = float(specimen.frequencies.modes.frequency[best])
-            ax.set_title(f"{kind}: {with_unit(frequency, 'Hz')}")
+        for ax, (title, shape, colour) in zip(axes, modes, strict=True):
+            moved = shape[owner, :3] + np.cross(shape[owner, 3:], arm)
+            draw_cells(ax, solid, colour, view=_VIEW, moved=moved)
+            ax.set_title(title)
 
 
 def draw_vibration(path: Path, specimen: Examined) -> None:

@@ -1,25 +1,20 @@
 """Figures of the fabric: layering at walls and order among neighbours."""
 
-from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
 
+from bondem.report.findings import Examined
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, legend_columns, sheet
-from bondem.specimen.layering import Layering
 from bondem.specimen.radial_distribution import RadialDistribution
 
 _COLOURS = (BLUE, ORANGE, GREEN, PURPLE, INK, GREY)
 
 
-def draw_layering(path: Path, layering: Mapping[str, Layering], inside: float) -> None:
-    """Draw the solid fraction over the distance from each wall.
-
-    Args:
-        path: PNG to write.
-        layering: layering at each face.
-        inside: solid fraction away from all walls [-]; NaN for specimens without such a region.
-    """
+def draw_layering(path: Path, specimen: Examined) -> None:
+    """Draw the solid fraction of a packing of spheres over the distance from each wall, and that of its core."""
+    layering, quality = specimen.layering, specimen.quality
+    inside = np.nan if quality is None else quality.core_volume_fraction
     with sheet(path, 8.2, 3.0) as (_, ax):
         for k, (face, one) in enumerate(layering.items()):
             # opposite faces share a colour: six walls of a box are three pairs

@@ -87,7 +87,7 @@ class Findings:
         title: title of the report.
         material: continuum to reproduce; None for a study that packs and checks only.
         bonds: bonds of the tests; None for a study that packs and checks only.
-        chart: evaluations at 0.6 to 1.4 times the calibrated parameter, for the calibration curve; empty without it.
+        chart: evaluations at 0.6 to 1.4 times the calibrated parameter; empty for a study without a calibration.
         calibrating: number of packings of the calibration, the first ones.
         specimens: all packings.
         results: contents of `results.json`.

@@ -14,7 +14,7 @@ from bondem.model.state import State
 from bondem.report.crack_pictures import draw_cracks, draw_fragments
 from bondem.report.numbers import many
 from bondem.report.spheres import View
-from bondem.report.style import BLUE, GREY, INK, ORANGE, sheet
+from bondem.report.style import BLUE, GREY, INK, ORANGE, colour_bar, sheet
 from bondem.specimen.lattice import Lattice
 
 
@@ -51,9 +51,8 @@ def draw_fracture(
                        f" motion × {reach:g}")  # fmt: skip
         scale = draw_cracks(right, body, cracks, view=view)
         right.set_title(f"cracks, {1e6 * cracks.area:.0f} mm² in {many(len(cracks.surfaces), 'surface')}")
-        bar = figure.colorbar(scale, cax=right.inset_axes((0.03, 0.06, 0.34, 0.03)), orientation="horizontal")
-        bar.set_label("opening [µm]")
-        bar.outline.set_visible(False)
+        inset = right.inset_axes((0.03, 0.06, 0.34, 0.03))
+        colour_bar(figure, scale, "opening [µm]", cax=inset, orientation="horizontal")
         _draw_growth(below, growth)
         _draw_magnitudes(corner, emission, b_value)
 

@@ -14,7 +14,7 @@ from bondem.report.cell_pictures import draw_cells, draw_section, section_throug
 from bondem.report.crack_pictures import corners_moved
 from bondem.report.findings import Examined
 from bondem.report.spheres import View
-from bondem.report.strength_figures import arranged, broken_in, panels
+from bondem.report.strength_figures import broken_in, panels
 from bondem.report.style import BLUE, sheet
 from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.lattice import Lattice
@@ -46,9 +46,8 @@ def draw_mesoscale(path: Path, body: Lattice, state: State, stones: Aggregates, 
         _draw_cut_open(middle, solid, body, state, colour, 2)
         middle.set_title("section, cracks in red")
         right.plot(1e6 * curve[:, 0], 1e-6 * curve[:, 1], color=BLUE)
-        right.set(xlabel="elongation [µm]", ylabel="stress [MPa]", title="direct tension")
-        right.set_ylim(bottom=0.0)
-        right.set_xlim(left=0.0)
+        right.set(xlabel="elongation [µm]", ylabel="stress [MPa]", title="direct tension", xlim=(0.0, None),
+                  ylim=(0.0, None))  # fmt: skip
 
 
 def draw_cut_open(path: Path, specimen: Examined) -> None:
@@ -61,9 +60,8 @@ def draw_cut_open(path: Path, specimen: Examined) -> None:
     assert specimen.aggregates is not None
     body, names = specimen.lattice, broken_in(specimen)
     solid, colour = polyhedra(body), _coloured(body, specimen.aggregates)
-    rows, columns = arranged(len(names))
-    with sheet(path, 4.1 * columns, 3.6 * rows, rows, columns, squeeze=False) as (_, axes):
-        for ax, name in zip(panels(axes, len(names)), names, strict=True):
+    with panels(path, len(names), (4.1, 3.6)) as (_, axes):
+        for ax, name in zip(axes, names, strict=True):
             state = specimen.outcomes[name].state
             assert state is not None
             _draw_cut_open(ax, solid, body, state, colour, 0 if name == "brazilian" else 2)

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PolyCollection
 
-from bondem._types import Floats
+from bondem._types import Floats, Ints
 from bondem.boundary.wall_motions import Driven, Free, Servo
 from bondem.boundary.wall_outlines import wall_outlines
 from bondem.boundary.wall_rows import walls_at_rest
@@ -28,17 +28,20 @@ def seen_from(point: Floats, view: View) -> Floats:
     return SCALE * np.atleast_2d(point) @ view.axes.T
 
 
+def box_edges(lower: Floats, upper: Floats) -> tuple[Floats, Ints]:
+    """Return the corners of a box [m], (8, 3), and the numbers of the corners at the ends of its edges, (12, 2)."""
+    pairs = [(a, b) for a in range(8) for b in range(a + 1, 8) if (a ^ b).bit_count() == 1]
+    return np.array(list(product(*zip(lower, upper, strict=True)))), np.array(pairs)
+
+
 def draw_box(ax: Axes, lower: Floats, upper: Floats, view: View) -> None:
     """Draw the rear edges of the box about a body, its coordinates [mm], and the directions of the axes."""
-    corner = np.array(list(product(*zip(lower, upper, strict=True))))
-    pairs = [(a, b) for a in range(8) for b in range(a + 1, 8) if (a ^ b).bit_count() == 1]
+    corner, pairs = box_edges(lower, upper)
     place = seen_from(corner, view)
-    behind = int(np.argmin(place[:, 2]))
-    edges = [place[[a, b], :2] for a, b in pairs if behind in (a, b)]
-    ax.add_collection(LineCollection(edges, colors=GREY, linewidths=0.7, zorder=0))
-    size = np.asarray(upper) - np.asarray(lower)
-    anchor = place[:, :2].min(axis=0) - 0.02 * SCALE * float(np.linalg.norm(size))
-    long = 0.13 * SCALE * float(np.linalg.norm(size))
+    rear = pairs[(pairs == np.argmin(place[:, 2])).any(axis=1)]
+    ax.add_collection(LineCollection(list(place[rear, :2]), colors=GREY, linewidths=0.7, zorder=0))
+    diagonal = SCALE * float(np.linalg.norm(upper - lower))
+    anchor, long = place[:, :2].min(axis=0) - 0.02 * diagonal, 0.13 * diagonal
     for k, (name, colour) in enumerate(zip("xyz", _AXES, strict=True)):
         along = long * view.axes[:2, k]
         ax.annotate("", tuple(anchor + along), tuple(anchor),
@@ -57,20 +60,18 @@ def draw_walls(ax: Axes, model: Model, state: State | None, lower: Floats, upper
     if not model.walls:
         return
     outlines = wall_outlines(model.walls, lower, upper)
-    count = len(model.walls)
-    rows = walls_at_rest(count) if state is None else state.walls
-    moved = outlines.moved(rows)
+    moved = outlines.moved(walls_at_rest(len(model.walls)) if state is None else state.walls)
     place = seen_from(moved, view)
-    middle = seen_from(0.5 * (np.asarray(lower) + np.asarray(upper)), view)[0, 2]
-    for wall in range(count):
-        mine = np.flatnonzero(outlines.wall == wall)
+    middle = seen_from(0.5 * (lower + upper), view)[0, 2]
+    for number, wall in enumerate(model.walls):
+        mine = np.flatnonzero(outlines.wall == number)
         loops = [place[outlines.start[k] : outlines.start[k + 1]] for k in mine]
         every = np.concatenate(loops)
         ax.add_collection(PolyCollection(
             [loop[:, :2] for loop in loops], facecolors=_WALL, edgecolors=GREY, alpha=0.28,
             linewidths=0.8 if len(loops) == 1 else 0.0, zorder=0.5 if every[:, 2].mean() < middle else 5,
         ))  # fmt: skip
-        along = _motion_of(model.walls[wall])
+        along = _motion_of(wall)
         if along is not None:
             start = np.concatenate([moved[outlines.start[k] : outlines.start[k + 1]] for k in mine])
             draw_arrow(ax, start.mean(axis=0), along, lower, upper, view, INK)
@@ -104,7 +105,7 @@ def draw_arrow(
         view: direction of view.
         colour: colour of the arrow.
     """
-    long = _ARROW * float(np.linalg.norm(np.asarray(upper) - np.asarray(lower)))
+    long = _ARROW * float(np.linalg.norm(upper - lower))
     tip = start + long * np.asarray(along) / np.linalg.norm(along)
     ends = seen_from(np.array([start, tip]), view)[:, :2]
     ax.annotate("", ends[1], ends[0], zorder=7, annotation_clip=False,

@@ -42,7 +42,7 @@ from bondem.report.numbers import (
 from bondem.report.quality import quality_rows
 from bondem.report.specimen_figures import draw_contacts, draw_geode, draw_specimen
 from bondem.report.static_figures import draw_free_parameter, draw_profiles, draw_tension
-from bondem.report.strength_figures import draw_broken, draw_curves
+from bondem.report.strength_figures import broken_in, draw_broken, draw_curves
 from bondem.report.style import narrow
 from bondem.report.summary_figures import draw_errors
 from bondem.report.turning import turning_of
@@ -122,10 +122,7 @@ def write_report(
             progress(done / len(drawings))
         path = out / "figures" / f"{name}.png"
         try:
-            make_folder(path.parent / PHONE)
-            draw(path)
-            with narrow():
-                draw(path.parent / PHONE / path.name)
+            draw_twice(path, draw)
         except RunFileError:  # a full disk has no room for the others either
             raise
         except Exception as error:  # results are worth more than a figure
@@ -142,45 +139,40 @@ def write_report(
         progress(1.0)
 
 
+def draw_twice(path: Path, draw: Callable[[Path], None]) -> None:
+    """Draw a figure into a PNG, and for phones into a PNG of the same name in the folder `phone` beside it."""
+    make_folder(path.parent / PHONE)
+    draw(path)
+    with narrow():
+        draw(path.parent / PHONE / path.name)
+
+
 def drawings_of(findings: Findings) -> dict[str, Callable[[Path], None]]:
     """Return functions that draw the figures for which a study has data, of the first packing."""
     first = findings.specimens[0]
-    drawings: dict[str, Callable[[Path], None]] = {
-        "specimen": lambda path: _SPECIMENS[first.lattice.elements.shape_name](path, first.lattice),
-    }
-    quality = first.quality
-    if quality is not None:
-        drawings["geode"] = lambda path: draw_geode(path, quality)
-        drawings["contacts"] = lambda path: draw_contacts(path, first.lattice)
-    if quality is not None and first.layering:
-        drawings["layering"] = lambda path: draw_layering(path, first.layering, quality.core_volume_fraction)
-    distribution = first.distribution
-    if distribution is not None:
-        drawings["distribution"] = lambda path: draw_distribution(path, distribution)
-    if findings.fit is not None:
-        drawings["calibration"] = lambda path: draw_free_parameter(path, findings)
-    if first.tension is not None:
-        drawings["tension"] = lambda path: draw_tension(path, findings)
-    if any(name.startswith("static") for name in first.outcomes):
-        drawings["profiles"] = lambda path: draw_profiles(path, first)
-    if "axial_stress" in getattr(first.outcomes.get("static_bending"), "curves", {}):
-        drawings["cells"] = lambda path: draw_bent(path, first)
-    if first.frequencies is not None:
-        drawings["modes"] = lambda path: draw_modes(path, first)
-        drawings["vibration"] = lambda path: draw_vibration(path, first)
-    if "impact" in first.outcomes:
-        drawings["wave"] = lambda path: draw_wave(path, first)
-    if any(name in first.outcomes for name in FAILURE_TESTS):
-        drawings["strength"] = lambda path: draw_curves(path, findings)
-        drawings["broken"] = lambda path: draw_broken(path, first)
-        drawings["pieces"] = lambda path: draw_pieces(path, first)
-        if first.aggregates is not None:
-            drawings["cut_open"] = lambda path: draw_cut_open(path, first)
-        if any(first.outcomes[name].energy for name in FAILURE_TESTS if name in first.outcomes):
-            drawings["energies"] = lambda path: draw_energies(path, first)
-    if any(row["error"] is not None for row in findings.results["tests"].values()):
-        drawings["errors"] = lambda path: draw_errors(path, findings)
-    return drawings
+    broken, of_spheres = broken_in(first), first.quality is not None
+    compared = any(row["error"] is not None for row in findings.results["tests"].values())
+    figures: tuple[tuple[str, Callable[[Path, Any], None], Any, bool], ...] = (
+        ("specimen", _SPECIMENS[first.lattice.elements.shape_name], first.lattice, True),
+        ("geode", draw_geode, first.quality, of_spheres),
+        ("contacts", draw_contacts, first.lattice, of_spheres),
+        ("layering", draw_layering, first, bool(first.layering)),
+        ("distribution", draw_distribution, first.distribution, first.distribution is not None),
+        ("calibration", draw_free_parameter, findings, findings.fit is not None),
+        ("tension", draw_tension, findings, first.tension is not None),
+        ("profiles", draw_profiles, first, any(name.startswith("static") for name in first.outcomes)),
+        ("cells", draw_bent, first, "axial_stress" in getattr(first.outcomes.get("static_bending"), "curves", {})),
+        ("modes", draw_modes, first, first.frequencies is not None),
+        ("vibration", draw_vibration, first, first.frequencies is not None),
+        ("wave", draw_wave, first, "impact" in first.outcomes),
+        ("strength", draw_curves, findings, bool(broken)),
+        ("broken", draw_broken, first, bool(broken)),
+        ("pieces", draw_pieces, first, bool(broken)),
+        ("cut_open", draw_cut_open, first, bool(broken) and first.aggregates is not None),
+        ("energies", draw_energies, first, any(first.outcomes[name].energy for name in broken)),
+        ("errors", draw_errors, findings, compared),
+    )
+    return {name: lambda path, draw=draw, of=of: draw(path, of) for name, draw, of, has_data in figures if has_data}
 
 
 @cache
@@ -200,7 +192,8 @@ def templates() -> Environment:
 def page(findings: Findings, pictures: dict[str, Picture], undrawn: Mapping[str, str] | None = None) -> str:
     """Render the report as HTML text, with `pictures` and the errors of `undrawn` figures by name."""
     rows = rows_of(findings)
-    first, shape = findings.specimens[0], findings.specimens[0].lattice.elements.shape_name
+    first = findings.specimens[0]
+    shape = first.lattice.elements.shape_name
     turning = dict.fromkeys(_TURNING) | ({shape: _TURNING[shape](first)} if pictures else {})
     law = findings.bonds.law if findings.bonds is not None else None
     return templates().get_template("report.html").render(
@@ -218,7 +211,7 @@ def page(findings: Findings, pictures: dict[str, Picture], undrawn: Mapping[str,
             key=lambda row: abs(row["error"]), default=None,
         ),
         quality=quality_rows(findings.specimens),
-        shape=measures(findings.specimens[0].lattice.particles.envelope),
+        shape=measures(first.lattice.particles.envelope),
         failures=[(part, type(one).__name__, parameter_texts(one)) for part, one in findings.failures.items()],
         undrawn=undrawn,
     )
@@ -257,7 +250,7 @@ def rows_of(findings: Findings) -> list[dict[str, Any]]:
             **row,
             "error_timoshenko": _mean([one.error_timoshenko for one in outcomes]),
             "error_refined": _mean([one.error_refined for one in outcomes]),
-            "free_vibration": _mean([_number(one.curves.get("free_vibration")) for one in outcomes]),
+            "free_vibration": _mean([one.curves.get("free_vibration") for one in outcomes]),
             "published": findings.published.get(name),
             "told": [in_unit(key, _mean([one.told.get(key) for one in outcomes])) for key in outcomes[0].told],
         })  # fmt: skip
@@ -274,10 +267,6 @@ def _peak(name: str, outcomes: Sequence[Outcome], band: tuple[float, float] | No
             "measured": between(*band, style.units[1])}  # fmt: skip
 
 
-def _number(value: object) -> float | None:
-    return None if value is None else float(np.asarray(value))
-
-
-def _mean(values: list[float | None]) -> float | None:
-    known = [value for value in values if value is not None]
+def _mean(values: list[Any]) -> float | None:
+    known = [float(value) for value in values if value is not None]
     return sum(known) / len(known) if known else None

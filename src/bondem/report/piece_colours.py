@@ -19,7 +19,7 @@ def piece_palette(count: int) -> Floats:
         count: number of pieces.
 
     Returns:
-        One row per piece, no two alike, (count, 3); the first is pale grey.
+        One colour per piece, all different, (count, 3); the first is pale grey.
     """
     number = np.arange(count)
     hue = (0.02 + _GOLDEN * number) % 1.0

@@ -29,12 +29,12 @@ from bondem.labtests.cracking import CRACKED
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.report.column_curves import draw_columns
-from bondem.report.crack_pictures import draw_elements
+from bondem.report.crack_pictures import draw_elements, piece_colours
 from bondem.report.overlays import SCALE, draw_arrow, draw_box, draw_walls
 from bondem.report.piece_colours import piece_palette
 from bondem.report.spheres import View
 from bondem.report.strength_figures import reach_of
-from bondem.report.style import BLUE, GREEN, ORANGE, PURPLE, SEQUENTIAL, SETTINGS
+from bondem.report.style import BLUE, GREEN, ORANGE, PURPLE, SEQUENTIAL, SETTINGS, colour_bar
 from bondem.report.surface_picture import draw_patches
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.tessellation.polyhedra import Polyhedra
@@ -71,7 +71,7 @@ def draw_lattice(
     lattice: Lattice, path: Any, *, values: ArrayLike | None, label: str, view: tuple[float, float]
 ) -> Drawing:  # fmt: skip
     """Draw a lattice, coloured by `values` (n,), by body, or by size, for `Lattice.plot`."""
-    eye, sides, bodies = _view("Lattice.plot", view), _bounds(lattice), len(lattice.names)
+    eye, sides, bodies = _view("Lattice.plot", view), lattice.particles.envelope.bounds, len(lattice.names)
     with _figure("Lattice.plot", path, 1) as (figure, (ax,)):
         if values is None and bodies > 1:
             _body(ax, lattice, piece_palette(bodies)[lattice.body], eye)
@@ -108,7 +108,7 @@ def draw_model(
     model: Model, path: Any, *, solution: Any, reach: float | None, view: tuple[float, float]
 ) -> Drawing:  # fmt: skip
     """Draw a model with its conditions, or in the pose of a solution, for `Model.plot`."""
-    eye, sides, lattice = _view("Model.plot", view), _bounds(model.lattice), model.lattice
+    eye, sides, lattice = _view("Model.plot", view), model.lattice.particles.envelope.bounds, model.lattice
     state, moved, turned = _motion(model, solution)
     with _figure("Model.plot", path, 1) as (figure, (ax,)):
         if moved is None:
@@ -145,14 +145,14 @@ def _draw_picture(figure: Figure, ax: Axes, picture: Coloured | Present, reach: 
         _coloured_body(figure, ax, picture, reach, view)
         return
     state = picture.state
-    sides = _bounds(state.model.lattice)
+    lower, upper = state.model.lattice.particles.envelope.bounds
     pieces = fragments(state.model.lattice, state, integrity=CRACKED)
     if len(pieces) > 1:
         _broken_body(ax, state, pieces, reach, view)
     else:
         _moved_body(figure, ax, state.model.lattice, state.displacement, state.orientation, reach, view)
-    draw_box(ax, *sides, view)
-    draw_walls(ax, state.model, state, *sides, view)
+    draw_box(ax, lower, upper, view)
+    draw_walls(ax, state.model, state, lower, upper, view)
 
 
 def _motion(model: Model, solution: Any) -> tuple[State | None, Floats | None, Floats | None]:
@@ -248,7 +248,7 @@ def _broken_body(ax: Axes, state: State, pieces: Any, reach: float | None, view:
     """Draw a displaced, broken body, each piece in its own colour."""
     lattice, moved = state.model.lattice, state.displacement
     reach = _reach(lattice, moved, reach)
-    colour = piece_palette(len(pieces))[pieces.label]
+    colour = piece_colours(pieces)
     _body(ax, lattice, colour, view, moved=moved, turned=state.orientation, reach=reach, piece=pieces.label)
     ax.set_title(f"{len(pieces)} pieces, motion × {reach:.3g}")
 
@@ -277,15 +277,8 @@ def _body(
     draw_elements(ax, lattice, colour, shift, corners, view=view, piece=piece, scale=SCALE)
 
 
-def _bounds(lattice: Lattice) -> tuple[Floats, Floats]:
-    lower, upper = lattice.particles.envelope.bounds
-    return np.asarray(lower), np.asarray(upper)
-
-
 def _bar(figure: Figure, ax: Axes, scale: Normalize, label: str) -> None:
-    bar = figure.colorbar(ScalarMappable(scale, SEQUENTIAL), ax=ax, shrink=0.7, aspect=28, pad=0.03)
-    bar.set_label(label)
-    bar.outline.set_visible(False)
+    colour_bar(figure, ScalarMappable(scale, SEQUENTIAL), label, ax=ax, shrink=0.7, aspect=28, pad=0.03)
 
 
 def _view(who: str, view: Any) -> View:

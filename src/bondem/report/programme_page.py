@@ -6,12 +6,11 @@ from pathlib import Path
 from typing import Any
 
 from bondem.damage.criteria.criterion import Criterion
-from bondem.io.atomic import make_folder, write_text
+from bondem.io.atomic import write_text
 from bondem.report.captions import CAPTIONS
 from bondem.report.criterion_text import parameter_texts
-from bondem.report.page import PHONE, Picture, templates
+from bondem.report.page import Picture, draw_twice, templates
 from bondem.report.programme_figure import draw_targets
-from bondem.report.style import narrow
 from bondem.specimen.material import Material
 
 #: Figures of the reports of specimens that the report of the programme repeats, in order.
@@ -67,12 +66,9 @@ def write_programme(
     """
     summary = None
     if figures and any(row["off_target"] is not None or row["off_theory"] is not None for row in rows):
-        make_folder(out / "figures" / PHONE)
-        draw_targets(out / "figures" / "targets.png", rows)
-        with narrow():
-            draw_targets(out / "figures" / PHONE / "targets.png", rows)
-        scattered = any(row["scatter"] for row in rows)
-        summary = Picture.of(out / "figures" / "targets.png", _TARGETS + (_BARS if scattered else ""))
+        file, scattered = out / "figures" / "targets.png", any(row["scatter"] for row in rows)
+        draw_twice(file, lambda path: draw_targets(path, rows))
+        summary = Picture.of(file, _TARGETS + (_BARS if scattered else ""))
     pictures = {one.name: _pictures(out / one.folder) if figures else [] for one in chapters}
     page = templates().get_template("programme.html").render(
         title=title,

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -69,22 +70,15 @@ def _elements(one: Fabric) -> int:
     return int(one.coordination_histogram.sum())
 
 
-def _four(value: float) -> str:
-    return with_unit(value)
-
-
-def _three(value: float) -> str:
-    return with_unit(value, digits=3)
-
-
+_three = partial(with_unit, digits=3)
 _MEASURES: tuple[tuple[str, Callable[[Fabric], float], Callable[[float], str], str, str], ...] = (
-    ("volume fraction φ", lambda one: one.volume_fraction, _four, "",
+    ("volume fraction φ", lambda one: one.volume_fraction, with_unit, "",
      "Volume of the elements over that of the shape; overlaps count twice. Random spheres jam near 0.64."),
-    ("φ of the core", lambda one: one.core_volume_fraction, _four, "",
+    ("φ of the core", lambda one: one.core_volume_fraction, with_unit, "",
      "Volume fraction at least three mean radii from every wall, without the gaps at walls: that of the material."),
-    ("coordination number z", lambda one: one.coordination_number, _four, "",
+    ("coordination number z", lambda one: one.coordination_number, with_unit, "",
      "Mean number of bonds per element."),
-    ("z of the backbone", lambda one: one.backbone_coordination_number, _four, "",
+    ("z of the backbone", lambda one: one.backbone_coordination_number, with_unit, "",
      "Mean number of bonds between elements that are held in place: 6 at jamming, fewer near supporting walls,"
      " more beyond jamming."),
     ("loose elements", lambda one: one.loose / _elements(one), percent, "",

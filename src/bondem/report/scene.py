@@ -14,6 +14,7 @@ from bondem.errors import InputError
 from bondem.fracture.fragments import fragments
 from bondem.geometry.rotations import turned_vectors
 from bondem.io.hdf5 import array_at
+from bondem.io.raw_spheres import snapshot_number
 from bondem.io.run_contents import read_contents
 from bondem.io.runfile import read_run, reading_run
 from bondem.report.piece_colours import piece_palette
@@ -78,12 +79,7 @@ class Scene:
         Raises:
             InputError: there is no such snapshot.
         """
-        if not -self.count <= snapshot < self.count:
-            raise InputError(
-                f"snapshot = {snapshot}: '{self._file}' has {self.count} snapshots; give a number from 0 to"
-                f" {self.count - 1}"
-            )
-        return snapshot % self.count
+        return snapshot_number(self._file, snapshot, self.count, argument="snapshot")
 
     def draw(self, plotter: Any, number: int) -> None:
         """Draw the snapshot of an index from 0 in a pyvista plotter."""
@@ -203,7 +199,7 @@ class Scene:
         return pieces
 
     def _by_piece(self) -> np.ndarray:
-        """Colour of each element by its fragment at the last checkpoint, (n, 3)."""
+        """Return red, green and blue of each element by its fragment at the last checkpoint, in 0 … 255, (n, 3)."""
         checkpoint = read_run(self._file)
         pieces = fragments(checkpoint.model.lattice, checkpoint.state)
         return np.rint(255.0 * piece_palette(len(pieces))).astype(np.uint8)[pieces.label]

@@ -89,7 +89,8 @@ def view_run(
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)  # the error states what is wrong with the display
     scene = Scene(run_file, field=field, show=show, section=None, warp=warp, camera=camera, walls=True, axes=True)
     chosen = scene.number(snapshot)
-    _require_display(run_file)
+    if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
+        raise _no_display(run_file)
     plotter: Any = pyvista.Plotter()
     plotter.set_background(_BACKGROUND)
     if "OSOpenGL" in plotter.render_window.GetClassName() or "EGL" in plotter.render_window.GetClassName():
@@ -104,16 +105,6 @@ def view_run(
         plotter.add_slider_widget(go, (0, scene.count - 1), value=chosen, title="snapshot", fmt="%.0f")
     scene.draw(plotter, chosen)
     plotter.show()
-
-
-def _require_display(run_file: Path) -> None:
-    """Check that a window can be opened.
-
-    Raises:
-        InputError: No window can be opened.
-    """
-    if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
-        raise _no_display(run_file)
 
 
 def _no_display(run_file: Path) -> InputError:

@@ -11,7 +11,7 @@ from matplotlib.collections import PolyCollection
 from matplotlib.colors import Normalize, to_rgb
 
 from bondem.report.spheres import View, render, tubes
-from bondem.report.style import BLUE, DIVERGING, GREEN, INK, ORANGE, SEQUENTIAL, sheet
+from bondem.report.style import BLUE, DIVERGING, GREEN, INK, ORANGE, SEQUENTIAL, colour_bar, sheet
 from bondem.specimen.direction_sphere import direction_sphere
 from bondem.specimen.fabric import Fabric
 from bondem.specimen.lattice import Lattice
@@ -41,11 +41,8 @@ def draw_specimen(path: Path, lattice: Lattice) -> None:
     with sheet(path, 8.2, 8.2 * height / width + 0.75) as (figure, axes):
         axes.imshow(image, interpolation="lanczos")
         axes.axis("off")
-        bar = figure.colorbar(
-            ScalarMappable(norm, SEQUENTIAL), ax=axes, orientation="horizontal", shrink=0.35, aspect=30, pad=0.02
-        )
-        bar.set_label("element radius over mean radius,  R / R̄  [-]")
-        bar.outline.set_visible(False)
+        colour_bar(figure, ScalarMappable(norm, SEQUENTIAL), "element radius over mean radius,  R / R̄  [-]",
+                   ax=axes, orientation="horizontal", shrink=0.35)  # fmt: skip
 
 
 def draw_contacts(path: Path, lattice: Lattice) -> None:
@@ -88,12 +85,8 @@ def draw_geode(path: Path, quality: Fabric) -> None:
             _draw_axes(ax, view)
             ax.set(xlim=(-1.25, 1.25), ylim=(-1.25, 1.25), aspect="equal", title=title)
             ax.axis("off")
-        bar = figure.colorbar(
-            ScalarMappable(norm, DIVERGING), ax=list(axes[:2]), orientation="horizontal", shrink=0.6, aspect=35,
-            pad=0.02,
-        )
-        bar.set_label("bonds over those of an isotropic fabric [-]")
-        bar.outline.set_visible(False)
+        colour_bar(figure, ScalarMappable(norm, DIVERGING), "bonds over those of an isotropic fabric [-]",
+                   ax=list(axes[:2]), orientation="horizontal", shrink=0.6, aspect=35)  # fmt: skip
         axes[2].hist(density, bins=20, color=BLUE, label="faces of the geode")
         # a bond counts on a face and on its opposite, so that counts scatter by the root of their mean
         chance = math.sqrt(len(density) / quality.face_counts.sum())

@@ -1,7 +1,8 @@
 """Figures of tests to failure: curves of all packings, and the first broken specimen."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
@@ -18,7 +19,7 @@ from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.report.crack_pictures import draw_magnified
 from bondem.report.findings import Examined, Findings
 from bondem.report.spheres import View
-from bondem.report.style import BLUE, GREY, INK, ORANGE, SEQUENTIAL, for_phones, legend_columns, sheet
+from bondem.report.style import BLUE, GREY, INK, ORANGE, SEQUENTIAL, colour_bar, for_phones, legend_columns, sheet
 from bondem.specimen.lattice import Lattice
 
 # Largest drawn displacement over the size of the specimen, and magnifications per decade.
@@ -30,11 +31,10 @@ _COLUMNS = 3
 def draw_curves(path: Path, findings: Findings) -> None:
     """Draw the curve of every packing, with the strength of the material and the measured range of peaks."""
     names = broken_in(findings.specimens[0])
-    rows, columns = arranged(len(names))
-    width, high = (6.2, 3.7) if len(names) == 1 else (4.1 * columns + 0.4, 3.2 * rows)
-    with sheet(path, width, high, rows, columns, squeeze=False) as (figure, axes):
+    size, margin = ((4.1, 3.2), (0.4, 0.0)) if len(names) > 1 else ((6.2, 3.7), (0.0, 0.0))
+    with panels(path, len(names), size, margin=margin) as (figure, axes):
         lines: dict[str, Artist] = {}
-        for ax, name in zip(panels(axes, len(names)), names, strict=True):
+        for ax, name in zip(axes, names, strict=True):
             style = FAILURE_TESTS[name].figure_of(findings.specimens[0].outcomes[name].curves)
             (across, along), (up, of) = style.across, style.up
             for n, one in enumerate(findings.specimens):
@@ -58,7 +58,7 @@ def draw_curves(path: Path, findings: Findings) -> None:
             ax.set_ylim(bottom=0.0)
             lines |= {str(line.get_label()): line for line in ax.get_legend_handles_labels()[0]}
         if lines:
-            beside = legend_columns(2 if columns > 1 else 1)
+            beside = legend_columns(2 if len(names) > 1 else 1)
             figure.legend(lines.values(), lines.keys(), loc="outside lower center", ncols=beside)
 
 
@@ -71,9 +71,8 @@ def enveloping(load: Floats) -> Mask:
 def draw_broken(path: Path, specimen: Examined) -> None:
     """Draw the broken specimen with exaggerated motion, its cells coloured by damage or slip."""
     names = broken_in(specimen)
-    rows, columns = arranged(len(names))
-    with sheet(path, 4.1 * columns, 3.6 * rows, rows, columns, squeeze=False) as (figure, axes):
-        for ax, name in zip(panels(axes, len(names)), names, strict=True):
+    with panels(path, len(names), (4.1, 3.6)) as (figure, axes):
+        for ax, name in zip(axes, names, strict=True):
             draw_failed(figure, ax, specimen.lattice, specimen.outcomes[name].curves, FAILURE_TESTS[name].figure)
 
 
@@ -100,12 +99,10 @@ def draw_failed(figure: Figure, ax: Axes, body: Lattice, curves: Mapping[str, Fl
     motion = curves["displacement"], curves["orientation"]
     draw_magnified(ax, body, colour, motion, view=view, reach=reach, shown=shown, piece=curves.get("piece"))
     ax.set_title(f"{style.title}, {magnified(reach)}", color=INK)
-    bar = figure.colorbar(
-        ScalarMappable(norm, SEQUENTIAL), ax=ax, orientation="horizontal", shrink=0.7, aspect=30, pad=0.02
-    )
     damaged = f"largest damage of its {body.elements.bond_name}, 1 − s [-]"
-    bar.set_label("plastic slip of the cell [%]" if slipped else damaged)
-    bar.outline.set_edgecolor(GREY)
+    label = "plastic slip of the cell [%]" if slipped else damaged
+    scale = ScalarMappable(norm, SEQUENTIAL)
+    colour_bar(figure, scale, label, edge=GREY, ax=ax, orientation="horizontal", shrink=0.7)
 
 
 def magnified(reach: float) -> str:
@@ -138,16 +135,22 @@ def broken_in(specimen: Examined) -> list[str]:
     return [name for name in FAILURE_TESTS if name in specimen.outcomes]
 
 
-def arranged(count: int) -> tuple[int, int]:
-    """Return the numbers of rows and columns for a number of panels; one column for phones."""
-    if for_phones():
-        return count, 1
-    return math.ceil(count / _COLUMNS), min(count, _COLUMNS)
+@contextmanager
+def panels(
+    path: Path, count: int, size: tuple[float, float], *, margin: tuple[float, float] = (0.0, 0.0)
+) -> Iterator[tuple[Figure, list[Axes]]]:
+    """Create a figure of panels, up to three in a row, or one for phones, and save it at the end of the block.
 
-
-def panels(axes: np.ndarray, count: int) -> list[Axes]:
-    """Return the first `count` axes of a grid, and hide the others."""
-    every = axes.ravel().tolist()
-    for ax in every[count:]:
-        ax.axis("off")
-    return every[:count]
+    Args:
+        path: PNG to write.
+        count: number of panels.
+        size: width and height of a panel [inch].
+        margin: further width and height of the figure [inch].
+    """
+    columns = 1 if for_phones() else min(count, _COLUMNS)
+    rows = math.ceil(count / columns)
+    width, height = columns * size[0] + margin[0], rows * size[1] + margin[1]
+    with sheet(path, width, height, rows, columns, squeeze=False) as (figure, axes):
+        for ax in axes.flat[count:]:
+            ax.axis("off")
+        yield figure, axes.flat[:count].tolist()

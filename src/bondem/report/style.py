@@ -8,11 +8,14 @@ from typing import Any
 
 import numpy as np
 from matplotlib import rc_context
+from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.cm import ScalarMappable
 from matplotlib.figure import Figure
 from matplotlib.ticker import ScalarFormatter
 from PIL import Image, ImageChops
 
+from bondem._types import Floats
 from bondem.io.atomic import replacing
 
 INK = "#1f2933"
@@ -120,6 +123,21 @@ def sheet(
         image = Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3])
         with replacing(path) as aside:
             _trimmed(image).save(aside, dpi=(_DOTS_PER_INCH, _DOTS_PER_INCH))
+
+
+def colour_bar(figure: Figure, scale: ScalarMappable, label: str, *, edge: str = "none", **options: Any) -> None:
+    """Add a colour bar with a label and an outline of colour `edge`; `options` are those of `Figure.colorbar`."""
+    given: dict[str, Any] = {"aspect": 30, "pad": 0.02} | options
+    bar = figure.colorbar(scale, **given)
+    bar.set_label(label)
+    bar.outline.set_edgecolor(edge)
+
+
+def fit_axes(ax: Axes, drawn: Floats) -> None:
+    """Set equal scales, and limits a little beyond drawn points, (k, 2)."""
+    margin = 0.02 * np.ptp(drawn, axis=0).max()
+    lower, upper = drawn.min(axis=0) - margin, drawn.max(axis=0) + margin
+    ax.set(xlim=(lower[0], upper[0]), ylim=(lower[1], upper[1]), aspect="equal")
 
 
 class _PlainNumbers(ScalarFormatter):

@@ -1,7 +1,5 @@
 """Pictures of surfaces with the names of their patches."""
 
-from typing import NamedTuple
-
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patheffects import withStroke
@@ -21,13 +19,6 @@ from bondem.report.style import INK
 _PIXELS, _NAMED, _ROOM = 1000, 60, 5.0
 
 
-class _Raster(NamedTuple):
-    """Visible triangle of each pixel, or -1, and the left, right, lower and upper side of the picture [mm]."""
-
-    triangle: Ints
-    extent: tuple[float, float, float, float]
-
-
 def draw_patches(ax: Axes, surface: Surface, view: View) -> str:
     """Draw a surface in the colours of its patches, with their names where they are seen.
 
@@ -42,24 +33,28 @@ def draw_patches(ax: Axes, surface: Surface, view: View) -> str:
         label[one.triangles] = k
     corner = seen_from(surface.vertices, view)[surface.triangles]
     normal = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
-    raster = _raster(corner, normal)
-    seen = raster.triangle >= 0
-    patch = np.where(seen, label[raster.triangle], -1)
+    triangle, extent = _raster(corner, normal)
+    seen = triangle >= 0
+    patch = np.where(seen, label[triangle], -1)
     unit = normal / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-300)
     colour = 0.5 + 0.5 * np.vstack([piece_palette(len(patches)), np.full((1, 3), 0.8)])
     image = np.ones((*patch.shape, 4))
-    image[..., :3] = np.clip(colour[patch] * light_on(unit)[raster.triangle][..., None], 0.0, 1.0)
+    image[..., :3] = np.clip(colour[patch] * light_on(unit)[triangle][..., None], 0.0, 1.0)
     image[_borders(patch), :3] = 0.25
     image[~seen & ~_borders(patch), 3] = 0.0
-    ax.imshow(image, extent=raster.extent, origin="lower", interpolation="antialiased", zorder=1)
+    ax.imshow(image, extent=extent, origin="lower", interpolation="antialiased", zorder=1)
     ax.set(aspect="equal")
     ax.axis("off")
-    named = _write_names(ax, patches, patch, raster.extent)
+    named = _write_names(ax, patches, patch, extent)
     return f"{named} of {len(patches)} patches"
 
 
-def _raster(corner: Floats, normal: Floats) -> _Raster:
-    """Find the nearest triangle of each pixel from places and depths of corners in the picture, (t, 3, 3) [mm]."""
+def _raster(corner: Floats, normal: Floats) -> tuple[Ints, tuple[float, float, float, float]]:
+    """Find the nearest triangle of each pixel from places and depths of corners in the picture, (t, 3, 3) [mm].
+
+    Returns:
+        Number of the triangle of each pixel, or -1, and the left, right, lower and upper side of the picture [mm].
+    """
     lower, upper = corner.min(axis=(0, 1)), corner.max(axis=(0, 1))
     pixel = float((upper - lower)[:2].max()) / _PIXELS
     low = lower[:2] - 2.0 * pixel
@@ -81,7 +76,7 @@ def _raster(corner: Floats, normal: Floats) -> _Raster:
         nearer = (v >= 0.0) & (w >= 0.0) & (v + w <= 1.0) & (at > nearest[here])
         nearest[here][nearer], triangle[here][nearer] = at[nearer], k
     high = low + pixel * np.array([across, up])
-    return _Raster(triangle, (float(low[0]), float(high[0]), float(low[1]), float(high[1])))
+    return triangle, (float(low[0]), float(high[0]), float(low[1]), float(high[1]))
 
 
 def _borders(patch: Ints) -> np.ndarray:

@@ -65,9 +65,9 @@ def turning_of(one: Examined) -> Turning:
     place = (centre[chosen] - 0.5 * (lower + upper)) / half
     scale = colormaps[SEQUENTIAL]
     return Turning(
-        place=_text(np.rint(32_000.0 * np.clip(place, -1.0, 1.0)).astype("<i2")),
-        size=_text(np.rint(255.0 * radius[chosen] / radius.max()).astype(np.uint8)),
-        colour=_text(_shade(value)[chosen]),
+        place=in_base64(np.rint(32_000.0 * np.clip(place, -1.0, 1.0)).astype("<i2")),
+        size=in_base64(np.rint(255.0 * radius[chosen] / radius.max()).astype(np.uint8)),
+        colour=in_base64(_shade(value)[chosen]),
         colours=[to_hex(scale(k / (_COLOURS - 1))) for k in range(_COLOURS)],
         largest=float(radius.max()) / half,
         caption=f"Elements {caption}: drag to turn, pinch or scroll with Ctrl to come nearer.{below}",
@@ -80,5 +80,6 @@ def _shade(value: Floats) -> np.ndarray:
     return np.minimum((_COLOURS * share).astype(np.uint8), _COLOURS - 1)
 
 
-def _text(values: np.ndarray) -> str:
+def in_base64(values: np.ndarray) -> str:
+    """Return the bytes of an array as base64."""
     return base64.b64encode(np.ascontiguousarray(values).tobytes()).decode("ascii")

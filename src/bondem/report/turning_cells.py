@@ -1,6 +1,5 @@
 """Data of a rotatable picture of cells in the page of a report: outer polygons, and those between fragments."""
 
-import base64
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,13 +8,13 @@ from matplotlib import colormaps
 from bondem._types import Floats, Ints
 from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.report.cell_pictures import outlined
-from bondem.report.crack_pictures import corners_moved
+from bondem.report.crack_pictures import corners_moved, piece_colours
 from bondem.report.findings import Examined
 from bondem.report.numbers import pieces_and_crumbs
-from bondem.report.piece_colours import piece_palette
 from bondem.report.spheres import View
 from bondem.report.strength_figures import magnified, reach_of
 from bondem.report.style import SEQUENTIAL
+from bondem.report.turning import in_base64
 from bondem.specimen.tessellation.polyhedra import Polyhedra, polyhedra
 
 # Usual view [rad].
@@ -52,10 +51,8 @@ def turning_cells_of(one: Examined) -> TurningCells:
         assert cracking is not None
         state, pieces = cracking.state, cracking.fragments
         reach = reach_of(body, state.displacement)
-        place, label = solid.vertex + corners_moved(
-            solid, body, state.displacement, state.orientation, reach
-        ), pieces.label  # fmt: skip
-        colour = piece_palette(len(pieces))[label]
+        place = solid.vertex + corners_moved(solid, body, state.displacement, state.orientation, reach)
+        label, colour = pieces.label, piece_colours(pieces)
         title = FAILURE_TESTS[broken[0]].figure.title
         caption = f"{title}: the broken specimen, {magnified(reach)}, {pieces_and_crumbs(cracking)} in a colour each"
     else:
@@ -69,10 +66,10 @@ def turning_cells_of(one: Examined) -> TurningCells:
     lower, upper = corner.min(axis=0), corner.max(axis=0)
     corner = (corner - 0.5 * (lower + upper)) / (0.5 * float((upper - lower).max()))
     return TurningCells(
-        corner=_text(np.rint(32_000.0 * np.clip(corner, -1.0, 1.0)).astype("<i2")),
-        size=_text(count.astype(np.uint8)),
-        edge=_text(outlined(solid)[rows].astype(np.uint8)),
-        colour=_text(np.rint(255.0 * colour[solid.cell[seen]]).astype(np.uint8)),
+        corner=in_base64(np.rint(32_000.0 * np.clip(corner, -1.0, 1.0)).astype("<i2")),
+        size=in_base64(count.astype(np.uint8)),
+        edge=in_base64(outlined(solid)[rows].astype(np.uint8)),
+        colour=in_base64(np.rint(255.0 * colour[solid.cell[seen]]).astype(np.uint8)),
         axes=np.round(_clearest(place, solid, seen, label).axes, 4).tolist(),
         caption=f"{caption}. Drag to turn it, pinch or scroll with Ctrl to zoom.",
     )
@@ -99,7 +96,3 @@ def _rows(start: Ints, chosen: Ints) -> tuple[Ints, Ints]:
     count = np.diff(start)[chosen]
     first = np.repeat(start[chosen] - np.append(0, np.cumsum(count))[:-1], count)
     return first + np.arange(int(count.sum())), count
-
-
-def _text(values: Floats | np.ndarray) -> str:
-    return base64.b64encode(np.ascontiguousarray(values).tobytes()).decode("ascii")
