@@ -21,6 +21,7 @@ class WeakenedFacets(NamedTuple):
     H: Floats  #: [N·m], (m, 3, 3)
     integrity: Floats  #: [-], (m,)
     closed: Bytes  #: 1 for halves that press, (m, 2)
+    across: Floats  #: direction in which a facet softens alone, zero for all directions [-], (m, 3)
 
 
 class SmallMotions(NamedTuple):

@@ -33,7 +33,8 @@ def onset_factors(
 
 
 def softening_along(
-    loaded: LoadedFacets, strengths: FacetStrengths, facets: Ints, traction: Floats, integrity: PerBond
+    loaded: LoadedFacets, strengths: FacetStrengths, facets: Ints, traction: Floats, integrity: PerBond,
+    across: Floats | None = None,
 ) -> SofteningSearch:
     """Compute the load factors at which cracked facets soften further, along each direction.
 
@@ -45,10 +46,12 @@ def softening_along(
         facets: numbers of the cracked facets, (c,).
         traction: traction that these facets would have if they were uncracked [Pa], (c, 3).
         integrity: integrity of these facets [-], (c,).
+        across: the one direction in which a facet softens, or zero, (c, 3); None for zero.
     """
     c = len(facets)
     search = SofteningSearch(
-        np.ascontiguousarray(facets, dtype=np.int64), np.ascontiguousarray(traction), integrity, np.empty((c, 3)),
+        np.ascontiguousarray(facets, dtype=np.int64), np.ascontiguousarray(traction), integrity,
+        np.zeros((c, 3)) if across is None else across, np.empty((c, 3)),
         np.empty((c, 3, 3)), np.empty((c, 3, 3)), np.empty(c),
     )  # fmt: skip
     run_pass(calls.find_softening_factors(loaded, strengths, search))

@@ -19,6 +19,7 @@ struct WeakenedFacets {
     Array<const double, 3> H;  // [N·m], (m, 3, 3)
     Array<const double, 1> integrity;  // [-], (m,)
     Array<const Byte, 2> closed;  // 1 for halves that press, (m, 2)
+    Array<const double, 2> across;  // direction in which a facet softens alone, zero for all directions [-], (m, 3)
 };
 // Small motions of n cells, and their gaps and dilatations.
 struct SmallMotions {

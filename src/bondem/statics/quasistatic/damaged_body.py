@@ -1,8 +1,9 @@
 """Body of cells whose facets have any integrity, in small motions: its matrix, and the loads of its facets.
 
 A facet of integrity s is that of `core/laws/softening.hpp` near the reference. Each half in compression keeps its
-stiffness along the normal: it is k (s 1 + (1 - s) n⊗n), and its share of the dilatation likewise. Closed cracks have
-no friction. All values are for a load factor of 1, and proportional to it.
+stiffness along the normal: it is k (s 1 + (1 - s) n⊗n), and its share of the dilatation likewise. A facet beside a
+pressure along its crack softens in one direction e alone: it is k (1 - (1 - s) e⊗e) where it opens, else k. Closed
+cracks have no friction. All values are for a load factor of 1, and proportional to it.
 """
 
 from dataclasses import dataclass, replace
@@ -71,6 +72,7 @@ class DamagedBody:
     Attributes:
         integrity: integrity of the facets, (m,).
         closed: mask of the halves of cracked facets in compression, (m, 2).
+        across: unit vectors along which facets soften alone, zero for all directions, (m, 3).
         area: areas of the facets [m²], (m,).
         system: the whole body and its supports.
         given: V θ of cells with all elements at rest, by moved walls and by tractions on free facets [m³], (n,).
@@ -98,10 +100,11 @@ class DamagedBody:
         self._part = soft_i / (soft_i + soft_j)
         self.integrity = np.ones(len(self.i))
         self.closed = np.zeros((len(self.i), 2), dtype=bool)
+        self.across = np.zeros((len(self.i), 3))
         c = self.constants
         self.weakened = WeakenedFacets(
             self.i, self.j, c.k, self.area, self._part, c.lever_i, c.lever_j, c.share_i, c.share_j, c.normal, c.H,
-            self.integrity, self.closed.view(np.uint8),
+            self.integrity, self.closed.view(np.uint8), self.across,
         )  # fmt: skip
         self._facets = OpenedFacets(self.weakened, len(order))
         self.matrix = FacetMatrix(system.matrix, layout, root)
@@ -177,7 +180,8 @@ class DamagedBody:
         if table is not None:
             state.facet_force[:] = factor * (self.area[:, None] * found.traction).T
             k = found.cracked
-            opened = softening_along(self.facets(found), table.strengths(), k, found.opening, self.left[k])
+            along = (found.opening, self.left[k], self.across[k])
+            opened = softening_along(self.facets(found), table.strengths(), k, *along)
             state.cracks = taken_cracks(table, self._halves(found, factor), opened)
         state.stale = not balanced
         return state
@@ -194,19 +198,22 @@ class DamagedBody:
             stretched + (found.stress[cell[k]] / of)[:, None] * share[k]
             for cell, of, share in ((self.i, part, c.share_i), (self.j, 1.0 - part, c.share_j))
         ]
-        return CrackedHalves(k, c.k[k], part, c.normal[k], self.left[k], factor * np.stack(force))
+        return CrackedHalves(k, c.k[k], part, c.normal[k], self.across[k], self.left[k], factor * np.stack(force))
 
-    def weaken(self, facets: Ints, integrity: ArrayLike, closed: ArrayLike) -> None:
+    def weaken(self, facets: Ints, integrity: ArrayLike, closed: ArrayLike, across: ArrayLike | None = None) -> None:
         """Set the integrity of some facets, at least `_NONE`, and their halves in compression.
 
         Args:
             facets: internal numbers, each once, (c,).
             integrity: integrity of the facets, (c,) or one for all.
             closed: mask of their halves in compression, (c, 2) or (2,) for all.
+            across: unit vectors along which facets soften alone, zero for all directions, (c, 3); None keeps them.
         """
         before = self._stiffness(facets)
         self._weigh(facets, -1.0)
         self.integrity[facets], self.closed[facets] = np.maximum(integrity, _NONE), closed
+        if across is not None:
+            self.across[facets] = across
         after = self._stiffness(facets)
         self._weigh(facets, 1.0)
         self.matrix.add(facets, *(new - old for new, old in zip(after, before, strict=True)))
@@ -218,29 +225,44 @@ class DamagedBody:
         self.weaken(other, integrity[other], closed[other])
 
     def _stiffness(self, facets: Ints) -> tuple[Floats, Floats, Floats]:
-        c, shut = self.weakened, self.closed[facets]
-        n, s = c.normal[facets], self.integrity[facets, None]
-        pressing = np.where(shut[:, 0], self._part[facets], 0.0) + np.where(shut[:, 1], 1.0 - self._part[facets], 0.0)
-        D = (pressing[:, None] * (1.0 - s) * n)[:, :, None] * n[:, None, :] + s[:, :, None] * np.eye(3)
+        c, w = self.weakened, self._part[facets]
+        s, along = self.integrity[facets, None], self._along(facets)
+        whole, (one, other) = np.where(self.in_one[facets, None], 1.0, s), self._apart(facets)
+        D = ((w * one + (1.0 - w) * other)[:, None] * (1.0 - s) * along)[:, :, None] * along[:, None, :]
+        D += whole[:, :, None] * np.eye(3)
         shares = tuple(
-            s * share + np.where(half, 1.0, 0.0)[:, None] * (1.0 - s) * (share * n).sum(axis=1)[:, None] * n
-            for share, half in ((c.share_i[facets], shut[:, 0]), (c.share_j[facets], shut[:, 1]))
+            whole * share + apart[:, None] * (1.0 - s) * (share * along).sum(axis=1)[:, None] * along
+            for share, apart in ((c.share_i[facets], one), (c.share_j[facets], other))
         )
         return facet_stiffness(
             (c.lever_i[facets], c.lever_j[facets]), c.k[facets, None, None] * D, s[:, :, None] * c.H[facets],
             (shares[0], shares[1]),
         )  # fmt: skip
 
+    @property
+    def in_one(self) -> Mask:
+        """Mask of the facets that soften in one direction alone, (m,)."""
+        return (self.across != 0.0).any(axis=1)
+
+    def _along(self, facets: Ints) -> Floats:
+        """Return the direction in which facets soften alone, else their normal, (c, 3)."""
+        return np.where(self.in_one[facets, None], self.across[facets], self.weakened.normal[facets])
+
+    def _apart(self, facets: Ints) -> Floats:
+        """Return the share of the loss that concerns `_along` alone, below 0 where halves lose nothing else, (2, c)."""
+        return (self.closed[facets] - self.in_one[facets, None].astype(float)).T
+
     def _weigh(self, facets: Ints, sign: float) -> None:
         """Add the lost integrity of facets to the compliance of their cells, times a sign, and set their weights."""
         c, weight, open_part = self.weakened, self.constants.weight, sign * (1.0 - self.integrity[facets])
-        (slack_i, slack_j), n = self._of_sides, c.normal[facets]
-        for cells, slack, share, shut in (
-            (self.i[facets], slack_i[facets], c.share_i[facets], self.closed[facets, 0]),
-            (self.j[facets], slack_j[facets], c.share_j[facets], self.closed[facets, 1]),
+        (slack_i, slack_j), along, (one, other) = self._of_sides, self._along(facets), self._apart(facets)
+        for cells, slack, share, apart in (
+            (self.i[facets], slack_i[facets], c.share_i[facets], one),
+            (self.j[facets], slack_j[facets], c.share_j[facets], other),
         ):
-            along, square = (share * n).sum(axis=1) ** 2, (share**2).sum(axis=1)
-            across = np.where(shut, 1.0 - np.divide(along, square, out=np.zeros_like(along), where=shut), 1.0)
+            part, square = (share * along).sum(axis=1) ** 2, (share**2).sum(axis=1)
+            part = np.divide(part, square, out=np.zeros_like(part), where=square > 0.0)
+            across = np.where(self.in_one[facets], 0.0, 1.0) - apart * part
             np.add.at(self._slack, cells, open_part * slack * across)
             self.system.matrix.weight[cells] = weight[cells] / (1.0 + weight[cells] * self._slack[cells])
 

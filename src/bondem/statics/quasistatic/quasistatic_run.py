@@ -21,8 +21,8 @@ from bondem.statics.quasistatic.damaged_body import DamagedBody, Loaded
 from bondem.statics.quasistatic.equilibrium import Eliminated, Equilibrium, Iterated
 from bondem.statics.quasistatic.load_response import PointGauges, Reading
 from bondem.statics.quasistatic.onset import FacetOnset, StressOnset, TractionOnset
-from bondem.statics.quasistatic.pressed_cracks import PressedCracks
-from bondem.statics.quasistatic.sawtooth import Teeth
+from bondem.statics.quasistatic.pressed_cracks import LostPressure
+from bondem.statics.quasistatic.softening_facets import SofteningFacets
 
 # Relative difference of load factors below which facets fail in the user's order.
 _TIE = 1e-9
@@ -149,7 +149,7 @@ def solve_quasistatic(
         RunInterrupted: Ctrl-C was pressed; its `.result` is the path so far.
 
     Warns:
-        FractureEnergyWarning: The pressure along the cracks exceeds 1.5 times the tension across them.
+        FractureEnergyWarning: The pressure along cracks that began without it exceeds the strength on average.
 
     Reference: sequentially linear analysis, Rots (2001); DeJong, Hendriks and Rots (2008).
     """
@@ -177,9 +177,7 @@ def _followed(
     band, close, share, limit = limits
     body, equilibrium, onset = _begin(model)
     reading, gauge = Reading(body, drive), PointGauges(model, pairs)
-    path, pressed = _Path(model), PressedCracks(body)
-    softening: dict[int, tuple[Teeth, int]] = {}
-    following = np.full(len(body.integrity), np.inf)
+    path, lost, softening = _Path(model), LostPressure(body, onset.strength), SofteningFacets(body, onset, band)
     motion, before = body.motion.copy(), (body.integrity, body.closed)
     first, size, reported, end = 0.0, 0.0, 0.0, "events"
     report = progress or (lambda share: None)
@@ -202,25 +200,19 @@ def _followed(
         if stiffness < _PARTED * first or _is_residual(body, found, motion, load * displacement):
             end = "parted"
             break
-        failing, factor = _next(body, onset, following, found, close)
+        failing, factor = _next(body, onset, softening, found, close)
         if not len(failing):
             end = "strong"
             break
         if _folds(motion, factor):
             end = "folded"
             break
-        left: list[float] = []
-        pressed.add(found, factor, failing[body.integrity[failing] == 1.0])
-        for k in failing.tolist():
-            if k not in softening:
-                softening[k] = onset.teeth(found, k, factor, band), 0
-            line, done = softening[k]
-            softening[k] = line, done + 1
-            following[k] = line.beyond[done] if done < len(line.beyond) else np.inf
-            left.append(float(line.integrity[done]))
-            path.add(k, left[-1])
+        left, across = softening.fail(found, failing, factor)
+        lost.add(found, factor, failing)
+        for k, integrity in zip(failing.tolist(), left.tolist(), strict=True):
+            path.add(k, integrity)
         before = body.integrity.copy(), body.closed.copy()
-        body.weaken(failing, np.array(left), body.closed[failing])
+        body.weaken(failing, left, body.closed[failing], across)
         path.add_event(factor, gauge.read(motion), motion)
         borne = path.borne(math.ceil(max(_LAST * (event + 1), _FEWEST / band)))
         if borne < share:
@@ -229,7 +221,7 @@ def _followed(
         reported = max(reported, (1.0 - borne) / (1.0 - share))
         report(reported)
     report(1.0)
-    pressed.warn()
+    lost.warn()
     return path.result(body, before, end, equilibrium)
 
 
@@ -261,14 +253,11 @@ def _folds(motion: Floats, factor: float) -> bool:
     return float((turn > _SMALL).mean()) > _TURNED
 
 
-def _next(body: DamagedBody, onset: FacetOnset, following: Floats, found: Loaded, close: float) -> tuple[Ints, float]:
-    """Return the facets that fail next, in the user's order, and the load factor; none if nothing fails.
-
-    `following` is the load at the next event of each softening facet over that of its curve [-], inf for none.
-    """
-    limit, going = np.full(len(found.cracked), np.inf), np.isfinite(following[found.cracked])
-    softening = found.cracked[going]
-    limit[going] = following[softening] * onset.again(found, softening, found.opening[going])
+def _next(
+    body: DamagedBody, onset: FacetOnset, softening: SofteningFacets, found: Loaded, close: float
+) -> tuple[Ints, float]:
+    """Return the facets that fail next, in the user's order, and the load factor; none if nothing fails."""
+    limit = softening.limits(found)
     tie = max(close, _TIE)
     least = float(limit.min(initial=np.inf)) * (1.0 + tie)
     whole, factor = onset.factors(found, np.flatnonzero(body.integrity == 1.0), least, tie)

@@ -20,6 +20,7 @@ class CrackedHalves:
         k: stiffnesses of the facets [N/m], (c,).
         part: parts of cell i in their compliance [-], (c,).
         normal: normals in the reference [-], (c, 3).
+        across: unit vectors along which facets soften alone, zero for all directions, (c, 3).
         left: integrities, 0 for broken facets [-], (c,).
         force: forces of the halves on cells i and j, as if these had full integrity [N], (2, c, 3).
     """
@@ -28,6 +29,7 @@ class CrackedHalves:
     k: Floats
     part: Floats
     normal: Floats
+    across: Floats
     left: PerBond
     force: Floats
 
@@ -38,7 +40,7 @@ def taken_cracks(table: SofteningTable, halves: CrackedHalves, opened: Softening
     A crack keeps its integrity s along its first axis and in its grip, and has 1 along the other two. Its first axis
     is the direction in which it softens next. If a half is in compression, or not in tension along that direction,
     the first axis is the normal of the facet, along which pressure remains. Both choices give the force of the
-    equilibrium.
+    equilibrium. A facet that softens in one direction has that axis, and its grip stays 1.
 
     Args:
         table: strengths of the facets.
@@ -50,19 +52,22 @@ def taken_cracks(table: SofteningTable, halves: CrackedHalves, opened: Softening
     sign = np.sign((force.sum(axis=0) * first).sum(axis=1))
     first = sign[:, None] * first
     pulled = ((force * first).sum(axis=2) > 0.0).all(axis=0) & ((force * halves.normal).sum(axis=2) > 0.0).all(axis=0)
-    plane = table.plane[halves.facet]
-    axes = axes_along(np.where((pulled & ~plane)[:, None], first, halves.normal))
-    rows = crack_rows(halves.facet, table.strength[halves.facet], axes, isotropic_left(left), plane)
-    rows[:, RATE : RATE + 4] = _rates(halves, axes)
+    plane, one = table.plane[halves.facet], (halves.across != 0.0).any(axis=1)
+    first = np.where((pulled & ~plane)[:, None], first, halves.normal)
+    axes = axes_along(np.where(one[:, None], halves.across, first))
+    of_axes = isotropic_left(left)
+    of_axes[one, 3] = 1.0
+    rows = crack_rows(halves.facet, table.strength[halves.facet], axes, of_axes, plane)
+    rows[:, RATE : RATE + 4] = _rates(halves, axes, of_axes[:, 3])
     return rows
 
 
-def _rates(halves: CrackedHalves, axes: Floats) -> Floats:
+def _rates(halves: CrackedHalves, axes: Floats, grip: Floats) -> Floats:
     """Return the energy released per lost integrity, -∂U/∂s, of three axes and of the grip [J], (c, 4)."""
     share = np.stack([halves.part, 1.0 - halves.part])[:, :, None] / (2.0 * halves.k[:, None])
     along = np.einsum("hcx,cdx->hcd", halves.force, axes)
     pull, press = (share * np.maximum(sign * along, 0.0) ** 2 for sign in (1.0, -1.0))
     of = pull.sum(axis=0)
     of_grip = (pull + press)[:, :, 1:].sum(axis=(0, 2))
-    of[:, 1:] *= halves.left[:, None]
+    of[:, 1:] *= grip[:, None]
     return np.column_stack([of, of_grip])

@@ -59,6 +59,16 @@ double open_along(const FacetBetween &facet, Vector t, const PrincipalStress<dou
     return load.slides;
 }
 
+// Finds the opening along the one direction in which a facet softens, in the place of σ1.
+void open_across(const FacetBetween &facet, Vector t, Vector across, const FacetStrengths &strengths, Index k,
+                 OpenedAlong *found) {
+    const double slope = absolute(dot(facet.normal, across)), bent = facet.opened(principal(facet.mean));
+    const LoadAlong<double> load = load_along(positive(dot(t, across)), bent, slope);
+    found[2] = {load.traction, strength_along({strengths.strength(k), strengths.brittleness(k)}, load), across};
+    if (dot(t, across) <= 0.0) found[2].traction = 0.0;
+    found[0] = found[1] = {0.0, found[2].by, across};
+}
+
 // Load factor at which σ1(σ*) of a facet in tension or shear reaches a strength, or inf.
 double reaches(const FacetBetween &facet, Vector t, double bent, double strength) {
     const PulledTraction<double> pull = pulled_traction(t, facet.normal, bent);
@@ -110,8 +120,13 @@ Index find_softening_factors(Index, const LoadedFacets &loaded, const FacetStren
         const Index k = search.facet(e);
         const FacetBetween facet = facet_at(loaded, k);
         const Vector t = search.traction.row<const Vector>(e);
+        const Vector across = search.across.row<const Vector>(e);
+        const bool in_one = dot(across, across) > 0.0;
         OpenedAlong along[3];
-        open_along(facet, t, principal(facet.mean), strengths, k, along);
+        if (in_one)
+            open_across(facet, t, across, strengths, k, along);
+        else
+            open_along(facet, t, principal(facet.mean), strengths, k, along);
         for (Index d = 0; d < 3; d++) {
             const OpenedAlong &one = along[d];
             search.factor(e, d) = one.factor(search.integrity(e), curve);
@@ -120,7 +135,7 @@ Index find_softening_factors(Index, const LoadedFacets &loaded, const FacetStren
         }
         // the integrity is zero where the whole opening reaches the last one
         const double size = length(opening_part(t, facet.normal, dot(t, facet.normal))), end = 1.0 / strengths.brittleness(k);
-        search.ended(e) = strengths.plane(k) == 0.0 && size > 0.0 && end > 0.0 ? end / size : infinity;
+        search.ended(e) = strengths.plane(k) == 0.0 && !in_one && size > 0.0 && end > 0.0 ? end / size : infinity;
     }
     return 0;
 }

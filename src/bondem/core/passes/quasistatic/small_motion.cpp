@@ -7,6 +7,10 @@
 //     F = k δ + σ s_p / w       opens: s F       presses: s F + (1 - s) (F · n) n
 //     V θ += s (s_p · δ)        presses: and (1 - s) (s_p · n) (δ · n)
 //
+// A facet that softens in one direction e alone keeps what acts along its crack, and all where it presses across it:
+//
+//     opens: F - (1 - s) (F · e) e        V θ += s_p · δ - (1 - s) (s_p · e) (δ · e)
+//
 // The facet has the mean of both halves, weighted by their parts of the compliance.
 #include "../../registered.hpp"
 #include "../../symmetric3.hpp"
@@ -25,20 +29,39 @@ Vector end_of(const SmallMotions &motions, Index p, Vector lever) {
     return at(motions.displacement, p) + cross(at(motions.rotation, p), lever);
 }
 
-double swollen(double s, bool closed, Vector share, Vector gap, Vector normal) {
-    const double grown = s * dot(share, gap);
-    return closed ? grown + (1.0 - s) * dot(share, normal) * dot(gap, normal) : grown;
+// How a facet is weakened: along its normal, where it stays whole if it presses, or along one direction alone.
+struct Weakened {
+    double s;  // integrity
+    Vector along;
+    bool in_one;
+
+    double whole(double left) const { return in_one ? 1.0 : left; }
+    // Part of the loss that concerns `along` only: none of an open half, all of one that softens in one direction.
+    double apart(double left, bool closed) const { return (double(closed) - double(in_one)) * (1.0 - left); }
+    // What a half of integrity `left` keeps of a force.
+    Vector kept(Vector force, double left, bool closed) const {
+        return plus(whole(left) * force, apart(left, closed) * dot(force, along), along);
+    }
+};
+Weakened weakened(const WeakenedFacets &facets, Index k) {
+    const Vector across = at(facets.across, k);
+    const bool in_one = dot(across, across) > 0.0;
+    return {facets.integrity(k), in_one ? across : at(facets.normal, k), in_one};
+}
+
+double swollen(const Weakened &facet, bool closed, Vector share, Vector gap) {
+    const double along = dot(share, facet.along) * dot(gap, facet.along);
+    return facet.whole(facet.s) * dot(share, gap) + facet.apart(facet.s, closed) * along;
 }
 
 struct Half {
     Vector force, opening;  // force that the half transmits, and the part of F that opens it [N]
     bool turns;  // whether it closes or opens now
 };
-Half half_of(Vector whole, double s, bool closed, Vector normal) {
-    const double along = dot(whole, normal), size = turns * length(whole);
-    const Vector force = s * whole;
-    if (closed) return {plus(force, (1.0 - s) * along, normal), minus(whole, along, normal), along > size};
-    return {force, whole, along < -size};
+Half half_of(Vector whole, const Weakened &facet, bool closed) {
+    const double along = dot(whole, facet.along), size = turns * length(whole);
+    const Vector opening = whole - facet.kept(whole, 0.0, closed);
+    return {facet.kept(whole, facet.s, closed), opening, closed ? along > size : along < -size};
 }
 
 void add_moment(const Array<double, 2> &moment, Index p, Vector arm, Vector force, double sign) {
@@ -53,11 +76,10 @@ Index open_weakened_facets(Index, const WeakenedFacets &facets, const SmallMotio
     for (Index k = 0; k < facets.k.size(); k++) {
         const Index i = facets.i(k), j = facets.j(k);
         const Vector gap = end_of(motions, j, at(facets.lever_j, k)) - end_of(motions, i, at(facets.lever_i, k));
-        const Vector n = at(facets.normal, k);
-        const double s = facets.integrity(k);
+        const Weakened facet = weakened(facets, k);
         motions.gap.row<Vector>(k) = gap;
-        motions.swelling(i) += swollen(s, facets.closed(k, 0), at(facets.share_i, k), gap, n);
-        motions.swelling(j) += swollen(s, facets.closed(k, 1), at(facets.share_j, k), gap, n);
+        motions.swelling(i) += swollen(facet, facets.closed(k, 0), at(facets.share_i, k), gap);
+        motions.swelling(j) += swollen(facet, facets.closed(k, 1), at(facets.share_j, k), gap);
     }
     return 0;
 }
@@ -67,16 +89,17 @@ BONDEM_CALL(open_weakened_facets, "")
 Index load_weakened_facets(Index, const WeakenedFacets &facets, const SmallMotions &motions, const FacetLoading &loading) {
     for (Index k = 0; k < facets.k.size(); k++) {
         const Index i = facets.i(k), j = facets.j(k);
-        const double s = facets.integrity(k), w = facets.part(k), v = 1.0 - w, per_area = 1.0 / facets.area(k);
-        const Vector n = at(facets.normal, k), spring = facets.k(k) * motions.gap.row<Vector>(k);
+        const double w = facets.part(k), v = 1.0 - w, per_area = 1.0 / facets.area(k);
+        const Weakened facet = weakened(facets, k);
+        const Vector spring = facets.k(k) * motions.gap.row<Vector>(k);
         const Vector g_i = loading.stress(i) * at(facets.share_i, k), g_j = loading.stress(j) * at(facets.share_j, k);
         Vector force = spring + g_i + g_j;
         loading.opened(k) = 0.0;
         loading.turned(k, 0) = loading.turned(k, 1) = 0;
-        if (s < 1.0) {
+        if (facet.s < 1.0) {
             loading.opening.row<Vector>(k) = per_area * force;
-            const Half one = half_of(plus(spring, 1.0 / w, g_i), s, facets.closed(k, 0), n);
-            const Half two = half_of(plus(spring, 1.0 / v, g_j), s, facets.closed(k, 1), n);
+            const Half one = half_of(plus(spring, 1.0 / w, g_i), facet, facets.closed(k, 0));
+            const Half two = half_of(plus(spring, 1.0 / v, g_j), facet, facets.closed(k, 1));
             force = plus(w * one.force, v, two.force);
             loading.opened(k) = length(plus(w * one.opening, v, two.opening)) / facets.area(k);
             loading.turned(k, 0) = one.turns;
