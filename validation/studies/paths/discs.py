@@ -23,15 +23,20 @@ def expected(share: float) -> float | None:
     return next(one["strength"] for one in kept if one["share"] == share)
 
 
+def energy_of(share: float) -> float:
+    """Return the fracture energy of which E G_f / f_t² is a share of the diameter [J/m²]."""
+    return share * brazilian.DIAMETER * brazilian.TENSION**2 / brazilian.LAW.E
+
+
 @cache
-def _disc(count: int, seed: int) -> bd.Lattice:
+def disc(count: int, seed: int) -> bd.Lattice:
+    """The cells of a disc."""
     return brazilian.DISC.body(count, seed)
 
 
 def _split(body: bd.Lattice, share: float, friction: float) -> tuple[float, str]:
     """Return the stress at the centre over f_t when the disc splits, or the largest where its load has no maximum."""
-    energy = share * brazilian.DIAMETER * brazilian.TENSION**2 / brazilian.LAW.E
-    failure = bd.Rankine(tension=brazilian.TENSION, fracture_energy=energy, friction=friction)
+    failure = bd.Rankine(tension=brazilian.TENSION, fracture_energy=energy_of(share), friction=friction)
     run = brazilian.pressed(body, failure)
     force = 0.5 * (run.history["bottom"][:, 1] - run.history["top"][:, 1]) / brazilian.EXPECTED
     note = f"{run.status.value}, imbalance {run.history.imbalance:.1e}"
@@ -40,7 +45,7 @@ def _split(body: bd.Lattice, share: float, friction: float) -> tuple[float, str]
 
 def discs(seed: int, count: int) -> list[Row]:
     """Strength without friction over that of finite elements, and with friction over that without."""
-    body, rows = _disc(count, seed), []
+    body, rows = disc(count, seed), []
     for share in SHARES:
         theory = expected(share)
         (smooth, note), (rough, also) = (_split(body, share, friction) for friction in (0.0, FRICTION))

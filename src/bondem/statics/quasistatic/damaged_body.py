@@ -249,7 +249,7 @@ class DamagedBody:
         return np.where(self.in_one[facets, None], self.across[facets], self.weakened.normal[facets])
 
     def _apart(self, facets: Ints) -> Floats:
-        """Return the share of the loss that concerns `_along` alone, below 0 where halves lose nothing else, (2, c)."""
+        """Return the share of the loss that both halves keep along `_along`; -1 where they lose only that, (2, c)."""
         return (self.closed[facets] - self.in_one[facets, None].astype(float)).T
 
     def _weigh(self, facets: Ints, sign: float) -> None:

@@ -149,7 +149,7 @@ def solve_quasistatic(
         RunInterrupted: Ctrl-C was pressed; its `.result` is the path so far.
 
     Warns:
-        FractureEnergyWarning: The pressure along cracks that began without it exceeds the strength on average.
+        FractureEnergyWarning: The pressure along cracks that began without it grows to a fifth of the strength.
 
     Reference: sequentially linear analysis, Rots (2001); DeJong, Hendriks and Rots (2008).
     """
@@ -208,11 +208,11 @@ def _followed(
             end = "folded"
             break
         left, across = softening.fail(found, failing, factor)
-        lost.add(found, factor, failing)
         for k, integrity in zip(failing.tolist(), left.tolist(), strict=True):
             path.add(k, integrity)
         before = body.integrity.copy(), body.closed.copy()
         body.weaken(failing, left, body.closed[failing], across)
+        lost.add(found, factor, failing)
         path.add_event(factor, gauge.read(motion), motion)
         borne = path.borne(math.ceil(max(_LAST * (event + 1), _FEWEST / band)))
         if borne < share:
