@@ -1,6 +1,6 @@
 """Equilibria (`bd.solve_quasistatic`) with a pressure along the crack: cubes that are torn, and split discs.
 
-The pressure on two sides of a cube grows with its stretch, so that it is q f_t where the cube begins to crack and some
+The pressure on two sides of a cube grows with its stretch: it is q f_t where the cube begins to crack, and some
 2 to 5 times that where it parts. Discs are those of `discs.py`, between platens that approach.
 """
 

@@ -36,16 +36,15 @@ def pressed_along(body: DamagedBody, found: Loaded, facets: Ints) -> Mask:
 
 
 class LostPressure:
-    """Pressure along cracks that lose it as they open, and their strength, summed over their softening steps [N]."""
+    """Pressure along cracks that lose it as they open, and strength of all cracks, summed over softening steps [N]."""
 
     def __init__(self, body: DamagedBody, strength: Floats) -> None:
         self._body, self._strength, self._pressure, self._size = body, strength, 0.0, 0.0
 
     def add(self, found: Loaded, factor: float, facets: Ints) -> None:
         """Add facets (c,) that soften at a factor of the given loads."""
-        facets = facets[~self._body.in_one[facets]]
-        area = self._body.area[facets]
-        self._pressure += factor * float(area @ _stresses(self._body, found, facets)[1])
+        area, loses = self._body.area[facets], ~self._body.in_one[facets]
+        self._pressure += factor * float((area * loses) @ _stresses(self._body, found, facets)[1])
         self._size += float(area @ self._strength[facets])
 
     def warn(self) -> None:
