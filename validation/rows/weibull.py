@@ -71,10 +71,6 @@ class WeibullRun(Request):
     seed: int
 
     @property
-    def weight(self) -> float:
-        return self.bar / self.size**3
-
-    @property
     def asked(self) -> dict[str, Any]:
         return {
             "bonds": "cells", "modulus": self.ceramic.modulus, "energy": self.ceramic.energy, "bar": self.bar,
@@ -128,10 +124,6 @@ class WeibullSpheres(Request):
     count: int
     reach: float
     seed: int
-
-    @property
-    def weight(self) -> float:
-        return float(self.count)
 
     @property
     def asked(self) -> dict[str, Any]:

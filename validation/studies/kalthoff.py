@@ -99,5 +99,5 @@ def _judged(rows: Sequence[Row]) -> dict[str, Any]:
     return {
         "tension": rows[0]["tension"], "over": rows[0]["size"] / longest, "angles": angles, "mean": mean,
         "verdict": claim.verdict(angles),
-        **{key: [row[key] for row in rows] for key in ("seed", "count", "steps", "run_seconds", "residual")},
+        **{key: [row[key] for row in rows] for key in ("seed", "count", "residual")},
     }  # fmt: skip
