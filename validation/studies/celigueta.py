@@ -78,7 +78,7 @@ class Celigueta(Study):
             some = [row for row in good if all(row[key] == value for key, value in wanted.items())]
             if some:
                 cases.append(wanted | _judged(MEASURED[test], some))
-        return {"count": self.count, "limit": LIMIT, "cases": cases}
+        return {"limit": LIMIT, "cases": cases}
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """See `Study`: curves of all packings, and what the first packing is after the test."""

@@ -91,10 +91,6 @@ def _results(study: Coverage, fit: Calibration, rows: Sequence[dict[str, Any]]) 
             "coverage": _coverage(study, name, rows, fit.law),
         }
     return {
-        "count": study.count,
-        "shape": study.shape,
-        "calibrating": study.calibrating,
-        "held_out": study.held_out,
         "level": LEVEL,
         "law": type(fit.law).__name__,
         "E_mu": fit.law.E,

@@ -71,8 +71,6 @@ class Protocol(Study):
         good = [row for row in rows if not row["error"]]
         kinds = {method: [row for row in good if row["method"] == method] for method in self.methods}
         return {
-            "count": self.count,
-            "steps": self.steps,
             "summary": {method: _summary(found) for method, found in kinds.items() if found},
             "paper": {name: printed for name, (_, printed) in TESTS.items()},
         }

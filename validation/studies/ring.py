@@ -58,7 +58,7 @@ class RingStudy(Study):
         good = [row for row in rows if not row["error"]]
         groups = [[row for row in good if row["rate"] == rate] for rate in self.rates]
         rates = [_judged(some) for some in groups if some]
-        return {"size": self.size, "side": self.side, "limit": LIMIT, "rates": rates}
+        return {"limit": LIMIT, "rates": rates}
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """See `Study`: sizes over rates beside the formula."""
