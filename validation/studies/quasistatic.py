@@ -81,7 +81,7 @@ class QuasiStatic(BarStudy):
 
     def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:
         _, run = self.first(out)
-        return rows[0]["bar"] | _numbers(self, rows, run)
+        return rows[0]["bar"] | _numbers(rows, run)
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """Figures 10 and 12, and how runs settle."""
@@ -105,15 +105,11 @@ def shares(energy: Mapping[str, float]) -> dict[str, float]:
     }
 
 
-def _numbers(study: QuasiStatic, rows: Sequence[Row], run: ExplicitTension) -> dict[str, Any]:
+def _numbers(rows: Sequence[Row], run: ExplicitTension) -> dict[str, Any]:
     static = rows[0]["bar"]["macro"]
     speed = (static["E"] / static["rho"]) ** 0.5
     elastic = float(run.elastic[-1])
     return {
-        "run": {
-            "steps": run.steps, "ramp_steps": round(run.ramp / run.dt), "dt": run.dt, "phi": study.phi,
-            "stress": run.stress, "seconds": run.seconds,
-        },
         "static": {"E": static["E"], "nu": static["nu"]},
         "explicit": sorted(map(_bare, rows), key=lambda row: row["steps"]),
         "energy": {
@@ -133,9 +129,6 @@ def _compared(run: ExplicitTension, bar: CalibratedBar) -> dict[str, Any]:
     static = bar.tension
     return {
         "steps": run.steps,
-        "seconds": run.seconds,
-        "E": run.E,
-        "nu": run.nu,
         "E_ppm": 1e6 * (run.E / static.E - 1.0),
         "nu_ppm": 1e6 * (run.nu / static.nu - 1.0),
     }

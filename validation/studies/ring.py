@@ -85,5 +85,5 @@ def _judged(rows: Sequence[Row]) -> dict[str, Any]:
         "slowed": slowed, "slowed_thin": rows[0]["slowed_thin"],
         "ratio_slowed": over["mean"] * Ring().length / Ring().size(slowed),
         "dissipated": float(np.mean([row["dissipated"] for row in rows])),
-        **{key: [row[key] for row in rows] for key in ("seed", "pieces", "chips", "chipped", "count", "residual")},
+        **{key: [row[key] for row in rows] for key in ("seed", "pieces", "count", "residual")},
     }  # fmt: skip

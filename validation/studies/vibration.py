@@ -95,18 +95,11 @@ class Vibration(BarStudy):
 def _numbers(run: bd.labtests.FreeVibration, modes: bd.labtests.NaturalFrequencies) -> dict[str, Any]:
     free, energy = run.free, run.energy
     kinetic = energy["translation"] + energy["rotation"]
-    moving = kinetic[free] > 0.05 * kinetic[free].max()
-    share = energy["rotation"][free][moving] / kinetic[free][moving]
     total = kinetic + sum((energy[name] for name in _PARTS), np.zeros(1))
     drift = np.polynomial.Polynomial.fit(run.time[free], total[free], 1).convert().coef[1]
     return {
-        "steps": run.steps,
-        "dt": run.dt,
-        "released": run.released,
-        "work": float(energy["work"].max()),
         "shares": shares({name: float(energy[name][free].mean()) for name in _PARTS}),
         "rotational_share_mean": float(energy["rotation"][free].sum() / kinetic[free].sum()),
-        "rotational_share_largest": float(share.max()),
         "energy_error": run.energy_error,
         "total_drift": float(drift * np.ptp(run.time[free]) / total[free].mean()),
         "frequency": {kind: {"signal": run.frequency(kind), "mode": getattr(modes, kind)} for kind in _KINDS},
