@@ -84,15 +84,9 @@ class SlowBeamsRun(Request):
         boundary += [bd.Fix(_row(body, one), translation="y", rotation="") for one in case.held]
         boundary.append(bd.Drive(driven, vy=bd.Ramp(0.0, sign * speed, begin)))
         model = bd.Model(body, bonds.law, bonds.density, boundary=boundary, failure=self._failure(body, bonds))
-        peak = [0.0]
-
-        def ended(state: bd.State, record: bd.History) -> bool:
-            now = sign * float(record["load"][-1, 1])
-            peak[0] = max(peak[0], now)
-            return state.time > 0.5 * rise and now < _ENDING * peak[0]
-
         run = _completed(bd.solve_explicit(
-            model, duration=self.reach / speed + 0.5 * begin, every=20, callback=ended,
+            model, duration=self.reach / speed + 0.5 * begin, every=20,
+            until=bd.LoadDrop({"load": (0.0, sign, 0.0)}, _ENDING, 0.3 * case.claim.low),
             damping=bd.MassDamping(alpha=2.0 * _DAMPING * math.pi * sound / size),
             gauges={"load": bd.Gauge(driven, "force"), "way": bd.Gauge(driven, "displacement")},
         ))  # fmt: skip

@@ -156,15 +156,9 @@ class WeibullSpheres(Request):
             bd.Fix(bd.Face("x_min"), translation="x", rotation=""),
             bd.Drive(bd.Face("x_max"), vx=bd.Ramp(0.0, speed, _BEGIN * rise)),
         ])  # fmt: skip
-        peak = [0.0]
-
-        def ended(state: bd.State, record: bd.History) -> bool:
-            now = float(record["end"][-1, 0])
-            peak[0] = max(peak[0], now)
-            return state.time > 0.5 * rise and now < _ENDING * peak[0]
-
         run = bd.solve_explicit(
-            model, duration=6.0 * rise, every=20, gauges={"end": bd.Gauge(bd.Face("x_max"), "force")}, callback=ended,
+            model, duration=6.0 * rise, every=20, gauges={"end": bd.Gauge(bd.Face("x_max"), "force")},
+            until=bd.LoadDrop({"end": (1.0, 0.0, 0.0)}, _ENDING, 0.3 * _EXPECTED * self.width**2),
             damping=bd.MassDamping(alpha=2.0 * _DAMPING * math.pi * sound / length),
         )  # fmt: skip
         if run.status.failed:

@@ -88,11 +88,11 @@ def measured(part: str, count: int, seed: int, speed: float, safety: float = 0.9
     model, state, duration, cost = {"rows": row, "blocks": block, "balls": ball}[part](count, seed, speed)
     run = bd.solve_explicit(model, duration=duration, every=20, state=state, safety=safety)
     energy, broken = run.history.energy, run.state.bond_integrity == 0.0
-    released = sum(energy[kind][-1] for kind in ("fracture", "crushing") if kind in energy)
     crushing = float(energy["crushing"][-1] / (cost @ broken)) if "crushing" in energy else None
     return {
-        "energy": float(released / (cost @ broken)), "crushing": crushing, "broken": int(broken.sum()),
-        "balance": float(np.abs(energy["balance"]).max() / energy["translation"][0]), "status": run.status.value,
+        "energy": float(run.history.released[-1] / (cost @ broken)), "crushing": crushing,
+        "broken": int(broken.sum()), "status": run.status.value,
+        "balance": float(np.abs(energy["balance"]).max() / energy["translation"][0]),
     }  # fmt: skip
 
 
