@@ -65,7 +65,6 @@ class CeliguetaRun(Request):
         count: elements.
         seed: of the packing.
         slower: by how much plates are slower than the paper's.
-        dashpot: share of critical damping of the contacts.
         friction: of the plates; that between elements is 0.1.
     """
 
@@ -75,7 +74,6 @@ class CeliguetaRun(Request):
     count: int
     seed: int
     slower: float = 1.0
-    dashpot: float = DASHPOT
     friction: float = FRICTION
 
     @property
@@ -116,7 +114,7 @@ class CeliguetaRun(Request):
             bd.PlaneWall(tuple(low * direction), tuple(direction), friction=self.friction, inner=hole),
             bd.PlaneWall(tuple(high * direction), tuple(-direction), motion, self.friction, piston),
         ]
-        contact = bd.LinearContact(E=E, friction=FRICTION, kappa=2.0 * (1.0 + NU), damping=self.dashpot)
+        contact = bd.LinearContact(E=E, friction=FRICTION, kappa=2.0 * (1.0 + NU), damping=DASHPOT)
         return bd.Model(body, law, density, failure=criterion(self.failure), contact=contact, walls=walls)
 
     @property
