@@ -89,6 +89,8 @@ def _results(study: Coverage, fit: Calibration, rows: Sequence[dict[str, Any]]) 
         }
     return {
         "level": LEVEL,
+        "E_mu": fit.law.E,
+        "value": fit.value,
         "quantities": quantities,
     }
 
