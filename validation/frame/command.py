@@ -15,7 +15,7 @@ import click
 from bondem.cli.terminal import progress_bars
 from validation.frame.record import RESULTS, Record, command_line
 from validation.frame.runner import run
-from validation.frame.study import Study
+from validation.frame.study import Study, of_text
 
 _FILE = click.Path(path_type=Path)
 
@@ -35,7 +35,7 @@ def command_of(kind: type[Study]) -> click.Command:
     told = explained(kind)
     for field in fields(kind):
         default = field.default
-        if default is MISSING or not _of_text(default):
+        if default is MISSING or not of_text(default):
             continue
         of = type(default[0]) if isinstance(default, tuple) else type(default)
         options.append(_option(field.name, tuple[of, ...] if isinstance(default, tuple) else of, default,
@@ -97,11 +97,6 @@ def explained(of: object) -> dict[str, str]:
     _, *listed = re.split(r"^(?:Attributes|Args):\n", text, maxsplit=1, flags=re.MULTILINE)
     found = re.findall(r"^ {4}(\w+): (.*?)(?=^ {4}\w|^$|\Z)", "".join(listed), re.MULTILINE | re.DOTALL)
     return {name: " ".join(words.split()) for name, words in found}
-
-
-def _of_text(default: object) -> bool:
-    plain = default if isinstance(default, tuple) else (default,)
-    return bool(plain) and all(isinstance(one, int | float | str) for one in plain)
 
 
 def _option(name: str, kind: Any, default: Any, text: str, *, choose: bool = False) -> click.Option:

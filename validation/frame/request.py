@@ -37,9 +37,9 @@ class Request(ABC):
         return re.sub(r"[^\w.+-]+", "-", "_".join([type(self).__name__, *words]))
 
     @property
-    @abstractmethod
     def weight(self) -> float:
-        """How much work it is, against others of its kind."""
+        """How much work it is, against others of its kind: its number of elements, where it has one."""
+        return float(getattr(self, "count", 1))
 
     @property
     def needs(self) -> "Request | None":

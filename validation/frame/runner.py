@@ -70,7 +70,7 @@ def run(
             stage, requests = stages.send(rows)
     good = [row for row in rows if not row["error"]]
     results = {"study": study.name, "command": command, "commit": commit(), "code": code_hash(type(study).__module__),
-               **study.results(out, rows), "failed": len(failed),
+               **study.options, **study.results(out, rows), "failed": len(failed),
                "errors": [row["error"] for row in failed.values()], "rows": rows}  # fmt: skip
     results = keep_results(out, results)
     if good:

@@ -6,7 +6,7 @@ and goes on where it was when it is called again with the same folder.
 
 from abc import ABC, abstractmethod
 from collections.abc import Generator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -16,6 +16,12 @@ from validation.frame.request import Request
 Row = dict[str, Any]
 #: Yields the name and the requests of a stage, and is sent its rows.
 Stages = Generator[tuple[str, Sequence[Request]], list[Row], None]
+
+
+def of_text(value: object) -> bool:
+    """Whether an option is one that the text of a command can give: a number, a word, or some of them."""
+    plain = value if isinstance(value, tuple) else (value,)
+    return bool(plain) and all(isinstance(one, int | float | str) for one in plain)
 
 
 @dataclass(frozen=True)
@@ -37,13 +43,19 @@ class Study(ABC):
         for option, limit in self.limits.items():
             limit(self.name, option, getattr(self, option))
 
+    @property
+    def options(self) -> dict[str, Any]:
+        """What its command was told: numbers, words, and lists of them."""
+        told = {field.name: getattr(self, field.name) for field in fields(self)}
+        return {name: value for name, value in told.items() if of_text(value)}
+
     @abstractmethod
     def stages(self, out: Path) -> Stages:
         """The stages, one after the other; later ones may need what earlier ones left in the folder `out`."""
 
     @abstractmethod
     def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:
-        """What `results.json` says beside the rows of the last stage, some of which may have an error."""
+        """What `results.json` says beside options and rows of the last stage, some of which may have an error."""
 
     @abstractmethod
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:

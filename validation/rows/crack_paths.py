@@ -3,7 +3,6 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from time import perf_counter
 from typing import Any
 
 import numpy as np
@@ -37,21 +36,15 @@ class PathRun(Request):
     seed: int
 
     @property
-    def weight(self) -> float:
-        return self.case.finer**4
-
-    @property
     def asked(self) -> dict[str, Any]:
         """See `Request`; cells are of one kind, and their number follows."""
         return {"case": self.case.name, "finer": self.case.finer, "seed": self.seed}
 
     def measured(self, folder: Path) -> dict[str, Any]:
-        begun = perf_counter()
         found = self.case.run(self.seed)
         curve = thinned(np.asarray(found.curve))
         return plain({
             "count": len(found.body.particles), "facets": len(found.body.pairs), "values": dict(found.values),
-            "run_seconds": round(perf_counter() - begun, 1),
             "curve": {"displacement": rounded(curve[:, 0], DIGITS), "load": rounded(curve[:, 1], DIGITS)},
             "crack": crack_of(found.body, found.integrity),
         })  # fmt: skip

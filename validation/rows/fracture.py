@@ -46,10 +46,6 @@ class FractureRun(Request):
     finer: float = 1.0
     curve: str = "bilinear"
 
-    @property
-    def weight(self) -> float:
-        return self.finer**4
-
     def measured(self, folder: Path) -> dict[str, Any]:
         case = self.case
         body = case.body(self.seed, self.finer)

@@ -3,7 +3,6 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from time import perf_counter
 from typing import Any
 
 import bondem as bd
@@ -29,17 +28,12 @@ class GraniteRun(Request):
     count: int
     seed: int
 
-    @property
-    def weight(self) -> float:
-        return (self.count / 1000.0) ** (4.0 / 3.0)
-
     def measured(self, folder: Path) -> dict[str, Any]:
-        begun = perf_counter()
         test = _TESTS[self.test](self.granite, self.count, self.seed)
         curve = thinned(test.curve)
         return plain({
             "peak": test.peak, "residual": test.residual, "asymmetry": test.asymmetry,
-            "E": getattr(test, "E", None), "run_seconds": round(perf_counter() - begun, 1), **_left(test.state),
+            "E": getattr(test, "E", None), **_left(test.state),
             "curve": {"strain": rounded(curve[:, 0], 5), "stress": rounded(curve[:, 1], 5)},
         })  # fmt: skip
 

@@ -71,10 +71,6 @@ class PackingRequest(Packed):
         """What is filled."""
         return bd.Cell(_EDGES) if self.periodic else FORMS[self.form]
 
-    @property
-    def weight(self) -> float:
-        return float(self.count)
-
     def measured(self, folder: Path) -> dict[str, Any]:
         """Pack, bond and measure, and keep the packing; the time is that of packing."""
         start = time.perf_counter()

@@ -118,7 +118,6 @@ class RingRun(Request):
         torn = len(mass) * ring.side**2 * ring.fracture_energy
         return plain({
             "count": len(body.particles), "steps": run.state.step, "residual": run.residual, "pieces": len(mass),
-            "chips": int((~whole).sum()), "chipped": float(pieces.mass[~whole].sum() / pieces.mass.sum()),
             "over": ring.circumference / len(mass) / ring.length, "formula": ring.size(self.rate) / ring.length,
             "slowed": self.rate * sqrt(float(np.interp(until, run.history.time, moving) / moving[0])),
             "slowed_thin": slowed, "dissipated": float(run.history.released[-1]) / torn,

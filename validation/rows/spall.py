@@ -3,7 +3,6 @@
 from dataclasses import dataclass
 from math import pi
 from pathlib import Path
-from time import perf_counter
 from typing import Any
 
 import bondem as bd
@@ -86,11 +85,11 @@ class SpallRun(Request):
 
     def measured(self, folder: Path) -> dict[str, Any]:
         """See `Request`: SI units, places from the free end."""
-        body, begun = self.bar.body(self.size, self.seed), perf_counter()
+        body = self.bar.body(self.size, self.seed)
         test = self.bar.struck(body, bd.Rankine(tension=self.tension, fracture_energy=self.fracture_energy))
         return plain({
-            "count": len(body.particles), "steps": test.state.step, "run_seconds": round(perf_counter() - begun, 1),
-            "residual": test.residual, "highest": test.highest, "pull_back": test.pull_back, "first": test.first,
-            "lengths": rounded(test.lengths, 4), "profile": test.profile,
+            "count": len(body.particles), "residual": test.residual, "highest": test.highest,
+            "pull_back": test.pull_back, "first": test.first, "lengths": rounded(test.lengths, 4),
+            "profile": test.profile,
             "curve": {"time": thinned(test.time), "velocity": thinned(test.velocity)},
         })  # fmt: skip

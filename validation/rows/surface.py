@@ -67,10 +67,6 @@ class SpecimenRequest(Packed):
     seed: int
     spread: float = SPREAD
 
-    @property
-    def weight(self) -> float:
-        return float(self.count) * (3.0 if self.target == "jamming" else 1.0)
-
     def measured(self, folder: Path) -> dict[str, Any]:
         """Pack, bond, cut out where asked, and keep."""
         lattice = self._cut() if self.target == "carved" else bd.connect(self._packed(FORMS[self.form], self.count))

@@ -71,10 +71,6 @@ class WeibullRun(Request):
     seed: int
 
     @property
-    def weight(self) -> float:
-        return self.bar / self.size**3
-
-    @property
     def asked(self) -> dict[str, Any]:
         return {
             "bonds": "cells", "modulus": self.ceramic.modulus, "energy": self.ceramic.energy, "bar": self.bar,
@@ -130,10 +126,6 @@ class WeibullSpheres(Request):
     seed: int
 
     @property
-    def weight(self) -> float:
-        return float(self.count)
-
-    @property
     def asked(self) -> dict[str, Any]:
         return {
             "bonds": "spheres", "modulus": self.ceramic.modulus, "energy": 0.0, "bar": 3.0 * self.width**3,
@@ -164,15 +156,9 @@ class WeibullSpheres(Request):
             bd.Fix(bd.Face("x_min"), translation="x", rotation=""),
             bd.Drive(bd.Face("x_max"), vx=bd.Ramp(0.0, speed, _BEGIN * rise)),
         ])  # fmt: skip
-        peak = [0.0]
-
-        def ended(state: bd.State, record: bd.History) -> bool:
-            now = float(record["end"][-1, 0])
-            peak[0] = max(peak[0], now)
-            return state.time > 0.5 * rise and now < _ENDING * peak[0]
-
         run = bd.solve_explicit(
-            model, duration=6.0 * rise, every=20, gauges={"end": bd.Gauge(bd.Face("x_max"), "force")}, callback=ended,
+            model, duration=6.0 * rise, every=20, gauges={"end": bd.Gauge(bd.Face("x_max"), "force")},
+            until=bd.LoadDrop({"end": (1.0, 0.0, 0.0)}, _ENDING, 0.3 * _EXPECTED * self.width**2),
             damping=bd.MassDamping(alpha=2.0 * _DAMPING * math.pi * sound / length),
         )  # fmt: skip
         if run.status.failed:

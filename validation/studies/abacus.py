@@ -101,10 +101,6 @@ class Abacus(Study):
         }
         curves = {shape: found for shape, found in curves.items() if found}
         return {
-            "count": self.count,
-            "packings": self.packings,
-            "bars": self.bars,
-            "spread": self.spread,
             "nu_mu": _NU_MU,
             "paper": SILICA,
             "curves": curves,

@@ -145,12 +145,12 @@ def deflections(lattice: bd.Lattice, law: Any, loaded: str, loads: dict[str, tup
 # --- one case, and all -------------------------------------------------------------------------------------------
 
 
-def case(fit: Any, part: Specimen, *, statics: bool = True) -> dict[str, Any]:
+def case(fit: Any, part: Specimen) -> dict[str, Any]:
     """One material in one shape: every quantity beside the continuum's, raw and corrected."""
     material, lattice = fit.material, part.lattice
     speed = np.sqrt(material.E / material.rho)
     sizes = {"face": 0.0, "plane": lattice.particles.mean_radius}
-    soft = {key: clamped(part.name, material.nu, depth) for key, depth in sizes.items()} if statics else {}
+    soft = {key: clamped(part.name, material.nu, depth) for key, depth in sizes.items()}
     result: dict[str, Any] = {
         "material": material.name, "shape": part.name, "count": part.count, "thickness": part.thickness,
         "surface": part.surface, "limit": limit(part.thickness), "coordination_number": lattice.coordination_number,
@@ -161,8 +161,7 @@ def case(fit: Any, part: Specimen, *, statics: bool = True) -> dict[str, Any]:
         for k, row in enumerate(free_frequencies(part, law, density, material.nu), start=1):
             rows[f"f{k}"] = _row(row.pop("measured"), speed * row.pop("reference")) | row
         body = bodies()[part.name]
-        pushed = deflections(lattice, law, body.loaded, body.loads) if statics else {}
-        for load, moved in pushed.items():
+        for load, moved in deflections(lattice, law, body.loaded, body.loads).items():
             face, plane = (soft[key][load] / material.E for key in ("face", "plane"))
             rows[load] = _row(moved, plane) | {"error_against_face": moved / face - 1.0}
         result[way] = rows

@@ -78,9 +78,6 @@ class Assembly(Study):
         """See `Study`: means, scatter and limits at each target."""
         good = [row for row in rows if not row["error"]]
         return {
-            "packings": self.packings,
-            "cells": self.cells,
-            "spread": self.spread,
             "law": {"name": DEFAULT.__name__, "E_mu": LAW.E, "nu_mu": LAW.nu, "radius_ratio": LAW.radius_ratio},
             "in_print": {name: {"E": E, "nu": nu} for name, (E, nu) in IN_PRINT.items()},
             "targets": {target: _found(_of_bars(good, target)) for target in self.targets},

@@ -113,10 +113,7 @@ def _bonds(row: Row) -> dict[str, Any]:
 
 
 def _lists(rows: Sequence[Row]) -> dict[str, Any]:
-    keys = ("seed", "count", "bonds", "steps", "broken", "residual", "run_seconds")
-    return {key: [row[key] for row in rows] for key in keys} | {
-        key: [row[key] for row in rows] for key in ("peak", "displacement", "angle") if key in rows[0]
-    }  # fmt: skip
+    return {key: [row[key] for row in rows] for key in ("seed", "count", "broken", "residual")}
 
 
 def _slow(name: str, rows: Sequence[Row]) -> dict[str, Any]:

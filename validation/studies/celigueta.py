@@ -78,7 +78,7 @@ class Celigueta(Study):
             some = [row for row in good if all(row[key] == value for key, value in wanted.items())]
             if some:
                 cases.append(wanted | _judged(MEASURED[test], some))
-        return {"count": self.count, "limit": LIMIT, "cases": cases}
+        return {"limit": LIMIT, "cases": cases}
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """See `Study`: curves of all packings, and what the first packing is after the test."""
@@ -98,12 +98,9 @@ def _judged(measured: float | None, rows: Sequence[Row]) -> dict[str, Any]:
     ratio = mean["mean"] / measured if measured else None
     verdict = "" if ratio is None else "met" if abs(ratio - 1.0) <= LIMIT else "missed"
     moduli = [row["E_plates"] for row in rows if row.get("E_plates")]
-    kept = ("seed", "count", "peak", "peak_still", "peak_strain", "peak_time", "broken", "broken_at_peak", "ledger",
-            "non_local_work", "dt", "steps", "z", "run_seconds", "status")  # fmt: skip
+    kept = ("seed", "count", "peak", "other", "E_plates", "broken", "z", "run_seconds", "status")
     return {
         "measured": measured, "mean": mean, "ratio": ratio, "verdict": verdict,
-        "other": [row["peak_still"] / row["peak"] for row in rows],
         "mean_E": mean_and_scatter(moduli) if moduli else None,
-        "E_plates": [row.get("E_plates") for row in rows], "E_inside": [row.get("E_inside") for row in rows],
-        **{key: [row[key] for row in rows] for key in kept},
-    }  # fmt: skip
+        **{key: [row.get(key) for row in rows] for key in kept},
+    }

@@ -80,23 +80,15 @@ def _results(study: Coverage, fit: Calibration, rows: Sequence[dict[str, Any]]) 
         values = np.array([row[name] for row in rows])
         known, unseen = values[: study.calibrating], values[study.calibrating :]
         low, high = Sample(known).interval(kind="prediction", level=LEVEL)
-        mean_low, mean_high = Sample(known).interval(level=LEVEL)
         quantities[name] = {
             "values": values,
             "prediction": (low, high),
-            "confidence": (mean_low, mean_high),
+            "confidence": Sample(known).interval(level=LEVEL),
             "covered": int(((low <= unseen) & (unseen <= high)).sum()),
-            "mean_covered": bool(mean_low <= unseen.mean() <= mean_high),
-            "scatter": float(np.std(values, ddof=1) / values.mean()),
             "coverage": _coverage(study, name, rows, fit.law),
         }
     return {
-        "count": study.count,
-        "shape": study.shape,
-        "calibrating": study.calibrating,
-        "held_out": study.held_out,
         "level": LEVEL,
-        "law": type(fit.law).__name__,
         "E_mu": fit.law.E,
         "value": fit.value,
         "quantities": quantities,

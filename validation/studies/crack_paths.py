@@ -58,5 +58,5 @@ def _judged(case: PathCase, rows: Sequence[Row]) -> dict[str, Any]:
         claims.append(asdict(claim) | {"high": high, "verdict": met})
     return {
         "name": case.name, "title": case.title, "claims": claims, "values": values,
-        **{key: [row[key] for row in rows] for key in ("seed", "count", "run_seconds")},
+        **{key: [row[key] for row in rows] for key in ("seed", "count")},
     }  # fmt: skip

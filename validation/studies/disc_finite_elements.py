@@ -45,10 +45,8 @@ def disc(share: float, along: int, around: int) -> dict[str, Any]:
     stress = DISC.factor * 2.0 * 2.0 * loads / math.pi / TENSION
     top = next((k for k in range(1, len(stress) - 1) if stress[k - 1] <= stress[k] > stress[k + 1]), None)
     return {
-        "share": share, "along": along, "around": around, "elastic": float(stress[0]),
+        "share": share, "along": along, "around": around,
         "strength": None if top is None else float(stress[top]),
-        "crack": None if top is None else (top + 1) / along,
-        "deepest": float(stress[-1]),
     }  # fmt: skip
 
 

@@ -58,10 +58,6 @@ class Dispersion(Study):
 
     def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:
         return {
-            "count": self.count,
-            "method": self.method,
-            "target": self.target,
-            "seeds": self.seeds,
             "isotropy_error_in_print": PRINTED_THRESHOLD,
             "isotropy_error_largest_possible": LARGEST_POSSIBLE,
             "summary": summary(rows, ("spread",)),

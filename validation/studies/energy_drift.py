@@ -7,7 +7,6 @@ and is given with its standard error: a drift is a slope of several errors.
 """
 
 import math
-import time
 from typing import Any
 
 import numpy as np
@@ -81,25 +80,14 @@ def measure(
         swings.append(float(np.std(values)))
     orders = np.log2(np.array(swings[:-1]) / swings[1:])
 
-    begun = time.perf_counter()
     step, values = error(model, start, SHARES[0] * critical, steps, max(1, steps // records))
     per_step, uncertain = slope(step, values)
     result = {
         "elements": len(model.mass),
-        "bonds": len(model.lattice.pairs),
-        "dt over critical": SHARES,
-        "standard deviation of the error": swings,
-        "orders": orders.tolist(),
         "steps": steps,
-        "dt over critical of the long run": SHARES[0],
+        "orders": orders.tolist(),
         "largest error": float(np.abs(values).max()),
-        "slope a step": per_step,
-        "standard error of the slope": uncertain,
         "drift over the run": per_step * steps,
         "drift, in its standard errors": per_step / uncertain,
-        "mean error of the first and last tenth": [
-            float(part.mean()) for part in (values[: len(values) // 10], values[-(len(values) // 10) :])
-        ],
-        "seconds": time.perf_counter() - begun,
     }
     record.keep(**result)

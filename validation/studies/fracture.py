@@ -60,7 +60,7 @@ class Fracture(Study):
         good = [row for row in rows if not row["error"]]
         groups = {name: [row for row in good if row["case"] == name] for name in self.cases}
         cases = [_judged(CASES[name], some, self.curve) for name, some in groups.items() if some]
-        return {"finer": self.finer, "curve": self.curve, "cases": cases}
+        return {"cases": cases}
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """See `Study`: a figure a case, load curves and the crack path of the first packing."""

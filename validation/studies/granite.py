@@ -100,7 +100,7 @@ def _judged(test: str, rows: Sequence[Row], put_in: float, values: list[float]) 
         "seeds": [row["seed"] for row in rows], "count": rows[0]["count"],
         "later": [row["peak"] for row in rows] if test == "brazilian" else [],
         **{key: [row.get(key) for row in rows] for key in (
-            "run_seconds", "residual", "asymmetry", "cracked", "broken", "slipped", "events",
+            "residual", "asymmetry", "cracked", "broken", "slipped", "events",
         )},
     }  # fmt: skip
 

@@ -71,10 +71,9 @@ class Influence(Study):
 
     def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:
         """See `Study`: the means, and what they say of the paper's statements."""
-        good = [_with_ratios(row) for row in rows if not row["error"]]
+        good = [_with_exponent(row) for row in rows if not row["error"]]
         by = ("periodic", "law", "nu_mu", "E_mu", "radius_ratio")
-        measured = (*MEASURED, "energy_exponent", "E_ratio")
-        groups = summary(good, by, measured)
+        groups = summary(good, by, (*MEASURED, "energy_exponent"))
         verdicts = {
             shape: {
                 "nu_mu": {law: _change(groups, periodic, law) for law in _BEAMS},
@@ -85,8 +84,6 @@ class Influence(Study):
             if any(one["periodic"] is periodic for one in groups)
         }
         return {
-            "count": self.count, "packings": self.packings, "bars": self.bars, "spread": self.spread,
-            "radius_ratio": _RADIUS, "E_mu": _MODULUS, "nu_mu": _NU_MU,
             "moduli": list(_MODULI), "radius_ratios": list(_RADII),
             "verdicts": verdicts, "cylinder_over_cell": _cylinder_over_cell(groups), "summary": groups,
         }  # fmt: skip
@@ -116,13 +113,9 @@ class Influence(Study):
         draw_exponent(figures / "exponent.png", over_radius, judged=_JUDGED)
 
 
-def _with_ratios(row: Row) -> Row:
-    """A row with numbers that follow from others: the exponent that the energy says, eq (14) over the fit."""
-    bar = not row["periodic"]
-    return row | {
-        "energy_exponent": 4.0 - 2.0 * row["axial_share"] if bar else None,
-        "E_ratio": row["E_paper"] / row["E"] if bar else None,
-    }
+def _with_exponent(row: Row) -> Row:
+    """A row with the exponent that the energy says, of bars."""
+    return row | {"energy_exponent": None if row["periodic"] else 4.0 - 2.0 * row["axial_share"]}
 
 
 def radius_groups(groups: Sequence[Row]) -> list[Row]:
@@ -140,9 +133,6 @@ def _change(groups: Sequence[Row], periodic: bool, law: str) -> dict[str, Any]:
     E, nu = (np.array([own[value][name]["mean"] for value in _NU_MUS]) for name in ("stiffness_ratio", "nu"))
     middle = _NU_MUS.index(_NU_MU)
     return {
-        "values": list(_NU_MUS),
-        "stiffness_ratio": E.tolist(),
-        "nu": nu.tolist(),
         "E_change_low": float((E / E[middle]).min() - 1.0),
         "E_change_high": float((E / E[middle]).max() - 1.0),
         "nu_change_low": float((nu - nu[middle]).min()),
@@ -187,26 +177,15 @@ def _power(groups: Sequence[Row], periodic: bool) -> dict[str, Any]:
     power, factor = np.polyfit(np.log(radius), np.log(E), 1)
     square = float((E * radius**2).sum() / (radius**4).sum())
     return {
-        **{name: _means(whole, name) for name in ("stiffness_ratio", "nu", "exponent", "energy_exponent")},
-        "stiffness_ratio_std": [one["stiffness_ratio"]["std"] for one in whole],
-        "values": [one["radius_ratio"] for one in whole],
         "exponent_low": float(exponent.min()),
         "exponent_high": float(exponent.max()),
         "power": float(power),
-        "factor": float(np.exp(factor)),
         "power_misfit": float(np.abs(np.exp(factor) * radius**power / E - 1.0).max()),
         "square_misfit": float(np.abs(square * radius**2 / E - 1.0).max()),
-        "E_parabola": [float(c) for c in np.polyfit(radius, E, 2)[::-1]],
         "E_parabola_misfit": float(_parabola_misfit(radius, E).max() / E.max()),
         "E_parabola_misfit_relative": float((_parabola_misfit(radius, E) / E).max()),
-        "nu_parabola": [float(c) for c in np.polyfit(radius, nu, 2)[::-1]],
         "nu_parabola_misfit": float(_parabola_misfit(radius, nu).max()),
-        "nu_line_misfit": float(np.abs(np.polyval(np.polyfit(radius, nu, 1), radius) - nu).max()),
     }
-
-
-def _means(groups: Sequence[Row], name: str) -> list[float | None]:
-    return [one[name]["mean"] for one in groups]
 
 
 def _parabola_misfit(x: Floats, y: Floats) -> Floats:

@@ -61,7 +61,7 @@ class Kalthoff(Study):
         good = [row for row in rows if not row["error"]]
         groups = {strength: [row for row in good if row["tension"] == 1e6 * strength] for strength in self.strengths}
         cases = [_judged(some) for some in groups.values() if some]
-        return {"size": self.size, "angle": ANGLE, "limit": LIMIT, "cases": cases}
+        return {"angle": ANGLE, "limit": LIMIT, "cases": cases}
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """See `Study`: cracks of all packings beside the published angle."""
@@ -99,5 +99,5 @@ def _judged(rows: Sequence[Row]) -> dict[str, Any]:
     return {
         "tension": rows[0]["tension"], "over": rows[0]["size"] / longest, "angles": angles, "mean": mean,
         "verdict": claim.verdict(angles),
-        **{key: [row[key] for row in rows] for key in ("seed", "count", "steps", "run_seconds", "residual")},
+        **{key: [row[key] for row in rows] for key in ("seed", "count", "residual")},
     }  # fmt: skip

@@ -42,7 +42,7 @@ def measured(areas: str, count: int, seed: int) -> dict[str, Any]:
     chosen = np.abs(middle - 0.5 * LENGTH) < 0.25 * LENGTH
     share = bd.failure_index(model, run.state)[chosen] * STRENGTH / stress
     return {
-        "areas": areas, "count": count, "seed": seed, "stress": stress, "ends": ends, "bonds": int(chosen.sum()),
+        "count": count, "stress": stress, "ends": ends, "bonds": int(chosen.sum()),
         "quantiles": {f"{q:g}": float(np.quantile(share, q)) for q in (0.5, 0.9, 0.99, 0.999)},
         "largest": float(share.max()), "above": float((share > LIMIT).mean()),
     }  # fmt: skip

@@ -5,40 +5,23 @@ Their law, construction and plates, Rankine with 6 MPa, or Mohr and Coulomb with
 the paper does not print.
 """
 
-import time
 from functools import partial
 from itertools import product
 from typing import Any, Literal
 
-import numpy as np
-
 import bondem as bd
+from validation.frame.files import plain
 from validation.frame.record import Record
 from validation.rows.celigueta import LENGTH, RADIUS, CeliguetaRun
 
-# Stresses, over the peak, between which E is read.
-_ELASTIC = (0.2, 0.5)
-
 
 def pressed(count: int, reach: float, seed: int, failure: str) -> dict[str, Any]:
-    """One test: peak, E between the plates [Pa], force on the other plate over that at the peak, and what it took."""
+    """One test, as those of `python -m validation celigueta` are read."""
     test = CeliguetaRun("compression", failure, "weighted", count, seed)
     particles = bd.pack(bd.Cylinder(radius=RADIUS, length=LENGTH), count=count, spread=0.25, seed=seed)
     body = bd.connect(particles, reach=reach)
-    begun = time.perf_counter()
-    run = test.run(test.model(body))
-    stress, other = (np.abs(run.history[name][:, 0]) / test.section for name in ("moving", "still"))
-    strain = np.abs(run.history["way"][:, 0]) / LENGTH
-    peak = int(np.argmax(stress))
-    first, last = (int(np.flatnonzero(stress >= share * stress[peak])[0]) for share in _ELASTIC)
-    return {
-        "count": count, "reach": reach, "seed": seed, "failure": failure,
-        "z": 2.0 * len(body.pairs) / count, "peak": float(stress[peak]),
-        "E_plates": float(np.polyfit(strain[first : last + 1], stress[first : last + 1], 1)[0]),
-        "other": float(other[peak] / stress[peak]), "peak_strain": float(strain[peak]), "broken": len(run.events),
-        "broken_at_peak": int((run.events.time <= run.history.time[peak]).sum()), "dt": run.dt,
-        "steps": run.iterations, "status": run.status.value, "seconds": round(time.perf_counter() - begun, 1),
-    }  # fmt: skip
+    found = plain(test.read(body, test.run(test.model(body))))
+    return {name: value for name, value in found.items() if name != "curve"}
 
 
 def measure(

@@ -58,11 +58,9 @@ def measured(name: str, count: int, seed: int, out: Path) -> dict[str, Any]:
     model, _ = model_of("tension", body, law, failure, FRICTION, 1e-6, 1.0)
     implied = model.implied_fracture
     return {
-        "law": name, "words": kind.words, "count": count, "seed": seed, "bonds": len(body.pairs),
-        "strength": strength, "ligament": LIGAMENT, "peak": test.peak, "net": test.peak * (RADIUS / LIGAMENT) ** 2,
+        "words": kind.words, "bonds": len(body.pairs), "strength": strength, "peak": test.peak,
         "K": intensity(test.peak), "implied": None if implied is None else implied.toughness,
-        "asymmetry": test.asymmetry, "broken": test.broken[0], "broken_at_peak": test.broken[1],
-        "pieces": len(bd.fragments(body, test.run.state)), "steps": test.run.iterations, "seconds": test.seconds,
+        "broken_at_peak": test.broken[1],
     }  # fmt: skip
 
 

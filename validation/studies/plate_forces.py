@@ -56,10 +56,8 @@ def measured(test: str, count: int, seed: int, damping: float, both: bool) -> di
     given, passed = (float(np.trapezoid(force[span], time[span])) for force in (moving, still))
     gained = abs(momentum[min(peak, len(momentum) - 1)] - momentum[min(first, len(momentum) - 1)])
     return {
-        "test": test, "count": len(body.particles), "seed": seed, "damping": damping, "both": both,
-        "status": run.status.value, "peak": float(moving[peak]) / asked.section,
-        "at_peak": float(still[peak] / moving[peak]), "peaks": float(still[: peak + 50].max() / moving[peak]),
-        "impulses": passed / given, "momentum": gained / given, "damped": 1.0 - passed / given - gained / given,
+        "count": len(body.particles), "at_peak": float(still[peak] / moving[peak]), "impulses": passed / given,
+        "momentum": gained / given, "damped": 1.0 - passed / given - gained / given,
     }  # fmt: skip
 
 

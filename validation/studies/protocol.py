@@ -71,10 +71,7 @@ class Protocol(Study):
         good = [row for row in rows if not row["error"]]
         kinds = {method: [row for row in good if row["method"] == method] for method in self.methods}
         return {
-            "count": self.count,
-            "steps": self.steps,
             "summary": {method: _summary(found) for method, found in kinds.items() if found},
-            "paper": {name: printed for name, (_, printed) in TESTS.items()},
         }
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
@@ -88,5 +85,4 @@ def _summary(rows: Sequence[Row]) -> dict[str, Any]:
         "packings": len(rows),
         **{name: mean_and_scatter([row[name] for row in rows]) for name in measured},
         "errors": {name: mean_and_scatter([row["errors"][name] for row in rows]) for name in rows[0]["errors"]},
-        "swings": {name: max(row["swings"][name] for row in rows) for name in rows[0]["swings"]},
     }

@@ -14,6 +14,8 @@ from validation.measures.explicit_tension import ExplicitTension, explicit_tensi
 from validation.rows.bar import BarStudy, BarTest, CalibratedBar
 from validation.rows.packings import PackingRequest
 
+# Share of the steps in which the load grows, and φ of the scheme of Tchamwa and Wielgosz [-].
+_RAMP, _PHI = 0.5, 1.3
 # Shorter runs beside the one asked for: what steps buy.
 _SHORTER = (0.1, 0.3)
 _PARTS = ("normal", "shear", "bending", "twisting")
@@ -25,13 +27,9 @@ class SlowTension(BarTest):
 
     Attributes:
         steps: of the run.
-        ramp: share of the steps in which the load grows [-].
-        phi: of the scheme of Tchamwa and Wielgosz [-].
     """
 
     steps: int
-    ramp: float
-    phi: float
 
     @property
     def weight(self) -> float:
@@ -40,7 +38,7 @@ class SlowTension(BarTest):
     def tested(self, bar: CalibratedBar, folder: Path) -> dict[str, Any]:
         """The run beside the static solution; its course is kept."""
         run = explicit_tension(
-            bar.lattice, bar.law, density=bar.density, steps=self.steps, ramp=self.ramp, phi=self.phi
+            bar.lattice, bar.law, density=bar.density, steps=self.steps, ramp=_RAMP, phi=_PHI
         )
         self.keep(folder, run)
         parts: EnergyParts = bar.tension.solution.energy
@@ -58,30 +56,25 @@ class QuasiStatic(BarStudy):
         seed: of the packing, on which the bonds are calibrated.
         packings: the first is tested.
         steps: of the run.
-        ramp: share of the steps in which the load grows [-].
-        phi: of the scheme of Tchamwa and Wielgosz [-].
     """
 
     limits: ClassVar = BarStudy.limits | {
         "steps": numbers(least=1000, advice="at least 1000; a slow test takes some ten thousands"),
-        "ramp": numbers(above=0.0, below=1.0), "phi": numbers(least=1.0),
     }  # fmt: skip
 
     steps: int = 100_000
-    ramp: float = 0.5
-    phi: float = 1.3
 
     def tests(self, packings: Sequence[PackingRequest], law: BondLaw, density: float) -> Sequence[SlowTension]:
         """See `BarStudy`: the run, and shorter ones beside it."""
         steps = [round(share * self.steps) for share in _SHORTER]
         return [
-            SlowTension(packings[0], law, density, count, self.ramp, self.phi)
+            SlowTension(packings[0], law, density, count)
             for count in (self.steps, *(count for count in steps if count >= 1000))
         ]
 
     def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:
         _, run = self.first(out)
-        return rows[0]["bar"] | _numbers(self, rows, run)
+        return rows[0]["bar"] | _numbers(rows, run)
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """Figures 10 and 12, and how runs settle."""
@@ -105,15 +98,11 @@ def shares(energy: Mapping[str, float]) -> dict[str, float]:
     }
 
 
-def _numbers(study: QuasiStatic, rows: Sequence[Row], run: ExplicitTension) -> dict[str, Any]:
+def _numbers(rows: Sequence[Row], run: ExplicitTension) -> dict[str, Any]:
     static = rows[0]["bar"]["macro"]
     speed = (static["E"] / static["rho"]) ** 0.5
     elastic = float(run.elastic[-1])
     return {
-        "run": {
-            "steps": run.steps, "ramp_steps": round(run.ramp / run.dt), "dt": run.dt, "phi": study.phi,
-            "stress": run.stress, "seconds": run.seconds,
-        },
         "static": {"E": static["E"], "nu": static["nu"]},
         "explicit": sorted(map(_bare, rows), key=lambda row: row["steps"]),
         "energy": {
@@ -133,9 +122,6 @@ def _compared(run: ExplicitTension, bar: CalibratedBar) -> dict[str, Any]:
     static = bar.tension
     return {
         "steps": run.steps,
-        "seconds": run.seconds,
-        "E": run.E,
-        "nu": run.nu,
         "E_ppm": 1e6 * (run.E / static.E - 1.0),
         "nu_ppm": 1e6 * (run.nu / static.nu - 1.0),
     }

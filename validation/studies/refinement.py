@@ -73,9 +73,6 @@ class Refinement(Study):
     def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:
         good = [row for row in rows if not row["error"]]
         return {
-            "spread": self.spread,
-            "method": self.method,
-            "packings": self.packings,
             "limits": {
                 target: {name: fit and fit.as_dict() for name, fit in _limits(good, target).items()}
                 for target in self.targets

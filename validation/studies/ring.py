@@ -58,7 +58,7 @@ class RingStudy(Study):
         good = [row for row in rows if not row["error"]]
         groups = [[row for row in good if row["rate"] == rate] for rate in self.rates]
         rates = [_judged(some) for some in groups if some]
-        return {"size": self.size, "side": self.side, "limit": LIMIT, "rates": rates}
+        return {"limit": LIMIT, "rates": rates}
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """See `Study`: sizes over rates beside the formula."""
@@ -85,5 +85,5 @@ def _judged(rows: Sequence[Row]) -> dict[str, Any]:
         "slowed": slowed, "slowed_thin": rows[0]["slowed_thin"],
         "ratio_slowed": over["mean"] * Ring().length / Ring().size(slowed),
         "dissipated": float(np.mean([row["dissipated"] for row in rows])),
-        **{key: [row[key] for row in rows] for key in ("seed", "pieces", "chips", "chipped", "count", "residual")},
+        **{key: [row[key] for row in rows] for key in ("seed", "pieces", "count", "residual")},
     }  # fmt: skip

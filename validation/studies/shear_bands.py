@@ -7,7 +7,7 @@ residual: 2.2 : 1, G_II = 300 J/m². Mean stress of the last sixth of the run, o
     a Mohr–Coulomb continuum without cohesion bears; peak over (2 c cos φ + p (1 + sin φ)) / (1 - sin φ).
 work: 3 : 1, G_II = 500 J/m², p = c/2. A plane of cells through the middle, at 45° to the axis, has 0.95 of the
     cohesion, so that one band of a known area √2 a² is formed. Cohesive work Σ V r c Δγ, and external work beyond the
-    residual strength, both over G_II times that area. "metres" is the same with band_width = 6 mm.
+    residual strength, both over G_II times that area.
 """
 
 import math
@@ -23,18 +23,17 @@ from validation.frame.record import Record
 #: Allowed distances from what is entered, fixed before the runs: of the residual strength of each specimen, of the
 #: mean cohesive work from G_II, and of mean works at two sizes from each other [-]; imbalance of the ledger [-].
 RESIDUAL, WORK, SIZES, LEDGER = 0.10, 0.10, 0.10, 1e-4
-COUNTS = {"residual": (500, 2000), "work": (700, 2000), "metres": (1200, 3000)}
+COUNTS = {"residual": (500, 2000), "work": (700, 2000)}
 WIDTH, E, NU, DENSITY = 14e-3, 30e9, 0.2, 2400.0
 COHESION, ANGLE = 10e6, math.radians(30.0)
-BAND, WEAK = 6e-3, 0.95
+WEAK = 0.95
 _PIECES = 120
 
 
-def material(energy: float, share: float = 1.0, band: float | None = None) -> bd.MohrCoulomb:
-    options: dict[str, Any] = {} if band is None else {"band_width": band}
+def material(energy: float, share: float = 1.0) -> bd.MohrCoulomb:
     return bd.MohrCoulomb(
         tension=2e6, cohesion=share * COHESION, friction_angle=ANGLE, fracture_energy=100.0,
-        fracture_energy_shear=energy, **options,
+        fracture_energy_shear=energy,
     )  # fmt: skip
 
 
@@ -83,19 +82,19 @@ def residual(count: int, seed: int, pressure: float) -> dict[str, float]:
     return {"peak": stress.max() / peak, "residual": last / rest, "ledger": run.history.imbalance}
 
 
-def work(count: int, seed: int, band: float | None) -> dict[str, float]:
+def work(count: int, seed: int) -> dict[str, float]:
     aspect, energy, pressure = 3.0, 500.0, 0.5 * COHESION
     body = prism(count, seed, aspect)
     edge = (aspect * WIDTH**3 / count) ** (1.0 / 3.0)
     offset = (body.centre - 0.5 * np.array([aspect * WIDTH, WIDTH, WIDTH])) @ (math.sqrt(0.5) * np.array([1, 1, 0]))
     weak = bd.Index(np.flatnonzero(np.abs(offset) < 0.6 * edge))
-    failure = {bd.Everything(): material(energy, 1.0, band), weak: material(energy, WEAK, band)}
+    failure = {bd.Everything(): material(energy), weak: material(energy, WEAK)}
     peak, rest = strengths(pressure)
     way = peak / E * aspect * WIDTH + 400e-6
     model, sixth, damping = compressed(body, failure, pressure, aspect, way)
     assert body.cells is not None
     (yielding,) = model.yielding
-    order, area, imbalance, cohesive = model.layout.order, math.sqrt(2.0) * WIDTH**2, 0.0, 0.0
+    order, area, cohesive = model.layout.order, math.sqrt(2.0) * WIDTH**2, 0.0
     volume = body.cells.volume[order]
     cohesion = COHESION * np.where(np.isin(order, weak.select(body)), WEAK, 1.0)
     state, stress, place = model.state(), [], []
@@ -109,20 +108,13 @@ def work(count: int, seed: int, band: float | None) -> dict[str, float]:
         place.append(-run.history["way"][1:, 0])
         after, kept = state.slipped[order], 1.0 - yielding.spent(state.slipped[order])
         cohesive += float((volume * cohesion * 0.5 * (left + kept) * (after - slip)).sum())
-        slip, left, imbalance = after, kept, max(imbalance, run.history.imbalance)
+        slip, left = after, kept
     load, shortened = np.concatenate(stress), np.concatenate(place)
     last = load[-len(load) // 8 :].mean()
     beyond = np.trapezoid(np.maximum(load - last, 0.0) * WIDTH**2, shortened - load * aspect * WIDTH / E)
     return {
         "cohesive": cohesive / (energy * area), "external": float(beyond) / (energy * area), "residual": last / rest,
-        "thickness": thickness(body.centre[order], volume * slip),
-    }  # fmt: skip
-
-
-def thickness(centre: np.ndarray, weight: np.ndarray) -> float:
-    """Return the thickness of a uniform layer with the spread that slip has along its narrowest axis [m]."""
-    offset = centre - np.average(centre, axis=0, weights=weight)
-    return math.sqrt(12.0 * np.linalg.eigvalsh(np.cov(offset.T, aweights=weight, ddof=0))[0])
+    }
 
 
 def verdicts(report: dict[str, Any]) -> dict[str, Any]:
@@ -133,15 +125,13 @@ def verdicts(report: dict[str, Any]) -> dict[str, Any]:
         found["residual"] = {"furthest": max(off), "within": all(one <= RESIDUAL for one in off)}
         ledger = max(row["ledger"] for row in rows)
         found["ledger"] = {"largest": ledger, "within": ledger <= LEDGER}
-    for kind in ("work", "metres"):
-        counts = sorted({row["count"] for row in report[kind]})
-        if len(counts) < 2:
-            continue
+    counts = sorted({row["count"] for row in report["work"]})
+    if len(counts) > 1:
         mean = {
-            name: [float(np.mean([row[name] for row in report[kind] if row["count"] == count])) for count in counts]
+            name: [float(np.mean([row[name] for row in report["work"] if row["count"] == count])) for count in counts]
             for name in ("cohesive", "external")
         }
-        found[kind] = mean | {
+        found["work"] = mean | {
             "within": all(abs(one - 1.0) <= WORK for one in mean["cohesive"])
             and all(abs(values[-1] / values[0] - 1.0) <= SIZES for values in mean.values())
         }
@@ -154,11 +144,10 @@ def measure(
     """Measure residual strengths and works of failure."""
     for kind, seed in product(kinds, seeds):
         for count in COUNTS[kind]:
-            if kind == "residual":
-                for p in (0.5 * COHESION, 2.0 * COHESION):
-                    record.add(partial(residual, count, seed, p), kind, count=count, seed=seed, pressure=p)
-            else:
-                band = None if kind == "work" else BAND
-                record.add(partial(work, count, seed, band), kind, count=count, seed=seed)
+            if kind == "work":
+                record.add(partial(work, count, seed), kind, count=count, seed=seed)
+                continue
+            for p in (0.5 * COHESION, 2.0 * COHESION):
+                record.add(partial(residual, count, seed, p), kind, count=count, seed=seed, pressure=p)
     record.keep(verdicts=verdicts({kind: record.rows(kind) for kind in COUNTS}))
     print(record.data["verdicts"])

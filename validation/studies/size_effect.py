@@ -58,7 +58,7 @@ class SizeEffectStudy(Study):
             "continuum": {"depth": list(continuum), "peak": list(continuum.values())},
             "beams": [
                 {"depth": one, "seed": row["seed"], "count": row["count"], "peak": row["peak"],
-                 "over_continuum": row["peak"] / continuum[one], "run_seconds": row["run_seconds"]}
+                 "over_continuum": row["peak"] / continuum[one]}
                 for one, row in zip(depth.tolist(), good, strict=True)
             ],
             "law": None,

@@ -63,7 +63,7 @@ class Spall(Study):
         runs = [
             {key: row[key] for key in (
                 "tension", "fracture_energy", "size", "count", "seed", "highest", "pull_back", "lengths", "first",
-                "steps", "run_seconds", "residual",
+                "residual",
             )} | {
                 "broken": _broken(row), "thin": bar.thin.place(row["tension"]),
                 "thin_pull_back": bar.thin.pull_back(row["tension"]),

@@ -102,14 +102,11 @@ class SurfaceStudy(Study):
         bulk = bulk_means(pulled)
         if not fitted or not bulk:
             empty: list[Any] = []
-            return {"counts": self.counts, "seeds": self.seeds, "model": None, "accuracy": empty, "bodies": empty,
-                    "ends": empty, "predicted": None, "bulk": bulk}  # fmt: skip
+            return {"model": None, "accuracy": empty, "bodies": empty, "ends": empty, "predicted": None, "bulk": bulk}
         fits = {name: Fit(fitted, name) for name in ("E", "nu")}
         curves = {name: CurveFit(fitted, bulk, name) for name in ("E", "nu")}
         once = [row for row in good if law_name(row) == _name(HELD_OUT[0])]
         return {
-            "counts": self.counts,
-            "seeds": self.seeds,
             "model": self._model(fits, curves, pulled),
             "accuracy": accuracy(fits, curves, others),
             "bodies": bodies([row for row in once if row["test"] == "tension"]),

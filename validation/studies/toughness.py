@@ -83,6 +83,6 @@ def _judged(rows: Sequence[Row]) -> dict[str, Any]:
     return {
         **{key: rows[0][key] for key in ("kind", "over", "size", "expected")},
         "values": values, "mean": mean_and_scatter(values),
-        **{key: [row[key] for row in rows] for key in ("seed", "count", "events", "run_seconds", "end")},
+        **{key: [row[key] for row in rows] for key in ("seed", "count", "events", "end")},
         "verdict": claim.verdict(values),
     }  # fmt: skip

@@ -77,7 +77,6 @@ class WaveStudy(BarStudy):
 
     def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:
         return rows[0]["bar"] | {
-            "velocity": self.velocity,
             "levels": list(LEVELS),
             "criterion": _CRITERION,
             "summary": _summary(rows),

@@ -67,8 +67,7 @@ class WeibullStudy(Study):
         for row in rows:
             if not row["error"]:
                 kinds.setdefault(tuple(row[key] for key in _KEYS), []).append(row)
-        return {"limit": LIMIT, "seeds": list(self.seeds),
-                "bars": [_compared(some) for some in kinds.values() if len(some) > 1]}  # fmt: skip
+        return {"limit": LIMIT, "bars": [_compared(some) for some in kinds.values() if len(some) > 1]}
 
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """See `Study`: mean strengths of cells over volume, with the weakest link's."""
