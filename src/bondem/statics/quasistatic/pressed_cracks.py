@@ -36,7 +36,7 @@ def pressed_along(body: DamagedBody, found: Loaded, facets: Ints) -> Mask:
 
 
 class LostPressure:
-    """Pressure along cracks that lose it as they open, and strength of all cracks, summed over softening steps [N]."""
+    """Pressure along cracks that lose it, and strength of all cracks, summed over their softening steps [N]."""
 
     def __init__(self, body: DamagedBody, strength: Floats) -> None:
         self._body, self._strength, self._pressure, self._size = body, strength, 0.0, 0.0
