@@ -64,14 +64,10 @@ def _bars() -> Iterator[Quoted]:
 
 def _bodies() -> Iterator[Quoted]:
     """Bodies beside a pressure, and in compact tension."""
-    for pressure in (3, 6):
-        says = (
-            f"dissipation of a crack beside a pressure of {pressure} f_t, over G_f and the section, with the rule of"
-            " equilibria in explicit runs"
-        )
-        rows = _rows(f"pressure {pressure} f_t held by platens: G_f", BEFORE)
-        size = f"{rows[0]['count']} cells, {len(rows)} packings"
-        yield Quoted(f"pressed.before{pressure}", says, size, BEFORE, _ratios(rows), RATIO)
+    names = (f"equilibria, pressure {share} f_t along the crack: G_f" for share in (0, 1, 3, 6, 10))
+    rows = [row for name in names for row in _rows(name)]
+    says = "dissipation of cubes in equilibria beside a pressure of 0 to 10 f_t, over G_f and the section"
+    yield Quoted("pressed.equilibria", says, _size(rows), PATHS, _ratios(rows), RATIO)
     for name, of, words, pick in (
         ("work", PATHS, "mean", fmean), ("largest_work", PATHS, "largest of all", max),
         ("former", BEFORE, "mean, with the rule of equilibria", fmean),
