@@ -277,7 +277,7 @@ def _materials(body: Lattice, bond: CellAssignment) -> tuple[Floats, Floats, str
     for where, law in bond.items():
         if isinstance(where, tuple):
             raise InputError("CellBond applies to cells; give {region: law}, not laws between two regions")
-        chosen = as_region("bond=", where).select(body)
+        chosen = as_region("bond=", where).with_rattlers(body)
         G[chosen], lame[chosen] = law.G, law.lame
     bare = int(np.isnan(G).sum())
     if bare:
