@@ -10,6 +10,7 @@ import trimesh
 
 import bondem as bd
 from bondem.errors import InputError
+from bondem.geometry.face_patches import face_patches
 from bondem.io.codec import decode, encode
 
 # Surfaces of about a metre, without a unit.
@@ -211,6 +212,29 @@ def test_edges_of_three_triangles_are_named():
 
 PLATE = bd.Box(size=(1.0, 2.0, 3.0))
 HOLE = bd.Cylinder(radius=0.3, length=4.0).rotated("y", -math.pi / 2).moved((0.5, 1.0, -0.5))
+
+
+@pytest.mark.parametrize("shape", [
+    bd.Cylinder(radius=1.0, length=3.0), bd.Ball(radius=1.0), PLATE, bd.Surface(vertices=[
+        [0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], triangles=[[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]),
+    bd.Cylinder(radius=1.0, length=3.0).cut(HOLE), PLATE.rotated("x", 0.4) | bd.Ball(radius=1.0),
+    PLATE & bd.Ball(radius=9.0),
+], ids=lambda shape: type(shape).__name__)  # fmt: skip
+def test_bounds_of_turned_shapes_touch_their_walls(shape):
+    """All sides of the box are within the distance of sample points of walls that lie in it, and none beyond."""
+    placed = shape.rotated("x", 0.7).rotated("z", 0.5).rotated("y", 0.3).moved((5.0, -2.0, 1.0))
+    wall = np.vstack([face_patches(placed, face, 0.05)[0] for face in placed.faces])
+    lower, upper = placed.bounds
+    assert ((wall > lower - 1e-9) & (wall < upper + 1e-9)).all()
+    np.testing.assert_allclose(wall.min(axis=0), lower, atol=0.08)
+    np.testing.assert_allclose(wall.max(axis=0), upper, atol=0.08)
+
+
+def test_a_cylinder_turned_about_its_axis_keeps_bounds_and_section():
+    cylinder = bd.Cylinder(radius=0.3, length=4.0)
+    turned = cylinder.rotated("x", 0.3)
+    np.testing.assert_allclose(turned.bounds, cylinder.bounds, atol=1e-15)
+    assert turned.section() == cylinder.section()
 
 
 def test_moved_and_rotated_shapes_are_where_they_should_be():

@@ -1,11 +1,14 @@
 """Laboratory tests of cells in shapes that they do not suit: one line, and no result without a meaning."""
 
 import functools
+import math
 
 import pytest
 
 import bondem as bd
+from bondem.calibration.response import Response
 from bondem.errors import InputError
+from bondem.labtests.disc import require_disc
 
 LAW = bd.CellBond(E=1e9, nu=0.2)
 SOFT = bd.MohrCoulomb(tension=1e6, cohesion=3e6, friction_angle=0.5, fracture_energy=5.0)
@@ -16,6 +19,11 @@ TESTS = {
     "brazilian": lambda body: bd.labtests.brazilian(body, LAW, SOFT, density=1e3),
     "static_tension": lambda body: bd.labtests.static_tension(body, LAW),
     "natural_frequencies": lambda body: bd.labtests.natural_frequencies(body, LAW, density=1e3),
+}
+TURNED = {
+    "shear": lambda body: bd.labtests.shear(body, LAW, SOFT, density=1e3),
+    "spall": lambda body: bd.labtests.spall(body, LAW, SOFT, density=1e3, pressure=1e6, rise=1e-6, fall=1e-6),
+    "three_point_bending": lambda body: bd.labtests.three_point_bending(body, LAW, SOFT),
 }
 
 
@@ -38,6 +46,53 @@ def test_a_disc_with_a_hole_has_no_brazilian_strength():
     ring = bd.Cylinder(radius=25e-3, length=25e-3).cut(bd.Cylinder(radius=5e-3, length=25e-3), name="hole")
     with pytest.raises(InputError, match="has a hole at its centre"):
         TESTS["brazilian"](body(ring))
+
+
+@pytest.mark.parametrize("angle", [0.3, 0.5 * math.pi, math.pi])
+@pytest.mark.parametrize("test", [*TESTS, "shear", "spall", "three_point_bending"])
+def test_a_specimen_turned_out_of_the_axis_of_the_load_is_refused(test, angle):
+    """Tension at 0.3 rad gave 1.63 MPa for 4.00."""
+    turned = body(bd.Cylinder(10e-3, 20e-3)).rotated("z", angle)
+    with pytest.raises(InputError, match=rf"face 'x_min' is turned by {angle:.3g} rad from the axis x of the load"):
+        TURNED.get(test, TESTS.get(test))(turned)
+
+
+def test_specimens_of_bonded_spheres_and_calibrations_are_refused_alike():
+    turned = bd.connect(bd.pack(bd.Box((2e-2, 1e-2, 1e-2)), count=300, seed=1)).rotated("y", 0.1)
+    law = bd.EulerBernoulli(E=1e9, nu=0.2, radius_ratio=0.6)
+    weak = bd.PeripheralStress(tension=1e6, shear=1e6)
+    for refused in (
+        lambda: bd.labtests.uniaxial_compression(turned, law, weak), lambda: bd.labtests.static_tension(turned, law),
+        lambda: bd.labtests.static_bending(turned, law, E=1e9, nu=0.2), lambda: Response(turned, law),
+    ):  # fmt: skip
+        with pytest.raises(InputError, match=r"turned by 0\.1 rad from the axis x"):
+            refused()
+
+
+def test_what_loads_no_turned_face_accepts_a_turned_body():
+    """Turned about the axis of the load, a box has the same E; a uniform stress suits any direction."""
+    beam = body(bd.Box((2e-2, 1e-2, 1e-2)))
+    turned = beam.rotated("x", 0.3)
+    whole, other = (bd.labtests.static_tension(one, LAW) for one in (beam, turned))
+    assert (other.E, other.nu) == pytest.approx((whole.E, whole.nu), rel=1e-6)
+    with pytest.raises(InputError, match=r"the face 'y_min' is turned by 0\.3 rad from the axis y"):
+        TURNED["three_point_bending"](turned)
+    tilted = bd.labtests.uniform_stress(beam.rotated("z", 0.3), LAW)
+    assert pytest.approx(1e9, rel=1e-6) == tilted.E
+
+
+def test_a_disc_turned_about_its_axis_has_the_same_diameter():
+    """Its strength was 6.08 MPa for 8.60, as its diameter was that of the box around the turned box."""
+    disc = body(bd.Cylinder(10e-3, 10e-3))
+    for angle in (0.3, 0.25 * math.pi):
+        found = require_disc(disc.rotated("x", angle))
+        assert (found.diameter, found.thickness, found.flat) == (pytest.approx(20e-3), pytest.approx(10e-3), None)
+    shape = bd.Cylinder(10e-3, 10e-3)
+    for name, y in (("top", 9.8e-3), ("bottom", -29.8e-3)):
+        shape = shape.cut(bd.Box((10e-3, 20e-3, 20e-3)).moved((0.0, y, -10e-3)), name=name)
+    assert require_disc(body(shape)).flat == pytest.approx(math.acos(0.98), rel=1e-3)
+    with pytest.raises(InputError, match=r"the face 'top' is turned by 0\.3 rad from the axis y"):
+        require_disc(body(shape).rotated("x", 0.3))
 
 
 @pytest.mark.parametrize("shape", [bd.Ball(5e-3), bd.Cell((1e-2, 1e-2, 1e-2))], ids=["ball", "cell"])

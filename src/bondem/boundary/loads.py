@@ -56,7 +56,7 @@ class BodyForce:
         Raises:
             InputError: The acceleration, or the value of the function, has another shape or is not finite.
         """
-        inside, n = self.region.mask(lattice).astype(float), len(lattice.particles)
+        inside, n = self.region.with_rattlers(lattice).astype(float), len(lattice.particles)
         given = self.acceleration
         if not callable(given) and np.ndim(given[0]) == 0:
             return [(inside, cast(tuple[float, float, float], given))]
@@ -276,8 +276,7 @@ class Eigenstrain:
         Raises:
             InputError: The array or the result of the function has another length, or values at or below -1.
         """
-        inside, given = np.zeros(len(lattice.particles)), self.strain
-        inside[self.region.select(lattice)] = 1.0
+        inside, given = self.region.with_rattlers(lattice).astype(float), self.strain
         values = np.asarray(given(lattice.centre.copy()) if callable(given) else given, dtype=float)
         if values.shape not in ((), inside.shape):
             raise InputError(

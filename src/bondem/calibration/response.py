@@ -18,6 +18,7 @@ from bondem._types import Floats
 from bondem.interactions.beams.assignment import bond_geometry
 from bondem.interactions.beams.bond_law import BondGeometry, BondLaw
 from bondem.interactions.beams.bond_strain import BondStrain
+from bondem.labtests.arguments import refuse_turned
 from bondem.labtests.bulk import BulkModuli, bulk_moduli
 from bondem.labtests.gauge_length import middle_half
 from bondem.labtests.isotropic import Isotropic
@@ -70,6 +71,7 @@ class Response:
             self.moduli = bulk_moduli(lattice, law, guess=guess.moduli if guess is not None else None)
             self.E, self.nu = self.moduli.E, self.moduli.nu
         else:
+            refuse_turned("static_tension", lattice, "x_min x_max")
             self._statics = Statics(tension_model(lattice, law))
             start = None
             if guess is not None and guess.tension is not None:

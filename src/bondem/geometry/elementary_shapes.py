@@ -7,7 +7,7 @@ import numpy as np
 
 from bondem._checks import array, number, shown
 from bondem._plausibility import question_size
-from bondem._types import PerElement, PerElement3, Triple, Vector
+from bondem._types import Floats, PerElement, PerElement3, Triple, Vector
 from bondem.errors import InputError
 from bondem.geometry.planes import Planes, box_planes, depth_below_side
 from bondem.geometry.shape import Shape
@@ -56,6 +56,11 @@ class Cylinder(Shape):
     def bounds(self) -> tuple[Vector, Vector]:
         r = self.radius
         return np.array([0.0, -r, -r]), np.array([self.length, r, r])
+
+    def placed_bounds(self, turn: Floats, by: Vector) -> tuple[Vector, Vector]:
+        half = 0.5 * self.length * turn[:, 0]
+        reach = np.abs(half) + self.radius * np.hypot(turn[:, 1], turn[:, 2])
+        return half + by - reach, half + by + reach
 
     @property
     def volume(self) -> float:
@@ -183,6 +188,9 @@ class Ball(Shape):
     @property
     def bounds(self) -> tuple[Vector, Vector]:
         return np.full(3, -self.radius), np.full(3, self.radius)
+
+    def placed_bounds(self, turn: Floats, by: Vector) -> tuple[Vector, Vector]:
+        return by - self.radius, by + self.radius
 
     @property
     def volume(self) -> float:

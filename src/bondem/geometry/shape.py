@@ -51,6 +51,11 @@ class Shape(Walled):
         """
         return Cut(self, tool, name)
 
+    def section(self) -> float:
+        lower, upper = self.bounds
+        lower[0] = upper[0] = 0.5 * (lower[0] + upper[0])
+        return content(self.depth, lower, upper).volume
+
     def __bool__(self) -> bool:
         raise InputError("a shape has no truth value; join two by &, | and -, or compare with None by 'is'")
 
@@ -103,10 +108,10 @@ class Placed(Shape):
 
     @property
     def bounds(self) -> tuple[Vector, Vector]:
-        lower, upper = self.shape.bounds
-        turn, centre, half = np.array(self.turn), 0.5 * (lower + upper), 0.5 * (upper - lower)
-        middle, reach = turn @ centre + self.by, np.abs(turn) @ half
-        return middle - reach, middle + reach
+        return self.shape.placed_bounds(np.array(self.turn), np.array(self.by))
+
+    def placed_bounds(self, turn: Floats, by: Vector) -> tuple[Vector, Vector]:
+        return self.shape.placed_bounds(turn @ np.array(self.turn), turn @ np.array(self.by) + by)
 
     @property
     def volume(self) -> float:
@@ -154,15 +159,7 @@ class Placed(Shape):
         return np.array(self.turn) @ self.shape.face_centre(face) + self.by
 
     def section(self) -> float:
-        if self.turn == ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)):
-            return self.shape.section()
-        return _section(self)
-
-
-def _section(shape: Shape) -> float:
-    lower, upper = shape.bounds
-    lower[0] = upper[0] = 0.5 * (lower[0] + upper[0])
-    return content(shape.depth, lower, upper).volume
+        return self.shape.section() if self.turn[0] == (1.0, 0.0, 0.0) else super().section()
 
 
 @dataclass(frozen=True)
@@ -198,9 +195,6 @@ class _Pair(Shape):
     @property
     def area(self) -> float:
         return self._measured.area
-
-    def section(self) -> float:
-        return _section(self)
 
 
 @dataclass(frozen=True)
@@ -285,6 +279,9 @@ class Cut(_Walls):
     def bounds(self) -> tuple[Vector, Vector]:
         return self.first.bounds
 
+    def placed_bounds(self, turn: Floats, by: Vector) -> tuple[Vector, Vector]:
+        return self.first.placed_bounds(turn, by)
+
     @property
     def volume(self) -> float:
         return self.first.volume - self._common.volume
@@ -334,6 +331,10 @@ class Joined(_Pair):
     @cached_property
     def _bounds(self) -> tuple[Vector, Vector]:
         (a, b), (c, d) = self.first.bounds, self.second.bounds
+        return np.minimum(a, c), np.maximum(b, d)
+
+    def placed_bounds(self, turn: Floats, by: Vector) -> tuple[Vector, Vector]:
+        (a, b), (c, d) = self.first.placed_bounds(turn, by), self.second.placed_bounds(turn, by)
         return np.minimum(a, c), np.maximum(b, d)
 
     @property

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from bondem._checks import array, shown
-from bondem._types import Mask, PerElement, PerElement3, Vector
+from bondem._types import Floats, Mask, PerElement, PerElement3, Vector
 from bondem.errors import InputError
 from bondem.geometry.planes import Planes, box_side
 
@@ -28,6 +28,12 @@ class Walled(ABC):
     @abstractmethod
     def bounds(self) -> tuple[Vector, Vector]:
         """Lower and upper corner of a box around the shape [m], each (3,)."""
+
+    def placed_bounds(self, turn: Floats, by: Vector) -> tuple[Vector, Vector]:
+        """Return corners of a box around the shape rotated about the origin by `turn` (3, 3), then moved [m]."""
+        lower, upper = self.bounds
+        middle, reach = turn @ (0.5 * (lower + upper)) + by, np.abs(turn) @ (0.5 * (upper - lower))
+        return middle - reach, middle + reach
 
     @property
     @abstractmethod

@@ -241,6 +241,10 @@ class Surface(Shape):
     def bounds(self) -> tuple[Vector, Vector]:
         return self.vertices.min(axis=0), self.vertices.max(axis=0)
 
+    def placed_bounds(self, turn: Floats, by: Vector) -> tuple[Vector, Vector]:
+        placed = self.vertices @ turn.T + by
+        return placed.min(axis=0), placed.max(axis=0)
+
     @property
     def volume(self) -> float:
         # Gauss: the flux of x/3 through the surface, about a point near it against cancellation

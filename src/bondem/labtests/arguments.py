@@ -1,12 +1,17 @@
 """Checks of arguments that several laboratory tests share."""
 
+import math
 from typing import Any
 
 import numpy as np
 
 from bondem._checks import instance, number, possible
 from bondem.errors import InputError
+from bondem.geometry.face_patches import face_patches
 from bondem.specimen.lattice import Lattice
+
+# Largest angle between the normal of a loaded face and the axis of the load [rad]; surface files have seven digits.
+_TILT = 1e-4
 
 _RULES: dict[str, dict[str, Any]] = {
     "E": {"above": 0.0, "unit": "Pa", "advice": "the Young's modulus of the specimen in Pa"},
@@ -20,12 +25,13 @@ _RULES: dict[str, dict[str, Any]] = {
 }
 
 
-def check(test: str, lattice: object, **given: object) -> None:
-    """Check that a lattice is one bonded body and that numbers are in range.
+def check(test: str, lattice: object, *, faces: str = "x_min x_max", **given: object) -> None:
+    """Check that a lattice is one bonded body whose loaded faces are across the load, and that numbers are in range.
 
     Args:
         test: name of the calling function, for messages.
         lattice: the specimen.
+        faces: names of the loaded faces, for `refuse_turned`.
         **given: further arguments by name, such as E [Pa], nu [-], density [kg/m³] or depth in mean radii [-].
 
     Raises:
@@ -35,6 +41,7 @@ def check(test: str, lattice: object, **given: object) -> None:
     if not len(specimen.pairs):
         raise InputError(f"labtests.{test}: the lattice has no bonds; connect it with bd.connect")
     specimen.bodies.require_one(f"labtests.{test}")
+    refuse_turned(test, specimen, faces)
     for name, value in given.items():
         if name == "density" and isinstance(value, np.ndarray) and value.ndim:
             _each(test, value, len(specimen.particles))
@@ -42,6 +49,24 @@ def check(test: str, lattice: object, **given: object) -> None:
         found = number(f"labtests.{test}", name, value, **_RULES[name])
         if name == "stress" and found == 0.0:
             raise InputError(f"labtests.{test}: stress = 0; give {_RULES[name]['advice']}")
+
+
+def refuse_turned(test: str, specimen: Lattice, faces: str) -> None:
+    """Raise InputError if a face of a specimen, such as "x_max", does not point along its axis.
+
+    "top" and "bottom" are along y. Faces that the shape does not have are not checked.
+    """
+    shape = specimen.particles.envelope
+    for face in (name for name in faces.split() if name in shape.faces):
+        axis = {"top": 1, "bottom": 1}.get(face, "xyz".find(face[0]))
+        out = face_patches(shape, face, 0.1 * float(np.ptp(shape.bounds, axis=0).max()))[1].sum(axis=0)
+        along = out[axis] * (1.0 if face.endswith(("max", "top")) else -1.0)
+        angle = math.atan2(np.linalg.norm(np.delete(out, axis)), along)
+        if angle > _TILT:
+            raise InputError(
+                f"labtests.{test}: the face '{face}' is turned by {angle:.3g} rad from the axis {'xyz'[axis]} of the"
+                " load; turn the specimen back by .rotated(axis, angle)"
+            )
 
 
 def _each(test: str, density: np.ndarray, count: int) -> None:

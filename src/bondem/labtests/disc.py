@@ -7,6 +7,7 @@ import numpy as np
 
 from bondem._types import Floats
 from bondem.errors import InputError
+from bondem.labtests.arguments import refuse_turned
 from bondem.labtests.line_probe import walls_along
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Index, Region
@@ -45,8 +46,9 @@ def require_disc(body: Lattice) -> Disc:
     """Return the disc of a body: a cylinder along x, plain or with the faces "top" and "bottom" as flats.
 
     Raises:
-        InputError: another shape, or a hole at the centre.
+        InputError: another shape, a turned one, or a hole at the centre.
     """
+    refuse_turned("brazilian", body, "top bottom")
     shape = body.particles.envelope
     lower, upper = shape.bounds
     length, height, diameter = (float(extent) for extent in upper - lower)

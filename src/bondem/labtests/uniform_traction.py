@@ -72,7 +72,7 @@ def uniform_stress(lattice: Lattice, law: AnyLaw, *, depth: float = 0.02) -> Uni
         InputError: a periodic cell, a shape whose faces cannot be divided into patches, or a value out of range.
         EmptyRegionError: a face has no connected element.
     """
-    check("uniform_stress", lattice, depth=depth)
+    check("uniform_stress", lattice, faces="", depth=depth)
     if not lattice.particles.envelope.faces:
         raise InputError("uniform_stress: a periodic cell has no surface to load; use bd.bulk_moduli")
     model = Model(lattice, law, 1.0)  # statics do not depend on the density

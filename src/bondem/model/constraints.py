@@ -123,7 +123,6 @@ class Constraints:
                     chosen = layout.rank[chosen]
                     dashpots[chosen] += viscous
                 case BodyForce():
-                    condition.region.select(lattice)  # raises for an empty region
                     for on, pull in condition.parts(lattice):
                         bodies.append((on[layout.order], pull, len(schedules)))
                     schedules.append(condition.schedule)

@@ -65,7 +65,7 @@ def stiffest(
     others, could be missed from another start. `slips` are the result of `long_slips`.
     """
     layout, n, m = model.layout, len(model.layout.order), len(model.layout.i)
-    if m == 0:
+    if m == 0 and not len(model.interaction.supports.cell):
         return 0.0
     intact = np.ones(m) if integrity is None else integrity
     table = model.bonds if table is None else table
@@ -88,7 +88,8 @@ def stiffest(
         resisted += np.bincount(end, weights=turned, minlength=n) / inertia
     for slip in slips:
         resisted += slip.resistance(n) / inertia
-    start = np.random.default_rng(0).standard_normal((n, 6)) * (resisted / resisted.max())[:, None] ** 2
+    share = resisted / resisted.max() if m else np.ones(n)  # walls alone hold cells without inner facets
+    start = np.random.default_rng(0).standard_normal((n, 6)) * share[:, None] ** 2
     vector, last = start / np.linalg.norm(start), np.zeros((n, 6))
     diagonal: list[float] = []
     beside: list[float] = []

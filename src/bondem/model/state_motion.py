@@ -112,17 +112,17 @@ class StateMotion:
         """Set the velocities of a region to those of a rigid body, v + ω × (x - about), and its spins to ω.
 
         Args:
-            region: elements to move; others keep their velocities.
+            region: elements to move, rattlers included; others keep their velocities.
             velocity: v [m/s], (3,).
             spin: ω [rad/s], (3,).
             about: point that moves with v [m], (3,); the centre of mass of the elements unless given.
 
         Raises:
             InputError: A vector is not three finite components.
-            EmptyRegionError: No connected element matches.
+            EmptyRegionError: No element matches.
         """
         owner, lattice = "State.set_velocity", self.model.lattice
-        chosen = as_region(owner, region).select(lattice)
+        chosen = np.flatnonzero(as_region(owner, region).with_rattlers(lattice))
         v, w = (np.array(vector(owner, *given)) for given in (("velocity", velocity), ("spin", spin)))
         position = self.position[chosen]
         if about is None:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import instance, vector
-from bondem._types import Floats, Ints, PerElement, PerElement3
+from bondem._types import Floats, Mask, PerElement, PerElement3
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observables.bond_forces import bond_forces
@@ -56,7 +56,7 @@ class ElementStress:
 
         Raises:
             InputError: `region` is no region.
-            EmptyRegionError: The region has no connected element.
+            EmptyRegionError: The region has no element.
         """
         chosen, share = self._shares("mean", region)
         return np.einsum("n,nab->ab", share, self.stress[chosen])
@@ -72,15 +72,15 @@ class ElementStress:
 
         Raises:
             InputError: `region` is no region, or `about` is not three finite components.
-            EmptyRegionError: The region has no connected element.
+            EmptyRegionError: The region has no element.
         """
         chosen, share = self._shares("mean_couple", region)
         point = share @ self.centre[chosen] if about is None else np.array(vector("mean_couple", "about", about))
         arm = (self.centre[chosen] - point)[:, None, :]
         return np.einsum("n,nab->ab", share, self.couple_stress[chosen] + np.cross(arm, self.stress[chosen]))
 
-    def _shares(self, owner: str, region: Region) -> tuple[Ints, Floats]:
-        chosen = as_region(owner, region).select(self.lattice)
+    def _shares(self, owner: str, region: Region) -> tuple[Mask, Floats]:
+        chosen = as_region(owner, region).with_rattlers(self.lattice)
         return chosen, self.volume[chosen] / self.volume[chosen].sum()
 
 

@@ -1,4 +1,4 @@
-"""Regions: rules that select connected elements of a lattice, combined by `&`, `|` and `-`."""
+"""Regions: rules that select elements of a lattice, combined by `&`, `|` and `-`."""
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass, field
@@ -29,11 +29,20 @@ class Region(ABC):
             EmptyRegionError: No connected element matches.
         """
         # without any bond, loose grains are not rattlers but the specimen itself
-        chosen = np.flatnonzero(self.mask(lattice) & lattice.connected if len(lattice.pairs) else self.mask(lattice))
-        if chosen.size == 0:
-            raise EmptyRegionError(
-                f"{shown(self)} selects no connected element; check its name, units (metres) and depth"
-            )
+        chosen = self.mask(lattice) & lattice.connected if len(lattice.pairs) else self.mask(lattice)
+        return np.flatnonzero(self._some(chosen, "connected element"))
+
+    def with_rattlers(self, lattice: Lattice) -> Mask:
+        """Return a mask of the elements of the region, (n,), also of rattlers, for all that is no load or support.
+
+        Raises:
+            EmptyRegionError: No element matches.
+        """
+        return self._some(self.mask(lattice), "element")
+
+    def _some(self, chosen: Mask, kind: str) -> Mask:
+        if not chosen.any():
+            raise EmptyRegionError(f"{shown(self)} selects no {kind}; check its name, units (metres) and depth")
         return chosen
 
     def anchor(self, lattice: Lattice) -> Vector:
@@ -55,7 +64,7 @@ class Region(ABC):
 
 @dataclass(frozen=True)
 class Everything(Region):
-    """All connected elements."""
+    """All elements, of which loads and supports act on the connected ones."""
 
     def mask(self, lattice: Lattice) -> Mask:
         return np.ones(len(lattice.particles), dtype=bool)

@@ -70,7 +70,5 @@ def ends_of(argument: str, where: object, lattice: Lattice) -> tuple[Mask, Mask]
     pair = where if isinstance(where, tuple) else (where, where)
     if len(pair) != 2:
         raise InputError(f"{argument} names {len(pair)} regions for bonds of two ends; give (region, region): law")
-    ends = np.zeros((2, len(lattice.particles)), dtype=bool)
-    for mask, region in zip(ends, [as_region(argument, side) for side in pair], strict=True):
-        mask[region.select(lattice)] = True
-    return ends[0], ends[1]
+    first, second = (as_region(argument, side) for side in pair)
+    return first.with_rattlers(lattice), second.with_rattlers(lattice)

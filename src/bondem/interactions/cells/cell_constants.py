@@ -125,7 +125,7 @@ class CellConstants:
             H += twist_at_walls(facets.moment, area, normal, k / area, walls, (i, j))
         arm = facets.centroid - cells.centroid[i]
         other = arm - body.branch
-        grid = pitch(float(max(np.abs(arm).max(), np.abs(other).max())), body.particles.period, LEVER_BITS)
+        grid = pitch(float(np.abs([arm, other]).max(initial=0.0)) or 1.0, body.particles.period, LEVER_BITS)
         arm = on_raster(arm, grid)
         levers = np.rint(arm / grid), np.rint((arm - body.branch) / grid)
         return cls(
@@ -277,7 +277,7 @@ def _materials(body: Lattice, bond: CellAssignment) -> tuple[Floats, Floats, str
     for where, law in bond.items():
         if isinstance(where, tuple):
             raise InputError("CellBond applies to cells; give {region: law}, not laws between two regions")
-        chosen = as_region("bond=", where).select(body)
+        chosen = as_region("bond=", where).with_rattlers(body)
         G[chosen], lame[chosen] = law.G, law.lame
     bare = int(np.isnan(G).sum())
     if bare:
@@ -319,7 +319,8 @@ def compliance(body: Lattice) -> PerElement:
     facets, cells = body_of(body)
     free, n = cells.free, len(cells.volume)
     way_i, way_j = ways(facets)
-    total = np.bincount(body.pairs[:, 0], facets.area * facets.depth_i * (way_i**2).sum(axis=1), n)
+    total = np.zeros(n)  # counts of no facets are whole numbers
+    total += np.bincount(body.pairs[:, 0], facets.area * facets.depth_i * (way_i**2).sum(axis=1), n)
     total += np.bincount(body.pairs[:, 1], facets.area * facets.depth_j * (way_j**2).sum(axis=1), n)
     total += np.bincount(free.cell, free.depth / free.area * (free.share**2).sum(axis=1), n)
     return np.asarray(total / cells.volume, dtype=float)

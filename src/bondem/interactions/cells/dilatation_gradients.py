@@ -210,7 +210,7 @@ def gradient_stiffness(body: Lattice, G: PerElement, lame: PerElement) -> PerEle
 
 
 def mean_square_span(body: Lattice) -> float:
-    """Return L̄² = Σ A L³ / Σ A L of a body [m²]."""
+    """Return L̄² = Σ A L³ / Σ A L of a body [m²]; 0 for a single cell."""
     facets, _ = body_of(body)
     weight = facets.area * facets.span
-    return float((weight * facets.span**2).sum() / weight.sum())
+    return float((weight * facets.span**2).sum() / weight.sum()) if len(weight) else 0.0

@@ -239,9 +239,7 @@ def _ends(lattice: Lattice, where: object, walls: Sequence[Wall]) -> tuple[tuple
                 raise InputError(f"contact= names {shown(side)}, which is not in walls=; give the same wall there")
             mask[:] = not isinstance(where, tuple)
         else:
-            region = as_region("contact=", side)
-            region.select(lattice)  # refuses an empty one
-            mask = region.mask(lattice)  # also with elements without bonds, which may touch others
+            mask = as_region("contact=", side).with_rattlers(lattice)
         sides.append((mask, of_walls))
     return tuple(sides)
 

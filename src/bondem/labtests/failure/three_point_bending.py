@@ -20,6 +20,7 @@ from bondem.geometry.elementary_shapes import Box
 from bondem.geometry.shape_boundary import BOX_FACES
 from bondem.interactions.contact.contact_law import ContactLaw
 from bondem.interactions.law_catalogue import AnyLaw
+from bondem.labtests.arguments import refuse_turned
 from bondem.labtests.bonded_bending import bend_bonded
 from bondem.labtests.bonded_platens import BondedSpecimen, as_cells, is_cells
 from bondem.labtests.cracking import CRACKED, Cracking
@@ -286,6 +287,7 @@ class _Beam:
         owner, shape = "labtests.three_point_bending", body.particles.envelope
         if not {"x_min", "x_max", "y_min", "y_max"} <= set(shape.faces):
             raise InputError(f"{owner}: {type(shape).__name__} is not a beam; use a bd.Box along x, plain or notched")
+        refuse_turned("three_point_bending", body, "y_min y_max")
         lower, upper = shape.bounds
         length, depth, _ = (float(extent) for extent in upper - lower)
         usual = max(_STRIP * depth, _CELLS * body.elements.size)

@@ -70,9 +70,10 @@ def balanced_shares(
     missing -= _sum(free.cell, _tensors(free.share, free.centroid - position[free.cell]), n)
     size = float(np.linalg.norm(volume))
     area = np.linalg.norm(vector, axis=1, keepdims=True)
-    freedom = 4.0 * w_i * w_j * area * np.sqrt(area / area.mean()) / np.linalg.norm(branch, axis=1, keepdims=True)
+    usual = area.mean() if len(area) else 1.0  # a body of one cell has free facets only
+    freedom = 4.0 * w_i * w_j * area * np.sqrt(area / usual) / np.linalg.norm(branch, axis=1, keepdims=True)
     correction = np.zeros_like(branch)
-    if np.linalg.norm(missing * SCALE) > _ROUNDING * size:
+    if len(pairs) and np.linalg.norm(missing * SCALE) > _ROUNDING * size:
         y = solved_balance(position, pairs, np.sqrt(freedom) * branch, missing * SCALE, TOLERANCE * size) / SCALE
         correction = freedom * _times(y[i] - y[j], branch)
     shift = _tensors(correction, branch)

@@ -1,0 +1,55 @@
+"""Bodies of one cell: they have no inner facet, but mass, walls and contacts."""
+
+import numpy as np
+import pytest
+
+import bondem as bd
+from bondem.errors import UnstableStepError
+from tests.specimens import cells
+
+E, NU, RHO = 30e9, 0.2, 2500.0
+LENGTH, SIDE = 2e-3, 1e-3
+LAW = bd.CellBond(E=E, nu=NU)
+BLOCK = cells(bd.Box((LENGTH, SIDE, SIDE)), 1)
+
+
+@pytest.mark.parametrize("failure", [
+    None, bd.MohrCoulomb(tension=1e6, cohesion=3e6, friction_angle=0.5),
+    bd.MohrCoulomb(tension=1e6, cohesion=3e6, friction_angle=0.5, fracture_energy=10.0),
+], ids=["elastic", "brittle", "softening"])  # fmt: skip
+def test_a_block_falls_as_galilei_says(failure, tmp_path):
+    """The model was refused by an error of NumPy, and `bd.connect` warned of the mean of an empty slice."""
+    model = bd.Model(BLOCK, LAW, RHO, failure=failure, boundary=bd.Gravity())
+    run = bd.solve_explicit(model, duration=1e-2, dt=1e-5, out=tmp_path / "run.h5")
+    np.testing.assert_allclose(run.state.velocity, [[0.0, 0.0, -9.81e-2]], rtol=1e-9, atol=1e-15)
+    np.testing.assert_array_equal(bd.read_run(tmp_path / "run.h5").state.velocity, run.state.velocity)
+    assert bd.fragments(BLOCK, run.state).size.tolist() == [1]
+
+
+def test_blocks_that_collide_exchange_their_velocities():
+    scene = bd.join(BLOCK, BLOCK.moved((0.0, 0.0, 1.3 * SIDE)), names=("low", "high"))
+    state = bd.Model(scene, LAW, RHO, contact=bd.LinearContact(E=E)).state()
+    state.set_velocity(bd.Body("high"), (0.0, 0.0, -1.0))
+    run = bd.solve_explicit(state.model, state=state, duration=2e-3)
+    np.testing.assert_allclose(run.state.velocity, [[0.0, 0.0, -1.0], [0.0, 0.0, 0.0]], atol=1e-4)
+    assert run.state.velocity[:, 2].sum() == pytest.approx(-1.0, rel=1e-12)
+
+
+def test_a_block_held_by_walls_is_pulled_as_a_bar():
+    """u = σ L / 2 E at its middle, and -ν σ W / 2 E across, with a default time step that the walls determine."""
+    held = [bd.Fix(bd.Face(f"{axis}_min"), translation=axis, rotation="") for axis in "xyz"]
+    stress = 5e6
+    model = bd.Model(BLOCK, LAW, RHO, boundary=[*held, bd.Load(bd.Face("x_max"), (stress * SIDE**2, 0.0, 0.0))])
+    run = bd.solve_explicit(model, duration=1e-4, damping=bd.MassDamping(alpha=1e6), imbalance=(1.0, 1.0))
+    across = -NU * stress / E * SIDE / 2.0
+    np.testing.assert_allclose(run.state.displacement, [[stress / E * LENGTH / 2.0, across, across]], rtol=1e-6)
+    with pytest.raises(UnstableStepError, match="exceeds the critical"):
+        bd.solve_explicit(model, duration=1e-4, dt=1e-6)
+    with pytest.raises(UnstableStepError, match="no stiffness"):
+        bd.solve_explicit(bd.Model(BLOCK, LAW, RHO), duration=1e-4)
+
+
+def test_the_corrected_mass_of_a_block_is_its_mass():
+    model = bd.Model(BLOCK, LAW, RHO, mass_matrix="dispersion-corrected", boundary=bd.Gravity())
+    run = bd.solve_explicit(model, duration=1e-3, dt=1e-5)
+    assert run.state.velocity[0, 2] == pytest.approx(-9.81e-3, rel=1e-9)
