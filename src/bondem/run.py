@@ -2,6 +2,7 @@
 
 import importlib
 import os
+import warnings
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import nullcontext
 from dataclasses import replace
@@ -10,6 +11,7 @@ from typing import Literal
 
 from bondem._checks import instance, place, shown
 from bondem._extras import install
+from bondem._names import users_line
 from bondem._progress import staged
 from bondem._signals import noticing, stop_by
 from bondem.boundary.gauges import AnyGauge
@@ -24,7 +26,7 @@ from bondem.dynamics.quasistatic_check import measured
 from bondem.dynamics.restart import begin, check_gauges
 from bondem.dynamics.schemes import Scheme, VelocityVerlet
 from bondem.dynamics.timestep import choose_step
-from bondem.errors import InputError
+from bondem.errors import InputError, UnstableRunWarning
 from bondem.fracture.growing_cracks import GrowingCracks
 from bondem.io.run_contents import identity_in
 from bondem.io.run_identity import identity_of
@@ -102,6 +104,7 @@ def solve_explicit(
     Warns:
         StepWarning: The given dt is above 0.9 of the critical step; the message of the result repeats this.
         ImbalanceWarning: The error of the energy balance exceeds the first limit of `imbalance`.
+        UnstableRunWarning: The run ended as UNSTABLE or IMBALANCED.
         StageWarning: A schedule that is new in this stage began before it, or a load is not that of the equilibrium
             from which the run begins.
         NotQuasistaticWarning: The run looks quasi-static (a servo wall; two ends, one of them driven, with damping or
@@ -156,7 +159,10 @@ def _unless(stopped: int | None, result: ExplicitResult, sink: RunFile | None) -
     if stopped is not None and result.message.startswith("interrupted"):
         on = "" if sink is None else f"; bd.resume('{sink.path}') continues from there"
         stop_by(stopped, f"{result.message}, step {result.steps}{on}", result)
-    if not result.status.failed:
+    if result.status.failed:
+        text = f"the run ended before its duration and gives no result ({result.status.name}): {result.message}"
+        warnings.warn(text, UnstableRunWarning, stacklevel=users_line())
+    else:
         result.quasistatic.warn()
         warn_of_openings(result.state, result.dt)
     return result
