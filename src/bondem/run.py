@@ -105,6 +105,7 @@ def solve_explicit(
         StepWarning: The given dt is above 0.9 of the critical step; the message of the result repeats this.
         ImbalanceWarning: The error of the energy balance exceeds the first limit of `imbalance`.
         UnstableRunWarning: The run ended as UNSTABLE or IMBALANCED.
+        TurnedPressureWarning: Elements under a pressure without `follows` have turned by more than 0.1 rad.
         StageWarning: A schedule that is new in this stage began before it, or a load is not that of the equilibrium
             from which the run begins.
         NotQuasistaticWarning: The run looks quasi-static (a servo wall; two ends, one of them driven, with damping or
