@@ -92,7 +92,7 @@ def solve_explicit(
             a checkpoint, from which `resume` continues; a second signal stops it at once.
         resume: True to continue the run in the file `out`, if the file has the same model, options and initial state.
             A repeated call then completes a killed run, or returns the result of a complete one. A file of another
-            run raises an error, and so does a `callback`. False to replace a run file; other files are refused.
+            run raises an error, and so does a `callback`. False to replace a run file; other files raise one too.
         progress: function called repeatedly with the completed share, 0 … 1.
         callback: function called as callback(state, record) with each record, a `History` of one. It must not change
             the state, and ends the run by returning True.
