@@ -74,8 +74,9 @@ def solve_explicit(
         damping: damping of elements or bonds, one kind or several in a tuple; none by default.
         gauges: quantities to record, by name: `bd.Gauge`, `bd.StrainGauge` or `bd.WallGauge`.
         every: steps between records, besides one at the end of the run; 0 for no records.
-        save_every: steps between checkpoints into `out`; 0 for the last state only.
-        snapshot_every: steps between snapshots into `out`, which ParaView 6 shows during the run; 0 for none.
+        save_every: steps between checkpoints into `out`; 0 for the last state only. Without `out` it has no effect.
+        snapshot_every: steps between snapshots into `out`, which ParaView 6 shows during the run; 0 for none. Without
+            `out` it has no effect.
         until: one event or several that end the run early.
         safety: share of the critical step to use if dt is None [-].
         imbalance: limits of the error of the energy balance [-], as shares of the largest energy so far (work,
