@@ -64,6 +64,14 @@ class NotQuasistaticWarning(UserWarning):
     """Warning of a run meant to be quasi-static, with inertia in its forces or an unreached force of a servo wall."""
 
 
+class TurnedPressureWarning(UserWarning):
+    """Warning of a pressure that keeps its direction although the elements under it have turned."""
+
+
+class UnstableRunWarning(UserWarning):
+    """Warning of an explicit run that became unstable or lost its energy balance, and gives no result."""
+
+
 class FaceWarning(UserWarning):
     """Warning of a bounding-box face with few of the elements near it, or of a patch that facets do not match."""
 

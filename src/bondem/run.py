@@ -2,6 +2,7 @@
 
 import importlib
 import os
+import warnings
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import nullcontext
 from dataclasses import replace
@@ -10,6 +11,7 @@ from typing import Literal
 
 from bondem._checks import instance, place, shown
 from bondem._extras import install
+from bondem._names import users_line
 from bondem._progress import staged
 from bondem._signals import noticing, stop_by
 from bondem.boundary.gauges import AnyGauge
@@ -24,7 +26,7 @@ from bondem.dynamics.quasistatic_check import measured
 from bondem.dynamics.restart import begin, check_gauges
 from bondem.dynamics.schemes import Scheme, VelocityVerlet
 from bondem.dynamics.timestep import choose_step
-from bondem.errors import InputError
+from bondem.errors import InputError, UnstableRunWarning
 from bondem.fracture.growing_cracks import GrowingCracks
 from bondem.io.run_contents import identity_in
 from bondem.io.run_identity import identity_of
@@ -72,8 +74,9 @@ def solve_explicit(
         damping: damping of elements or bonds, one kind or several in a tuple; none by default.
         gauges: quantities to record, by name: `bd.Gauge`, `bd.StrainGauge` or `bd.WallGauge`.
         every: steps between records, besides one at the end of the run; 0 for no records.
-        save_every: steps between checkpoints into `out`; 0 for the last state only.
-        snapshot_every: steps between snapshots into `out`, which ParaView 6 shows during the run; 0 for none.
+        save_every: steps between checkpoints into `out`; 0 for the last state only. Without `out` it has no effect.
+        snapshot_every: steps between snapshots into `out`, which ParaView 6 shows during the run; 0 for none. Without
+            `out` it has no effect.
         until: one event or several that end the run early.
         safety: share of the critical step to use if dt is None [-].
         imbalance: limits of the error of the energy balance [-], as shares of the largest energy so far (work,
@@ -90,7 +93,7 @@ def solve_explicit(
             a checkpoint, from which `resume` continues; a second signal stops it at once.
         resume: True to continue the run in the file `out`, if the file has the same model, options and initial state.
             A repeated call then completes a killed run, or returns the result of a complete one. A file of another
-            run raises an error, and so does a `callback`. False to replace the file.
+            run raises an error, and so does a `callback`. False to replace a run file; other files raise one too.
         progress: function called repeatedly with the completed share, 0 … 1.
         callback: function called as callback(state, record) with each record, a `History` of one. It must not change
             the state, and ends the run by returning True.
@@ -102,6 +105,8 @@ def solve_explicit(
     Warns:
         StepWarning: The given dt is above 0.9 of the critical step; the message of the result repeats this.
         ImbalanceWarning: The error of the energy balance exceeds the first limit of `imbalance`.
+        UnstableRunWarning: The run ended as UNSTABLE or IMBALANCED.
+        TurnedPressureWarning: Elements under a pressure without `follows` have turned by more than 0.1 rad.
         StageWarning: A schedule that is new in this stage began before it, or a load is not that of the equilibrium
             from which the run begins.
         NotQuasistaticWarning: The run looks quasi-static (a servo wall; two ends, one of them driven, with damping or
@@ -156,7 +161,10 @@ def _unless(stopped: int | None, result: ExplicitResult, sink: RunFile | None) -
     if stopped is not None and result.message.startswith("interrupted"):
         on = "" if sink is None else f"; bd.resume('{sink.path}') continues from there"
         stop_by(stopped, f"{result.message}, step {result.steps}{on}", result)
-    if not result.status.failed:
+    if result.status.failed:
+        text = f"the run ended before its duration and gives no result ({result.status.name}): {result.message}"
+        warnings.warn(text, UnstableRunWarning, stacklevel=users_line())
+    else:
         result.quasistatic.warn()
         warn_of_openings(result.state, result.dt)
     return result

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.errors import ImbalanceWarning, InputError
+from bondem.errors import ImbalanceWarning, InputError, UnstableRunWarning
 from tests.specimens import two_spheres
 
 DT = 1e-6
@@ -41,7 +41,7 @@ def test_a_run_stopped_by_its_ledger_ends_with_a_record_of_its_state() -> None:
     def faster(state: bd.State, record: bd.History) -> None:
         state.motion[:, :3] *= 2.0
 
-    with pytest.warns(ImbalanceWarning):
+    with pytest.warns(ImbalanceWarning), pytest.warns(UnstableRunWarning, match="stopped at step"):
         run = bd.solve_explicit(
             pulled(), duration=1e4 * DT, dt=DT, every=1000, callback=faster, imbalance=(1e-12, 1e-11)
         )

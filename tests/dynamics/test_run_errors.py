@@ -12,7 +12,7 @@ from bondem.dynamics.contact_check import SinkingCheck
 from bondem.dynamics.damping import DampingTerms
 from bondem.dynamics.dashpot_rate import fastest_decay
 from bondem.dynamics.timestep import choose_step
-from bondem.errors import ContactWarning, ImbalanceWarning, InputError, StepWarning
+from bondem.errors import ContactWarning, ImbalanceWarning, InputError, StepWarning, UnstableRunWarning
 from bondem.model.highest_frequency import highest_frequency
 from tests.models import moving, time_step
 from tests.specimens import loose, row, two_spheres
@@ -61,9 +61,12 @@ def test_a_ledger_that_misses_two_percent_gives_one_warning(sign: float) -> None
 @pytest.mark.parametrize(("factor", "limits"), [(1.1, (0.01, 0.10)), (1.02, (0.01, 0.03))])
 def test_a_run_that_gains_too_much_ends_with_its_state_and_records(factor: float, limits) -> None:
     model = spheres([0.0, 0.1], bd.LinearContact(E=1e7))
-    run = bd.solve_explicit(
-        model, duration=1e-1, dt=1e-5, state=thrown(model, 1.0, 1.0), callback=faster(factor, 1000), imbalance=limits
-    )
+    with pytest.warns(UnstableRunWarning, match="no result .IMBALANCED.: stopped at step") as caught:
+        run = bd.solve_explicit(
+            model, duration=1e-1, dt=1e-5, state=thrown(model, 1.0, 1.0), callback=faster(factor, 1000),
+            imbalance=limits,
+        )  # fmt: skip
+    assert sum(isinstance(one.message, UnstableRunWarning) for one in caught) == 1
     assert run.status is bd.Status.IMBALANCED
     assert run.status.failed
     assert "% of its largest energy, at t = 0.012 s" in run.message  # 200 steps after the first bad record
@@ -99,14 +102,17 @@ def test_a_run_without_records_is_checked_too() -> None:
 
 def test_a_run_that_lost_its_balance_stays_so_when_resumed(tmp_path) -> None:
     model, path = spheres([0.0, 0.1], bd.LinearContact(E=1e7)), tmp_path / "run.h5"
-    run = bd.solve_explicit(
-        model, duration=1e-1, dt=1e-5, state=thrown(model, 1.0, 1.0), callback=faster(1.1, 1000), out=path
-    )
-    again = bd.resume(path)
+    with pytest.warns(UnstableRunWarning):
+        run = bd.solve_explicit(
+            model, duration=1e-1, dt=1e-5, state=thrown(model, 1.0, 1.0), callback=faster(1.1, 1000), out=path
+        )
+    with pytest.warns(UnstableRunWarning):
+        again = bd.resume(path)
     assert again.status is run.status is bd.Status.IMBALANCED
     assert again.steps == run.steps
     assert np.array_equal(again.history.records, run.history.records)
-    shown = CliRunner().invoke(resume_command, [str(path)])
+    with pytest.warns(UnstableRunWarning):
+        shown = CliRunner().invoke(resume_command, [str(path)])
     assert shown.exit_code == 3
     assert "stopped by its energy balance" in shown.output
     assert "gained" in shown.output

@@ -14,6 +14,7 @@ from bondem.io.codec import decode, encode
 
 CUBE = 10.0 * np.array([(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)])
 QUADS = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+TRIANGLES = [(a, *two) for a, b, c, d in QUADS for two in ((b, c), (c, d))]
 # A star whose plane faces are not convex; a fan of triangles covers places outside of it.
 ARROW = np.array([(0, 0), (4, 0), (4, 4), (2, 1), (0, 4)], dtype=float)
 
@@ -55,6 +56,17 @@ def test_obj_of_quads_is_a_box(tmp_path, text):
     assert box.faces == bd.Box((1, 1, 1)).faces
     assert box.volume == pytest.approx(1e-6, rel=1e-12)
     assert not box.named
+
+
+@pytest.mark.parametrize("mesh", [
+    trimesh.creation.icosphere(subdivisions=4), trimesh.creation.torus(1.0, 0.2),
+    trimesh.creation.annulus(0.99, 1, 1), trimesh.creation.box((1.0, 1.0, 1e-5)),
+], ids=["ball", "ring", "tube", "sheet"])  # fmt: skip
+def test_sound_surfaces_do_not_intersect_themselves(mesh):
+    """However they are turned and placed."""
+    for k in range(4):
+        turn = trimesh.transformations.random_rotation_matrix(np.random.default_rng(k).random(3))[:3, :3]
+        bd.Surface(vertices=1e-2 * mesh.vertices @ turn + 10.0 ** (k - 4), triangles=mesh.faces)
 
 
 def test_polygons_of_obj_need_not_be_convex(tmp_path):
@@ -245,6 +257,8 @@ def test_flaws_with_one_remedy_are_mended(tmp_path, text, cubes, sides):
     pytest.param(obj(CUBE, [QUADS[0][::-1], *QUADS[1:]]), "face the same way", id="one normal"),
     pytest.param(obj(ON_AN_EDGE, QUADS + SECOND), "overlap or touch", id="edge"),
     pytest.param(obj(np.vstack([CUBE, CUBE + 5.0]), QUADS + SECOND), "overlap or touch", id="overlap"),
+    pytest.param(obj(np.where((CUBE == 10.0).all(axis=1)[:, None], [10, 10, -1], CUBE), TRIANGLES),
+                 "intersects itself", id="corner through the far side"),
     pytest.param(obj(np.vstack([CUBE, [[10, 5, 10]]]), [*QUADS[:1], (4, 6, 7, 8, 5), *QUADS[2:]]),
                  "corners within the side of another triangle", id="T junction"),
     pytest.param(obj(np.where(CUBE > 5, np.nan, CUBE), QUADS), "not finite", id="nan"),

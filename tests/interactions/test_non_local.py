@@ -10,7 +10,7 @@ import bondem as bd
 from bondem.dynamics.damping import DampingTerms
 from bondem.dynamics.explicit import integrate
 from bondem.dynamics.lagged_timestep import growth
-from bondem.errors import InputError
+from bondem.errors import InputError, StepWarning, UnstableRunWarning
 from bondem.interactions.non_local.contact_areas import weighted_areas
 from bondem.interactions.non_local.non_local_strain import NonLocalStrain
 from bondem.io.runfile import RunFile
@@ -129,6 +129,18 @@ def test_ledger_closes_with_the_non_local_work(body: bd.Lattice):
         assert np.abs(ledger["non-local work"]).max() > 20.0 * np.abs(ledger["balance"]).max()
     assert missed[1] < 2e-3
     assert missed[1] < 0.8 * missed[0]
+
+
+def test_a_spinning_body_is_warned_of_without_damping_and_stable_with_it():
+    """Each end of a run that became unstable gives one warning."""
+    model = bd.Model(cells(bd.Box((10e-3, 10e-3, 10e-3)), 300), bd.NonLocal(E=30e9, nu=0.2), 2500.0)
+    state = model.state()
+    state.set_velocity(bd.Everything(), (0.0, 0.0, 0.0), spin=(0.0, 30.0, 0.0))
+    with pytest.warns(StepWarning, match="give damping="), pytest.warns(UnstableRunWarning) as caught:
+        assert bd.solve_explicit(model, duration=1e-3, state=state).status is bd.Status.UNSTABLE
+    assert [one.category for one in caught] == [StepWarning, UnstableRunWarning]
+    damped = bd.solve_explicit(model, duration=1e-3, state=state, damping=bd.BondDamping(0.1))
+    assert damped.status is bd.Status.COMPLETED
 
 
 def test_forces_of_an_unchanged_state_change_nothing(body: bd.Lattice):

@@ -25,6 +25,15 @@ DUMP = (
 MANY = "9" * 5000
 
 
+def test_two_columns_of_one_name_are_told_apart_by_number(tmp_path: Path) -> None:
+    (tmp_path / "a.csv").write_text("x,y,z,r,x\n1,2,3,0.1,9\n")
+    for columns in (None, ["x", "y", "z", "r"]):
+        with pytest.raises(InputError, match="line 1: two columns 'x'; rename one, or give columns= as numbers"):
+            bd.read_particles(tmp_path / "a.csv", unit="m", columns=columns)
+    found = bd.read_particles(tmp_path / "a.csv", unit="m", columns=[4, 1, 2, 3])
+    assert found.position.tolist() == [[9.0, 2.0, 3.0]]
+
+
 @pytest.mark.parametrize(
     ("name", "text", "told"),
     [

@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from importlib import import_module
 from pathlib import Path
 
+import h5py
 import numpy as np
 import pytest
 
@@ -65,11 +66,31 @@ def nobody() -> Iterator[None]:
 @pytest.mark.parametrize("name", WRITERS)
 def test_a_full_disk_is_one_error_and_the_old_file_stays(tmp_path: Path, name: str) -> None:
     path = tmp_path / name
-    path.write_bytes(b"old")
+    if name == "run.h5":
+        WRITERS[name](path)
+    else:
+        path.write_bytes(b"old")
+    old = path.read_bytes()
     with full_disk(2048), pytest.raises(RunFileError, match=f"{name}' could not be written.*make room"):
         WRITERS[name](path)
-    assert path.read_bytes() == b"old"
+    assert path.read_bytes() == old
     assert os.listdir(tmp_path) == [name]
+
+
+def test_a_run_replaces_run_files_and_empty_ones_only(tmp_path: Path) -> None:
+    path = tmp_path / "run.h5"
+    path.touch()
+    for _ in range(2):
+        WRITERS["run.h5"](path)
+    others = tmp_path / "notes.txt", tmp_path / "thesis.h5"
+    others[0].write_text("precious")
+    with h5py.File(others[1], "w") as file:
+        file["a"] = [1, 2, 3]
+    for other in others:
+        before = other.read_bytes()
+        with pytest.raises(InputError, match=r"out = .*: the file exists and is no run file.* Give another name"):
+            WRITERS["run.h5"](other)
+        assert other.read_bytes() == before
 
 
 @pytest.mark.parametrize("name", ["run.h5", "particles.h5", "picture.png"])

@@ -151,6 +151,8 @@ def test_a_box_has_no_side_and_a_ball_no_faces():
 
 
 def test_a_specimen_too_short_to_measure_says_so():
+    with pytest.raises(InputError, match="each end has all elements"):
+        bd.labtests.static_tension(chain(40), LAW, depth=100.0)
     with pytest.raises(InputError, match="middle half"):
         bd.labtests.static_tension(chain(6), LAW)
 

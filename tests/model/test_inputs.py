@@ -133,6 +133,7 @@ REFUSED = {
     "gauges in a list": ("gauges by name", lambda: run(gauges=[bd.Gauge(LEFT, "displacement")])),
     "a region for a gauge": ("bd.Gauge", lambda: run(gauges={"a": LEFT})),
     "a force gauge on nothing held": ("has none", lambda: run(gauges={"a": bd.Gauge(RIGHT, "force")})),
+    "a gauge of a wall of none": ("the model has no walls=", lambda: run(gauges={"a": bd.WallGauge(3, "force")})),
     "every 1.5": ("every = 1.5", lambda: run(every=1.5)),
     "save_every None": ("save_every = None", lambda: run(save_every=None)),
     "until a number": ("until = 3", lambda: run(until=3)),

@@ -156,6 +156,8 @@ CYLINDER = {"shape": "cylinder", "radius": 5e-3, "length": 30e-3, "count": 500}
             "cylinder or a box",
         ),
         (BALL | {"tests": ["impact"]}, "'tests' needs", "give [material]"),
+        ({"specimen": CYLINDER, "materiel": {}, "tests": ["impact"]}, "unknown key 'materiel'", "'material'"),
+        ({"specimen": CYLINDER | {"count": 10**8 + 1}}, "'specimen.count' = 100000001", "at most 100000000"),
         (BALL | {"output": {"run_files": True}}, "'output.run_files' needs", "give [material]"),
     ],
 )

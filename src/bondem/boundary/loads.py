@@ -113,7 +113,8 @@ class Pressure:
     of the face. The resultant and the moment are those of the patches: the smallest correcting forces remove the
     moment that arises when the forces move to the centres of the elements. In a body of cells the pressure acts on
     the facets. The normals are those of the reference, unless `follows`: then they rotate with the cells, as under a
-    membrane, also those of detached pieces. Static solutions use the normals of the reference.
+    membrane, also those of detached pieces. A pressure that does not follow may spin up a body
+    that is free to turn, and then pull on it, of which runs warn. Static solutions use the normals of the reference.
 
     Attributes:
         region: a face, or part of one: `Face("side") & Within(...)`, `Face("x_max") - Index(...)`.

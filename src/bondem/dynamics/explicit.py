@@ -12,6 +12,7 @@ from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.energy_check import EnergyCheck
 from bondem.dynamics.history import GrowingHistory, History
 from bondem.dynamics.plan import FINE, NOT_FINITE, RUNAWAY, Callback, ExplicitResult, Loop, Plan, Status, settled
+from bondem.dynamics.pressure_check import PressureCheck
 from bondem.dynamics.progress import RunProgress, has_listener, send
 from bondem.dynamics.quasistatic_check import measured
 from bondem.dynamics.sink import Sink
@@ -99,6 +100,7 @@ def integrate(
     check = None
     if plan.imbalance is not None and plan.scheme.conserves:
         check = EnergyCheck(model, state, dt, plan.imbalance, first)
+    pressing = PressureCheck(model)
     sinking = SinkingCheck(model) if model.fails and model.contact is None else None
     missed = "" if check is None else check.examine(before[1:])
     pace = max(_WORK // (len(state.pose) + len(state.integrity)), 1)
@@ -128,6 +130,7 @@ def integrate(
             break
         if wide:
             turned = f"; {wide} {joined} were turned so far (c < 0.7 or w² < 0.75) that {model.interaction.turned}"
+        pressing.examine(state)
         if sinking is not None:
             sinking.examine(state)
         if check is not None:

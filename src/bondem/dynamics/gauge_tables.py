@@ -34,5 +34,6 @@ def _entry(model: Model, gauge: AnyGauge) -> tuple[np.ndarray, int, int]:
         elements = np.sort(model.layout.rank[gauge.region.select(model.lattice)])
         return elements, GaugeQuantity[gauge.quantity.upper()], GaugeReduction[gauge.reduction.upper()]
     if not 0 <= gauge.wall < len(model.walls):
-        raise InputError(f"WallGauge: wall = {gauge.wall} does not exist; give 0 to {len(model.walls) - 1}")
+        known = f"give 0 to {len(model.walls) - 1}" if model.walls else "the model has no walls=; give it some"
+        raise InputError(f"WallGauge: wall = {gauge.wall} does not exist; {known}")
     return np.array([gauge.wall], dtype=np.int64), WallQuantity[gauge.quantity.upper()], GaugeReduction.MEAN

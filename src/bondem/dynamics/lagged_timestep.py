@@ -67,6 +67,20 @@ def lagged_limits(
     return limit, min(bound, next((dt for dt in longer if growth(model, law, dt, undamped) <= _GROWTH), limit))
 
 
+def warn_undamped(model: Model, terms: DampingTerms) -> None:
+    """Issue a warning for a body that nothing holds or damps: as it turns, the lag adds energy at any time step.
+
+    Warns:
+        StepWarning: No element is fixed or driven, and neither local nor bond damping acts.
+    """
+    if not (terms.gamma or terms.eta or terms.beta or model.constraints.fixed.any()):
+        warnings.warn(
+            f"the lagged stress of the {model.interaction.title} adds energy to a free body that turns, which becomes"
+            " unstable within some thousand steps; give damping=, such as bd.BondDamping(0.1)",
+            StepWarning, stacklevel=users_line(),
+        )  # fmt: skip
+
+
 def _of_springs(
     model: Model, law: LaggedInteraction, scheme: Scheme, terms: DampingTerms, springs: float
 ) -> tuple[float, float]:

@@ -10,7 +10,7 @@ from bondem._names import users_line
 from bondem._types import PerBond
 from bondem.dynamics.damping import AnyDamping, DampingTerms
 from bondem.dynamics.dashpot_rate import fastest_decay
-from bondem.dynamics.lagged_timestep import damped_limit, lagged_limits
+from bondem.dynamics.lagged_timestep import damped_limit, lagged_limits, warn_undamped
 from bondem.dynamics.schemes import Scheme
 from bondem.errors import StepWarning, UnstableStepError
 from bondem.interactions.lagged_interaction import LaggedInteraction
@@ -149,7 +149,10 @@ def choose_step(
         StepWarning: The given dt is above 0.9 of the critical step, or dashpots of bonds make the default step more
             than ten times smaller.
     """
-    critical, free = _limits(model, scheme, DampingTerms.of(damping))
+    terms = DampingTerms.of(damping)
+    critical, free = _limits(model, scheme, terms)
+    if isinstance(model.interaction, LaggedInteraction):
+        warn_undamped(model, terms)
     if dt is None:
         if math.isinf(critical):
             raise UnstableStepError("the lattice has no stiffness to derive a time step from; pass dt= in seconds")

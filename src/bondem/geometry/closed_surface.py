@@ -36,7 +36,8 @@ def closed_surface(name: str, vertices: Floats, triangles: Ints) -> tuple[Floats
         Corners, (w, 3), and triangles, (r, 3), of the repaired surface; rows of `triangles` that remain, (r,).
 
     Raises:
-        InputError: The surface is not closed, encloses nothing, or has solids that overlap, touch or contain others.
+        InputError: The surface is not closed, encloses nothing, intersects itself at a sample, or has solids that
+            overlap, touch or contain others.
     """
     if vertices.ndim != 2 or triangles.ndim != 2 or vertices.shape[1:] != (3,) or triangles.shape[1:] != (3,):
         raise InputError(f"{name}: vertices {vertices.shape}, triangles {triangles.shape}; give (v, 3) and (t, 3)")
@@ -64,6 +65,7 @@ def closed_surface(name: str, vertices: Floats, triangles: Ints) -> tuple[Floats
     if len(volume) > 1:
         turned = _inside_out(name, vertices, triangles, part, volume)
         triangles = np.where(turned[part][:, None], triangles[:, ::-1], triangles)
+    _refuse_intersecting(name, vertices[triangles])
     return vertices, np.ascontiguousarray(triangles), retained
 
 
@@ -147,7 +149,7 @@ def _inside_out(name: str, vertices: Floats, triangles: Ints, part: Ints, volume
     for k in range(len(volume)):
         near = np.flatnonzero((low <= high[k]).all(axis=1) & (high >= low[k]).all(axis=1))
         other = corner[np.isin(part, near[near != k])]
-        around = _winding(_samples(corner[part == k], len(volume) * max(len(other), 1)), other)
+        around = _winding(_samples(corner[part == k], len(volume) * max(len(other), 1))[0], other)
         depth = np.rint(around[0])
         if np.abs(around - depth).max() > _OFF:
             raise InputError(
@@ -163,8 +165,27 @@ def _inside_out(name: str, vertices: Floats, triangles: Ints, part: Ints, volume
     return turned
 
 
-def _samples(corner: Floats, pairs: int) -> PerElement3:
-    """Return points spread over triangles (t, 3, 3), as many as the work for `pairs` per point allows, (k, 3)."""
+def _refuse_intersecting(name: str, corner: Floats) -> None:
+    """Raise InputError for a surface that intersects itself, so that some triangles (t, 3, 3) do not bound the body.
+
+    At a point of a triangle that does, the winding number of all others is the mean of inside and outside, ½.
+    """
+    points, own = _samples(corner, 4 * len(corner))
+    points = 0.97 * points + 0.03 * corner[own].mean(axis=1)  # off the edges
+    off = np.abs(_winding(points, corner, own) - 0.5) > _OFF
+    if off.any():
+        x, y, z = points[off][0]
+        raise InputError(
+            f"{name} intersects itself: {100.0 * off.mean():.2g} % of it, such as ({x:.4g}, {y:.4g}, {z:.4g}), lies"
+            " inside the body or faces inwards; repair it in the CAD program, and export it again"
+        )
+
+
+def _samples(corner: Floats, pairs: int) -> tuple[PerElement3, Ints]:
+    """Return points spread over triangles (t, 3, 3), as many as the work for `pairs` per point allows, (k, 3).
+
+    The second result is the triangle of each point.
+    """
     count = int(np.clip(_PAIRS // pairs, 2, _SAMPLES))
     area = np.linalg.norm(np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]), axis=1)
     share = np.cumsum(area) / area.sum()
@@ -173,16 +194,20 @@ def _samples(corner: Floats, pairs: int) -> PerElement3:
     u, v = (np.mod(0.5 + np.arange(count) * step, 1.0) for step in (0.7548776662466927, 0.5698402909980532))
     u, v = np.where(u + v > 1.0, 1.0 - u, u), np.where(u + v > 1.0, 1.0 - v, v)
     chosen = corner[at]
-    return chosen[:, 0] + u[:, None] * (chosen[:, 1] - chosen[:, 0]) + v[:, None] * (chosen[:, 2] - chosen[:, 0])
+    return chosen[:, 0] + u[:, None] * (chosen[:, 1] - chosen[:, 0]) + v[:, None] * (chosen[:, 2] - chosen[:, 0]), at
 
 
-def _winding(points: PerElement3, corner: Floats) -> PerElement:
-    """Return the winding number of triangles (t, 3, 3) about points (k, 3), from their solid angles [-], (k,)."""
+def _winding(points: PerElement3, corner: Floats, own: Ints | None = None) -> PerElement:
+    """Return the winding number of triangles (t, 3, 3) about points (k, 3), from their solid angles [-], (k,).
+
+    The triangle `own[k]`, in which point k lies, does not count.
+    """
     found = np.zeros(len(points))
     for k, point in enumerate(points):
         a, b, c = np.moveaxis(corner - point, 1, 0)
         x, y, z = (np.linalg.norm(side, axis=1) for side in (a, b, c))
         top = np.einsum("ni,ni->n", a, np.cross(b, c))
         bottom = x * y * z + (a * b).sum(axis=1) * z + (b * c).sum(axis=1) * x + (c * a).sum(axis=1) * y
-        found[k] = np.arctan2(top, bottom).sum() / (2.0 * np.pi)
+        angle = np.arctan2(top, bottom)
+        found[k] = (angle.sum() - (0.0 if own is None else angle[own[k]])) / (2.0 * np.pi)
     return found

@@ -57,7 +57,7 @@ class Surface(Shape):
 
     Raises:
         InputError: The file does not exist or has another format, its size cannot be in metres, the surface is not
-            closed, or solids overlap.
+            closed or intersects itself, or solids overlap.
 
     Warns:
         UnitWarning: The part of a file without a unit is longer than one metre.

@@ -35,7 +35,7 @@ from bondem._tables.columns import HistoryColumn
 from bondem.damage.criteria.criterion import Criterion
 from bondem.dynamics.history import History
 from bondem.dynamics.plan import Plan
-from bondem.errors import RunFileError
+from bondem.errors import InputError, RunFileError
 from bondem.io.atomic import require_writable
 from bondem.io.bodies import complete_body, read_bonds, read_elements, write_bonds, write_elements
 from bondem.io.codec import decode, encode
@@ -98,7 +98,7 @@ class RunFile:
     """Writer of checkpoints and snapshots of a run (a `Sink`).
 
     Args:
-        path: the file; an existing file is replaced at the first checkpoint or snapshot.
+        path: the file; an existing run file is replaced at the first checkpoint or snapshot.
         model: model of the run.
         plan: options of the run with the resolved time step, so that a restart does not compute it again.
         cracks: function of crack outlines for snapshots; None for snapshots without cracks.
@@ -106,7 +106,7 @@ class RunFile:
         identity: digest of the run from `bondem.io.run_identity`, for a new file.
 
     Raises:
-        InputError: the file cannot be written.
+        InputError: the file cannot be written, or exists and is no run file.
         RunFileError: the model contains an object that cannot be stored, or another process writes the file.
     """
 
@@ -133,6 +133,7 @@ class RunFile:
         self._replaced: JournaledFile | None = None
         again = goes_on is not None and goes_on.schema >= _DIGESTED
         if not again and os.path.exists(self.path):
+            _refuse_others(self.path)
             self._replaced = JournaledFile(self.path)  # locks the file that the first checkpoint replaces
         self._raw = JournaledFile(self.path, new=not again)
         self._file: h5py.File | None = None
@@ -300,6 +301,18 @@ def head_of(file: h5py.File, path: Path) -> dict[str, Any]:
     if not known:
         raise RunFileError(f"'{path}' is not {KIND.name}; {KIND.given}")
     return head
+
+
+def _refuse_others(path: Path) -> None:
+    """Raise InputError for a file that is neither a run file nor empty, so that no run replaces it."""
+    try:
+        if path.stat().st_size:
+            with reading_run(path) as file:
+                head_of(file, path)
+    except RunFileError:
+        raise InputError(
+            f"out = '{path}': the file exists and is no run file, or a damaged one. Give another name, or delete it."
+        ) from None
 
 
 def _attributes(item: Any) -> Any:

@@ -124,7 +124,7 @@ def _named(path: Path, line: int, names: list[str], wanted: str) -> int:
     for aliases in (_ALIASES[wanted], _ALIASES["d"] if wanted == "r" else ()):
         place = [k for k, name in enumerate(names) if name in aliases]
         if place:
-            return place[0]
+            return _single(path, line, names, names[place[0]])
     raise InputError(
         f"'{path}', line {line}: no column '{wanted}' among {listed(names)}; rename one, or give columns="
         " with those of x, y, z and radius"
@@ -140,8 +140,15 @@ def _number(path: Path, line: int, names: list[str] | None, one: str | int) -> i
         raise InputError(f"'{path}' has no header; give columns= as numbers from 0")
     for name in (one.strip().lower(), Column.of(one).name):
         if name in names:
-            return names.index(name)
+            return _single(path, line, names, name)
     raise InputError(f"'{path}', line {line}: no column '{one}' among {listed(names)}; correct columns=")
+
+
+def _single(path: Path, line: int, names: list[str], name: str) -> int:
+    """Return the number of the column of a name, which no other column may have."""
+    if names.count(name) > 1:
+        raise InputError(f"'{path}', line {line}: two columns '{name}'; rename one, or give columns= as numbers")
+    return names.index(name)
 
 
 def _length(text: str) -> float | None:

@@ -1,6 +1,7 @@
 """Explicit runs of laboratory tests: in memory, or in a run file from which an interrupted test continues."""
 
 import math
+import warnings
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, Protocol, TypeVar
@@ -12,7 +13,7 @@ from bondem.dynamics.damping import AnyDamping
 from bondem.dynamics.plan import ExplicitResult
 from bondem.dynamics.schemes import VelocityVerlet
 from bondem.dynamics.timestep import choose_step
-from bondem.errors import BondemError, RunInterrupted, UnstableRunError
+from bondem.errors import BondemError, RunInterrupted, UnstableRunError, UnstableRunWarning
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.run import solve_explicit
@@ -83,7 +84,9 @@ def run_test(
         between = every * math.ceil(max(duration / dt / _SAVES, _STEPS) / every)
         options |= {"out": out, "resume": True, "save_every": between, "snapshot_every": between}
     try:
-        run = solve_explicit(model, duration=duration, dt=dt, every=every, **options)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", UnstableRunWarning)  # an error below
+            run = solve_explicit(model, duration=duration, dt=dt, every=every, **options)
     except RunInterrupted as stop:
         raise RunInterrupted(str(stop), _so_far(read, stop.result)) from None
     if run.status.failed:

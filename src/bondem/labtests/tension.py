@@ -11,7 +11,7 @@ from bondem._names import users_line
 from bondem._progress import staged
 from bondem._types import Floats
 from bondem.boundary.conditions import Load
-from bondem.errors import ShortSpecimenWarning
+from bondem.errors import InputError, ShortSpecimenWarning
 from bondem.interactions.beams.bond_strain import BondStrain
 from bondem.interactions.law_catalogue import AnyLaw
 from bondem.labtests.arguments import check
@@ -90,7 +90,10 @@ def static_tension(lattice: Lattice, law: AnyLaw, *, stress: float = 1e6, depth:
     check("static_tension", lattice, stress=stress, depth=depth)
     lower, upper = lattice.particles.envelope.bounds
     length, *widths = (float(extent) for extent in upper - lower)
-    if lattice.cells is None and length < max(widths):
+    spheres = lattice.cells is None
+    if spheres and depth * lattice.particles.mean_radius >= length:
+        raise InputError(f"static_tension: depth = {depth:g}: each end has all elements; give less, in mean radii")
+    if spheres and length < max(widths):
         warnings.warn(
             f"static_tension: the specimen is {length:.4g} m long along x and {max(widths):.4g} m wide; its ends"
             " govern E and ν, which differ from those of the packing; measure them on a longer specimen, or on a"

@@ -194,6 +194,11 @@ class Constraints:
             couple.add_to(load, pose, factor)
         return load
 
+    @property
+    def applied_force(self) -> float:
+        """Norm of the forces of all loads at the end of their schedules [N], before they cancel within elements."""
+        return float(np.linalg.norm(self._final(self.loads.schedule)[:, None] * self.loads.value[:, :3]))
+
     def final_couples(self) -> list[tuple[Couple, float]]:
         """Return moments of loads, and their factors at the end of all schedules."""
         return [(couple, float(self._final(couple.schedule))) for couple in self.couples]

@@ -43,7 +43,7 @@ METHODS: tuple[Method, ...] = get_args(Method)
 SEED = 1
 
 # Largest number of spheres; more would take a day and exceed the memory of a machine.
-_MOST = 100_000_000
+MOST = 100_000_000
 
 
 @staged("packing")
@@ -138,9 +138,9 @@ def pack(
     if size is not None and not callable(size):
         count, size = cells_of(size, shape.volume), None
     if count is not None:
-        count = whole("pack", "count", count, least=1, advice=f"a whole number of spheres, from 1 to {_MOST}")
-        if count > _MOST:
-            raise InputError(f"pack: count = {count}; give at most {_MOST} spheres")
+        count = whole("pack", "count", count, least=1, advice=f"a whole number of spheres, from 1 to {MOST}")
+        if count > MOST:
+            raise InputError(f"pack: count = {count}; give at most {MOST} spheres")
     if sizes is not None and spread is not None:
         raise InputError("give spread= or sizes=, not both: spread=κ is short for sizes=bd.Uniform(κ)")
     if sizes is not None:
@@ -251,7 +251,7 @@ def _saved(
 ) -> Particles:
     """Return the packing of a request, from disk if possible, else newly made."""
     count = request["count"]
-    worth = wanted(count if isinstance(count, int) else _MOST)
+    worth = wanted(count if isinstance(count, int) else MOST)
     particles = PackingCache().remembered(request, make) if cache and worth else make()
     report(1.0)
     return particles

@@ -6,6 +6,7 @@ rattlers. Small lattices and chains are solved by elimination. Others use conjug
 `Clumps`, to a negligible residual.
 """
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
@@ -120,12 +121,15 @@ def orthonormal(vectors: Floats) -> Floats:
     return vectors
 
 
-def spanning(vectors: Floats) -> Floats:
-    """Return an orthonormal basis of the span of vectors (rows, k), which may be dependent, (rows, ≤ k)."""
+def spanning(vectors: Floats, least: float = 0.0) -> Floats:
+    """Return an orthonormal basis of the span of vectors (rows, k), which may be dependent, (rows, ≤ k).
+
+    Vectors, or combinations of them, of a norm below `least` count as zero.
+    """
     if vectors.shape[1] == 0:
         return vectors
     size, turn = np.linalg.eigh(vectors.T @ vectors)
-    return orthonormal(vectors @ turn[:, size > 1e-14 * size[-1]])
+    return orthonormal(vectors @ turn[:, size > max(1e-14 * size[-1], least**2)])
 
 
 def normalising(product: Floats) -> Floats:
@@ -182,11 +186,13 @@ class Elimination:
             loose = loose @ np.linalg.svd(loose[pinned][None])[2][1:].T
         self._live = np.flatnonzero(free)
         matrix = csc_array(csc_array(system.matrix.tocsc()[:, self._live])[self._live])
+        turning = system.matrix.diagonal_blocks()[:, range(3, 6), range(3, 6)]
+        singular = bool((_weak(turning) & system.free[:, 3:]).any())
         self._scale = 1.0 / np.sqrt(np.maximum(matrix.diagonal(), 1e-300))
         self._matrix = csc_array(matrix.multiply(self._scale[:, None]).multiply(self._scale))
         try:
             self._factors = symmetric_factors(self._matrix)
-            singular = np.abs(self._factors.U.diagonal()).min(initial=1.0) < _SINGULAR
+            singular |= bool(np.abs(self._factors.U.diagonal()).min(initial=1.0) < _SINGULAR)
         except RuntimeError:
             singular = True
         # a load may do no work on the mechanism, which only the iteration shows
@@ -230,7 +236,8 @@ class Iteration:
         if lost is not None:
             clump = parted(clump, system.position, *lost)
         self.coarse = Clumps(self.scaled, self._back @ clump_motions(system.position, clump), clump)
-        self.rigid = spanning(self.unscaled(system.loose))
+        mean = np.linalg.norm(self._back / np.repeat([1.0, system.length], 3)) / math.sqrt(len(system.loose))
+        self.rigid = spanning(self.unscaled(system.loose), 1e-7 * float(mean))
 
     def solve(self, load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> tuple[Floats, int]:
         """Return the solution by conjugate gradients, as `Solver.solve`."""
@@ -279,7 +286,9 @@ def element_roots(matrix: Stiffness, free: Mask) -> tuple[Floats, Floats]:
     Both have the shape (n, 6, 6). Motions of an element that its block does not resist are left out.
     """
     blocks = matrix.diagonal_blocks() * (free[:, :, None] & free[:, None, :])
-    size = np.sqrt(np.einsum("nii->ni", blocks))
+    size = np.einsum("nii->ni", blocks).copy()
+    size[:, 3:] = np.where(_weak(size[:, 3:]), size[:, 3:].max(axis=1, keepdims=True), size[:, 3:])
+    size = np.sqrt(size)
     size[size == 0.0] = 1.0
     value, vector = np.linalg.eigh(blocks / size[:, :, None] / size[:, None, :])
     vector *= free[:, :, None]
@@ -289,6 +298,11 @@ def element_roots(matrix: Stiffness, free: Mask) -> tuple[Floats, Floats]:
         vector * inverse[:, None, :] / size[:, :, None],
         np.swapaxes(vector * length[:, None, :] * size[:, :, None], 1, 2).copy(),
     )
+
+
+def _weak(turning: Floats) -> Mask:
+    """Return a mask of the rotations of elements whose stiffness is a rounding error of another one's, (n, 3)."""
+    return turning <= 1e-12 * turning.max(axis=1, keepdims=True)
 
 
 class Matrix(Protocol):

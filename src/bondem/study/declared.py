@@ -61,12 +61,14 @@ class Lengths(Key):
 
 @dataclass(frozen=True)
 class Count(Key):
-    """Key of a whole number of at least `least`."""
+    """Key of a whole number of at least `least`, and at most `most` unless it is None."""
 
     least: int = 1
+    most: int | None = None
 
     def schema(self) -> Schema:
-        return {"type": "integer", "minimum": self.least, "description": self.words}
+        most = {} if self.most is None else {"maximum": self.most}
+        return {"type": "integer", "minimum": self.least, **most, "description": self.words}
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from bondem.interactions.cells.cell_bond import FacetRotation
 from bondem.interactions.law_catalogue import CALIBRATED, CELL_LAWS
 from bondem.labtests.elastic_tests import ELASTIC_TESTS
 from bondem.labtests.failure_tests import FAILURE_TESTS
-from bondem.packing import METHODS
+from bondem.packing import METHODS, MOST
 from bondem.specimen import materials
 from bondem.study.declared import (
     Count,
@@ -93,7 +93,7 @@ _SIZES = KeyTable("law of the radii", {
 _SPECIMEN: dict[str, Key] = {
     "particles": Text("file of packed spheres"), "unit": Unit("unit of length of the file"),
     "method": Text("packing method", tuple(METHODS)), "shape": Text("shape that the elements fill", SHAPES),
-    "file": Text("file of a surface: STL, OBJ, 3MF, PLY or OFF"), "count": Count("number of elements", 100),
+    "file": Text("file of a surface: STL, OBJ, 3MF, PLY or OFF"), "count": Count("number of elements", 100, MOST),
     "size": Lengths("edges of the box or cell"),
     "notch": KeyTable("notch of a box", {"width": _length("width along x"), "depth": _length("depth from below")}),
     "spread": Number("full range of the radii over their mean, κ", "-", above=-1e-12, below=2.0), "sizes": _SIZES,

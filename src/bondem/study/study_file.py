@@ -6,6 +6,7 @@ import sys
 import tomllib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -242,14 +243,15 @@ def parse_study(data: Mapping[str, Any], *, folder: Path = Path()) -> Study:
         bond = read_bond(top.section("bond"))
         bar = specimen.shape is None or _is_bar(specimen.shape)
         tests = top.texts("tests", default=TESTS if material is not None and bar else ())
-        return Study(
-            name=name, material=material, specimen=specimen, bond=bond, tests=tests,
+        study = partial(
+            Study, name=name, material=material, specimen=specimen, bond=bond, tests=tests,
             seed=top.count("seed", default=Study.seed),
             packings=top.count("packings", default=1 if isinstance(specimen, ImportPlan) else Study.packings),
             failure=top.optional("failure", read_failure), calibrating=_calibrating(top, bond),
             options=read_options(top, tests), **_output(top.section("output")),
             reference=top.optional("reference", _reference), aggregates=top.optional("aggregates", read_aggregates),
         )  # fmt: skip
+    return study()  # an unknown key comes before what its absence brings about
 
 
 def _material(table: TomlTable) -> Material:

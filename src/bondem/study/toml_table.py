@@ -138,9 +138,10 @@ class TomlTable:
         return all(isinstance(one, str) for item in given for one in (item if isinstance(item, list) else [item]))
 
     def count(self, key: str, *, default: Any = NEEDED) -> int:
-        """Read a whole number that is not below the declared minimum."""
-        least = self._declared(key, Count).least
-        return self._right(key, default, f"a whole number of at least {least}", partial(_is_whole, least=least))
+        """Read a whole number within the declared limits."""
+        known = self._declared(key, Count)
+        wanted = f"a whole number of at least {known.least}" + (f" and at most {known.most}" if known.most else "")
+        return self._right(key, default, wanted, partial(_is_whole, least=known.least, most=known.most or _MOST - 1))
 
     def text(self, key: str, *, default: Any = NEEDED) -> Any:
         """Read a text, one of the declared choices if there are any."""
@@ -231,8 +232,8 @@ def _is_list(value: object) -> bool:
     return isinstance(value, list | tuple)
 
 
-def _is_whole(value: object, least: int = 0) -> bool:
-    return isinstance(value, int) and not isinstance(value, bool) and least <= value < _MOST
+def _is_whole(value: object, least: int = 0, most: int = _MOST - 1) -> bool:
+    return isinstance(value, int) and not isinstance(value, bool) and least <= value <= most
 
 
 def _hint(value: object, choices: tuple[str, ...], otherwise: str) -> str:
