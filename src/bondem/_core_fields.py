@@ -102,7 +102,7 @@ def filled_table(
 
 
 def _number(table: str, field: Field, value: Any) -> int:
-    """Return the word of a number; InputError for a value that is not a number of the type of the field."""
+    """Return the bits of a number as an integer; raise InputError for a value that the type of the field excludes."""
     real = field.dtype == np.float64
     if not isinstance(value, REAL if real else INTEGER) or value != value:
         raise InputError(f"{table}.{field.name} = {value!r}: not a number that the core can read; pass {field}")

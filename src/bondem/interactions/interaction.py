@@ -348,9 +348,13 @@ class Interaction(ABC):
         return EnergyParts(*beam_energies(pose, self._beams(strain, integrity)))
 
     def indices(self, pose: Floats, arrays: Arrays, kind: str, strengths: Strengths) -> PerBond:
-        """Return the failure index of each bond by a criterion [-], 0 where broken, internal order, (m,).
+        """Return the failure index of each bond by a criterion [-], 0 for broken bonds, internal order, (m,).
 
-        Poses of cells must contain their stresses λ θ [Pa].
+        Args:
+            pose: poses of the elements, (n, 8); those of cells must contain their stresses λ θ [Pa].
+            arrays: arrays of the state that belong to the law, internal order.
+            kind: name of the criterion, `BondCriterion.kind`.
+            strengths: coefficients of the criterion for each bond.
         """
         beams = self._beams(arrays["rest_strain"], arrays["integrity"])
         found = FailureIndices(np.zeros(len(beams.i)))

@@ -3,8 +3,8 @@
 // Half p of a facet of stiffness k has the part w_p of its compliance, so its own stiffness is k / w_p. A crack has
 // an orthonormal frame e_1, e_2, e_3 that turns with cell i; e_1 is its normal. Along e_d half p keeps the share s⁺_d
 // of a force that pulls and s⁻_d of one that presses. Springs s / (1 - s) k / w_p in series with it represent the
-// loss, and their opening u_p is eliminated. With δ the gap of the two faces less their slip, σ_p = λ θ of the cell,
-// and g_p = R_p s_p with the share s_p of the facet in the swelling V θ of the cell (`cell.hpp`),
+// loss; their opening u_p is eliminated. D is the gap of the two faces, ξ their slip, σ_p = λ θ the stress of cell p,
+// and g_p the vector of the facet in V_p θ_p = Σ g_p·D of an intact cell (R_p s_p in `cell.hpp`). With δ = D - ξ,
 //
 //     F_p = k δ + σ_p g_p / w_p                                                force of the whole half
 //     L_p = Σ_d [(1 - s⁺_d) ⟨F_p·e_d⟩ + (1 - s⁻_d) min(F_p·e_d, 0)] e_d        lost part of this force
