@@ -1,4 +1,4 @@
-"""Tables in memory in the layout of the core: each value is checked against its field, and written as words."""
+"""Tables in the memory layout of the core: each value is checked against its field and stored as 64-bit words."""
 
 import math
 import re

@@ -187,15 +187,11 @@ class Loop(Protocol):
         ...
 
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
-        """Take time steps.
-
-        Args:
-            steps: number of time steps.
+        """Take a number of time steps.
 
         Returns:
             Records, (s, columns); the number of bonds whose ends are rotated beyond the accurate range of the energy
-            of the law; the number of bonds rotated so far that this energy has no meaning; and FINE, NOT_FINITE or
-            RUNAWAY.
+            of the law; the number of those rotated so far that it has no meaning; and FINE, NOT_FINITE or RUNAWAY.
         """
         ...
 

@@ -350,11 +350,7 @@ class Interaction(ABC):
     def indices(self, pose: Floats, arrays: Arrays, kind: str, strengths: Strengths) -> PerBond:
         """Return the failure index of each bond by a criterion [-], 0 for broken bonds, internal order, (m,).
 
-        Args:
-            pose: poses of the elements, (n, 8); those of cells must contain their stresses λ θ [Pa].
-            arrays: arrays of the state that belong to the law, internal order.
-            kind: name of the criterion, `BondCriterion.kind`.
-            strengths: coefficients of the criterion for each bond.
+        `pose` (n, 8) must contain the stresses λ θ of cells [Pa], and `kind` is `BondCriterion.kind`.
         """
         beams = self._beams(arrays["rest_strain"], arrays["integrity"])
         found = FailureIndices(np.zeros(len(beams.i)))

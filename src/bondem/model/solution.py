@@ -1,4 +1,4 @@
-"""Common part of the results of all solvers."""
+"""Common part of the results of explicit, static and modal solutions."""
 
 from dataclasses import dataclass
 from enum import Enum

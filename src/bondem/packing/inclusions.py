@@ -44,8 +44,7 @@ def aggregates(shape: Shape, sieve: Sieve, *, fraction: float, gap: float, seed:
         shape: shape of the body, not periodic.
         sieve: grading curve, with diameters in metres.
         fraction: volume of the balls over that of the shape, accurate to half the volume of a mean ball [-].
-        gap: smallest gap between the surfaces of two balls [m], accurate to 10 %; the gap to walls is half of it.
-            Cells whose volume is h³ need a gap of 1.2 h.
+        gap: least gap between two balls [m], accurate to 10 %; half of it to walls. Cells of volume h³ need 1.2 h.
         seed: number that selects one of the random arrangements [-].
 
     Returns:

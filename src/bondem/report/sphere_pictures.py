@@ -17,8 +17,7 @@ def draw_spheres(
 ) -> None:  # fmt: skip
     """Draw elements as spheres, except those that have flown away.
 
-    These are elements whose displacement differs from the median displacement by more than half the largest extent
-    of the specimen.
+    Their displacement differs from the median by more than half the largest extent of the specimen.
 
     Args:
         ax: axes to draw on.

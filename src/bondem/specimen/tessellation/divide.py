@@ -1,4 +1,4 @@
-"""Division of pieces that a wall separates from the centre of their cell among other elements."""
+"""Division, among other elements, of the pieces that a wall separates from the centre of their cell."""
 
 import numpy as np
 

@@ -1,13 +1,13 @@
 // Facets of any integrity s in small motions about the reference, without friction.
 //
-// A facet is two halves, each of which is softened where it opens and stays whole along the normal where it presses.
-// With F the force of a half as if it were whole, w its part of the compliance, s_p its share in V θ, δ the gap and σ
-// the stress of its cell,
+// A facet is two halves. Each softens in all directions where it opens, and keeps its stiffness along the normal
+// where it presses. With F the force of the half at full integrity, w its part of the compliance, s_p the share
+// vector of the facet in V θ of cell p, δ the gap and σ the stress of the cell,
 //
 //     F = k δ + σ s_p / w       opens: s F       presses: s F + (1 - s) (F · n) n
 //     V θ += s (s_p · δ)        presses: and (1 - s) (s_p · n) (δ · n)
 //
-// A facet that softens in one direction e alone keeps what acts along its crack, and all where it presses across it:
+// A facet that softens in a single direction e keeps the force along its crack, and its pressure along e:
 //
 //     opens: F - (1 - s) (F · e) e        V θ += s_p · δ - (1 - s) (s_p · e) (δ · e)
 //
@@ -29,7 +29,7 @@ Vector end_of(const SmallMotions &motions, Index p, Vector lever) {
     return at(motions.displacement, p) + cross(at(motions.rotation, p), lever);
 }
 
-// How a facet is weakened: along its normal, where it stays whole if it presses, or along one direction alone.
+// Weakening of a facet: in all directions, but not along its normal where it presses; or along a single direction.
 struct Weakened {
     double s;  // integrity
     Vector along;
@@ -38,7 +38,7 @@ struct Weakened {
     double whole(double left) const { return in_one ? 1.0 : left; }
     // Part of the loss that concerns `along` only: none of an open half, all of one that softens in one direction.
     double apart(double left, bool closed) const { return (double(closed) - double(in_one)) * (1.0 - left); }
-    // What a half of integrity `left` keeps of a force.
+    // Force that a half of integrity `left` transmits, from that of a half of full integrity.
     Vector kept(Vector force, double left, bool closed) const {
         return plus(whole(left) * force, apart(left, closed) * dot(force, along), along);
     }
