@@ -94,7 +94,7 @@ def test_bars_have_their_volume_and_their_strength(tmp_path):
 def test_the_study_of_bars_compares_with_the_weakest_link(tmp_path, monkeypatch):
     monkeypatch.setattr("validation.studies.weibull._VOLUMES", (30, 60))
     monkeypatch.setattr("validation.studies.weibull._SIZES", (2.8e-3, 3.2e-3))
-    monkeypatch.setattr("validation.studies.weibull._SPHERES", (60, 120))
+    monkeypatch.setattr("validation.studies.weibull._SPHERES", (120, 240))
     found = run(WeibullStudy(seeds=(1, 2, 3, 4)), tmp_path, processes=1, command="by a test")
     first = found["bars"][0]
     assert first["asked"] == pytest.approx(math.gamma(1.2) * (1e-6 / (30 * 27e-9)) ** 0.2)

@@ -154,7 +154,7 @@ class StressOnset:
     def beside(self, found: Loaded, facets: Ints, traction: Floats) -> PerBond:
         """Return the load factors at which facets crack across another direction, (c,); see `FacetOnset.beside`."""
         across = self._body.across[facets]
-        kept = traction - (traction * across).sum(axis=1)[:, None] * across
-        opened = softening_along(self._body.facets(found), self._strengths, facets, kept, np.ones(len(facets)))
+        rest = traction - (traction * across).sum(axis=1)[:, None] * across
+        opened = softening_along(self._body.facets(found), self._strengths, facets, rest, np.ones(len(facets)))
         other = np.abs(np.einsum("cdx,cx->cd", opened.direction, across)) < _NEAR
         return np.where(other, opened.factor, np.inf).min(axis=1)

@@ -11,9 +11,9 @@
 //     transmitted by the crack: L = √(C² - ⟨N⟩²) + μ ⟨-N⟩ with the friction μ of one of its facets
 //     cell: where |R| > L and R·Σ ± ω P f > 0,  b = ½ (1 - L / |R|) R / K        facet: slip += ω P (b_i - b_j)
 //
-// A facet slips until it has dissipated two fracture energies, one for its opening and one for its slip: below an
-// impact the stress along the crack does work on slip that no cohesion resists. Each cell of a facet contributes half
-// of the slip; equal facets of a crack slip at once. Slip only dissipates; its work is by the mean of both forces.
+// A facet slips until it has dissipated two fracture energies, one for its opening and one for its slip. The limit is
+// needed below an impact, where the stress along the crack does work on slip that no cohesion resists. Each cell of a
+// facet contributes half of the slip. Slip only dissipates; its work is that of the mean force of the step.
 #pragma once
 #include "carried.hpp"
 

@@ -29,7 +29,7 @@ Vector end_of(const SmallMotions &motions, Index p, Vector lever) {
     return at(motions.displacement, p) + cross(at(motions.rotation, p), lever);
 }
 
-// Weakening of a facet: in all directions, but not along its normal where it presses; or along a single direction.
+// Integrity of a facet, and its normal or the only direction in which it softens.
 struct Weakened {
     double s;  // integrity
     Vector along;
@@ -38,8 +38,8 @@ struct Weakened {
     double whole(double left) const { return in_one ? 1.0 : left; }
     // Part of the loss that concerns `along` only: none of an open half, all of one that softens in one direction.
     double apart(double left, bool closed) const { return (double(closed) - double(in_one)) * (1.0 - left); }
-    // Force that a half of integrity `left` transmits, from that of a half of full integrity.
-    Vector kept(Vector force, double left, bool closed) const {
+    // Part of a force that a half of integrity `left` transmits.
+    Vector transmitted(Vector force, double left, bool closed) const {
         return plus(whole(left) * force, apart(left, closed) * dot(force, along), along);
     }
 };
@@ -60,8 +60,8 @@ struct Half {
 };
 Half half_of(Vector whole, const Weakened &facet, bool closed) {
     const double along = dot(whole, facet.along), size = turns * length(whole);
-    const Vector opening = whole - facet.kept(whole, 0.0, closed);
-    return {facet.kept(whole, facet.s, closed), opening, closed ? along > size : along < -size};
+    const Vector opening = whole - facet.transmitted(whole, 0.0, closed);
+    return {facet.transmitted(whole, facet.s, closed), opening, closed ? along > size : along < -size};
 }
 
 void add_moment(const Array<double, 2> &moment, Index p, Vector arm, Vector force, double sign) {
