@@ -1,4 +1,4 @@
-"""Tables in memory in the layout of the core: each value is checked against its field, and written as words."""
+"""Tables in the memory layout of the core: each value is checked against its field and stored as 64-bit words."""
 
 import math
 import re
@@ -102,7 +102,7 @@ def filled_table(
 
 
 def _number(table: str, field: Field, value: Any) -> int:
-    """Return the word of a number; InputError for a value that is not a number of the type of the field."""
+    """Return the bits of a number as an integer; raise InputError for a value that the type of the field excludes."""
     real = field.dtype == np.float64
     if not isinstance(value, REAL if real else INTEGER) or value != value:
         raise InputError(f"{table}.{field.name} = {value!r}: not a number that the core can read; pass {field}")

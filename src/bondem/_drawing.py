@@ -1,4 +1,4 @@
-"""Declaration of pictures and tables by results, which `bondem.report` draws and `bondem.io` writes."""
+"""Interfaces by which results declare their pictures for `bondem.report` and their tables for `bondem.io`."""
 
 from collections.abc import Iterable, Mapping
 from pathlib import Path

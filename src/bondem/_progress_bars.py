@@ -1,4 +1,4 @@
-"""Bars of progress on a terminal and in a notebook, by rich."""
+"""Progress bars on a terminal and in a notebook, drawn by the package `rich`."""
 
 from collections.abc import Callable, Iterable
 from typing import Any

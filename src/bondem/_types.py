@@ -1,4 +1,4 @@
-"""Aliases of arrays with their shapes: n elements, m bonds, s samples."""
+"""Type aliases of arrays, by the type of their numbers or by their shapes with n elements and m bonds."""
 
 from collections.abc import Sequence
 from typing import Annotated, Literal

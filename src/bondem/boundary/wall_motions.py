@@ -80,7 +80,7 @@ class Driven:
 
     @property
     def components(self) -> dict[str, Schedule]:
-        """Schedules by the names of their arguments."""
+        """Schedule of each prescribed displacement, velocity, angle or spin, by the name of its argument."""
         names = {number: name for name, number in _COMPONENTS.items()}
         return {names[component, rate]: schedule for component, schedule, rate in self.motion}
 

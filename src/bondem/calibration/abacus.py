@@ -1,6 +1,6 @@
 """Calibration curves of every law, computed once: ν and E/E_μ of packings over the parameter that sets ν.
 
-The files in `curves`, named after laws, hold the results of `python -m validation abacus` for periodic cells, as in
+The files in `curves`, named after laws, have the results of `python -m validation abacus` for periodic cells, as in
 figs 15 and 16 of André et al. (2012). If a law has a curve, its calibration starts from the curve, close to the
 solution.
 """

@@ -1,4 +1,5 @@
-// A number with its derivative in one direction: laws of such numbers return derivatives exact to rounding.
+// A number with its derivative in one direction. Laws evaluated with such numbers also return their derivatives,
+// exact to rounding.
 #pragma once
 #include "symmetric3.hpp"
 

@@ -1,10 +1,10 @@
-// Sums without rounding: a sum of doubles has the same bits in any order of its terms, and however these are divided
-// among threads, blocks, devices or ranks.
+// Sums without rounding: a sum of doubles has the same bits in any order of its terms, and for any division of the
+// terms among threads, blocks, devices or ranks.
 //
-// A sum is a whole multiple of 2^-1074, the smallest double, in 67 limbs of 32 bits, which are beyond the largest
-// double by 2^46. A limb is a signed word of 64 bits: a term changes three of them and carries nothing. Carries are
-// made when the sum is read, so that 2^31 terms fit. Reading rounds once, to the nearest double, halves to the even
-// one: the value is that of `math.fsum` of Python. Terms that are not finite are kept apart as flags.
+// A sum is an integer multiple of 2^-1074, the smallest double, in 67 limbs of 32 bits. Their range exceeds that of
+// doubles by a factor of 2^46. Each limb is stored in a signed word of 64 bits. A term changes three words, without
+// carries; carries are made when the sum is read, so that 2^31 terms fit. Reading rounds once, to the nearest double
+// with ties to even, as `math.fsum` of Python does. Terms that are not finite are stored separately, as flags.
 #pragma once
 #include "array.hpp"
 #include "scalars.hpp"

@@ -1,4 +1,4 @@
-// Contents of the library for Python: its tables, its passes, and the abilities of the CPU.
+// Contents of the library for Python: its tables, its passes, and the level of instructions of the CPU.
 #include "described_tables.hpp"
 #include "exported.hpp"
 #include "gpu/for_each.hpp"

@@ -1,4 +1,4 @@
-// The energy balance of a run, to which the passes of a record or a guard add in any order.
+// The energy balance of a run. Passes add to it in any order, for a row of the history or for a check of the energy.
 #pragma once
 #include "exact_sum.hpp"
 #include "tables/step_tables.hpp"

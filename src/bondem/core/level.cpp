@@ -1,4 +1,5 @@
-// Abilities of a CPU: a part of every library, and a small library of its own, which any CPU can load.
+// Highest level of instructions of this CPU. This file is part of every library, and also a small library of its own
+// that any CPU can load.
 #include "exported.hpp"
 #include "instructions.hpp"
 

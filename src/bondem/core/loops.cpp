@@ -1,5 +1,5 @@
-// The loops of all passes over an index: a device that the CPU simulates, for the tests. Libraries of source trees
-// contain them, those of wheels do not.
+// Loops that call each pass over an index for all indices on the CPU, which thereby simulates a device for tests.
+// Libraries of source trees contain these loops, those of wheels do not.
 #include "exported.hpp"
 #include "gpu/for_each.hpp"
 #include "gpu/index_passes.hpp"

@@ -1,4 +1,4 @@
-"""Random numbers by a counter: the index of a value, not a stream, determines it."""
+"""Random numbers that a seed and the index of each number determine, independent of the order of computation."""
 
 import numpy as np
 

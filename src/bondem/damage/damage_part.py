@@ -1,6 +1,6 @@
 """Damage pipeline of a run: the passes that find failing bonds, remove them and write events.
 
-Here is what beams, facets of cells and bonds of the non-local law have in common.
+This module contains the passes common to beams, facets of cells and bonds of the non-local law.
 """
 
 from dataclasses import dataclass

@@ -225,7 +225,7 @@ class DeviceLoop:
         return _Records(self, HistoryRows(np.zeros((max(rows, 1), self._width))))
 
     def _fetch(self) -> None:
-        """Copy all arrays that passes have written from the device, and store them in the state."""
+        """Copy from the device all arrays that passes have written, and store their values in the state."""
         self._tables.fetch_written()
         for log in self._run.logs:
             self._tables.fetch(log.event[: log.written[LogCount.EVENTS]])

@@ -187,11 +187,11 @@ class Loop(Protocol):
         ...
 
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
-        """Take time steps.
+        """Take a number of time steps.
 
         Returns:
-            Records, (s, columns); the number of bonds turned beyond the accurate range of their energy; the number of
-            bonds turned so far that their energy has no meaning; and FINE, NOT_FINITE or RUNAWAY.
+            Records, (s, columns); the number of bonds whose ends are rotated beyond the accurate range of the energy
+            of the law; the number of those rotated so far that it has no meaning; and FINE, NOT_FINITE or RUNAWAY.
         """
         ...
 

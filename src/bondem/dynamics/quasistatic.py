@@ -16,17 +16,20 @@ _ADVICE = "load more slowly and for longer, or add damping such as bd.LocalDampi
 
 @dataclass(frozen=True)
 class Quasistatic:
-    """Measures of how far a run is from equilibrium, `run.quasistatic`; they are near 0 for quasi-static loading.
+    """Measures of how far a run is from equilibrium (`run.quasistatic`).
+
+    `kinetic` and `difference` are near 0 for quasi-static loading.
 
     Attributes:
-        kinetic: largest kinetic energy over the largest elastic energy [-]. With driven ends, these are the largest
-            ones up to the time of the largest elastic energy, and the kinetic one also before any bond or facet
-            breaks. Otherwise they are those of the last tenth of the records. None with fewer than two records, or
-            without elastic energy.
-        difference: largest difference of the forces of the two force gauges of a run over the largest of these forces
-            [-], in the same records; None unless exactly two gauges record opposite forces.
-        servo: force of each servo wall at the end and its prescribed force [N], by the index of the wall.
-        meant: reason why the run is taken to be meant quasi-static; empty for other runs, which are not checked.
+        kinetic: largest kinetic energy over the largest elastic energy [-]. If ends are driven, both are sought from
+            the first step to the time of the largest elastic energy, and the kinetic energy only until the first bond
+            or facet breaks. Otherwise both are sought in the last tenth of the records. None if there are fewer than
+            two records, or no elastic energy.
+        difference: largest difference between the forces of two force gauges over the largest of these forces [-],
+            in the records of `kinetic`. None unless exactly two gauges of the run record opposite forces.
+        servo: final force and prescribed final force [N] of each servo wall, by the index of the wall; without walls
+            whose prescribed force is 0.
+        meant: reason why the run should be quasi-static; empty for other runs, which are not checked.
     """
 
     kinetic: float | None

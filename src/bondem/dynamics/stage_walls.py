@@ -1,4 +1,4 @@
-"""Initial places of walls that hold facets of cells, for a stage that begins from a state."""
+"""Initial places of walls that fix facets of cells, for a stage of loading that begins from a state."""
 
 from typing import cast
 

@@ -87,7 +87,13 @@ class Walled(ABC):
         return float(upper[0] - lower[0])
 
     def face_centre(self, face: str) -> Vector:
-        """Return the centroid of a face [m], (3,). A load on the face acts through this point."""
+        """Return the point through which a load on a face acts [m], (3,).
+
+        It is the centre of this side of the bounding box, or of the whole box for a face that is no side of a box.
+
+        Raises:
+            InputError: The shape has no such face.
+        """
         self._check_face(face)
         bounds = self.bounds
         centre = 0.5 * (bounds[0] + bounds[1])

@@ -348,9 +348,9 @@ class Interaction(ABC):
         return EnergyParts(*beam_energies(pose, self._beams(strain, integrity)))
 
     def indices(self, pose: Floats, arrays: Arrays, kind: str, strengths: Strengths) -> PerBond:
-        """Return the failure index of each bond by a criterion [-], 0 where broken, internal order, (m,).
+        """Return the failure index of each bond by a criterion [-], 0 for broken bonds, internal order, (m,).
 
-        Poses of cells must contain their stresses λ θ [Pa].
+        `pose` (n, 8) must contain the stresses λ θ of cells [Pa], and `kind` is `BondCriterion.kind`.
         """
         beams = self._beams(arrays["rest_strain"], arrays["integrity"])
         found = FailureIndices(np.zeros(len(beams.i)))

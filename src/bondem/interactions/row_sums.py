@@ -1,4 +1,4 @@
-"""Sums over the bonds or facets of each element: their rows, and what enters them."""
+"""Sums over the bonds or facets of each element: rows of tables with these sums, and products of vectors for them."""
 
 import numpy as np
 

@@ -1,7 +1,7 @@
-"""Part of a step: the passes of one subject, such as contact, by the stages of a step.
+"""Parts of a time step: the passes for one subject, such as contact, sorted by the stages of the step.
 
-A step is composed of parts, and each part provides passes for some stages. The passes of a stage are those of all
-parts, in the order of the parts. A model without a subject has no part for it.
+A pass is a function of the compiled core. A step runs the stages in order; each stage runs the passes of all parts
+for it, in the order of the parts. A model has no part for a subject that it lacks.
 """
 
 from collections.abc import Callable, Iterable, Mapping

@@ -1,4 +1,4 @@
-"""Products of a stiffness with small motions, by derivatives of the forces that are exact to rounding."""
+"""Products K u of a stiffness and small motions, from derivatives of the forces that are exact to rounding."""
 
 from collections.abc import Callable
 

@@ -52,7 +52,7 @@ class Same:
 
 
 class Piece:
-    """Piece of a body: points with vertices, lines or polygons, or cells as polyhedra.
+    """Piece of a body in a growing file: points with vertices, lines or polygons, or polyhedra.
 
     Args:
         group: HDF5 group of the piece, which `begin` creates.

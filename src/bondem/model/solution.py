@@ -1,4 +1,4 @@
-"""Common part of the results of all solvers."""
+"""Common part of the results of explicit, static and modal solutions."""
 
 from dataclasses import dataclass
 from enum import Enum
@@ -20,7 +20,7 @@ class Status(Enum):
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Solution:
-    """Common part of the results of all solvers.
+    """Common part of the results of `solve_explicit`, `solve_static` and `solve_modes`.
 
     Attributes:
         status: outcome of the solution.

@@ -21,16 +21,16 @@ from bondem.observables.posed_state import posed
 
 @dataclass(frozen=True, eq=False)
 class BrokenBonds:
-    """Broken bonds or facets in the order of breakage; those of one step are in internal order.
+    """Broken bonds or facets in the order of breakage; those of one step are in the internal order of bonds.
 
-    In a second stage the state keeps earlier breakages; steps are counted within the stage.
+    A run that continues from a state keeps the breakages of this state, and numbers its own steps anew.
 
     Attributes:
         time: time of breakage [s], shape (e,).
-        step: step of breakage, shape (e,).
-        bond: user's number of the bond, shape (e,).
+        step: number of the time step of breakage within its run [-], shape (e,).
+        bond: user's number of the bond or facet [-], shape (e,).
         mode: "tension", "shear", "bending" or "twisting", shape (e,).
-        gap: elongation of a bond from its rest length, or opening of a facet along its normal [m], (e,).
+        gap: elongation of a bond from its rest length, or opening of a facet along its normal [m], shape (e,).
         energy: energy released [J], shape (e,).
         position: contact point of the bond, or middle of the facet [m], shape (e, 3).
         opening_steps: number of time steps from the onset of softening to complete loss [-], shape (e,): 0 for the

@@ -25,10 +25,14 @@ def crack_index(
 ) -> PerBond:
     """Compute the index of the criterion of each facet at the stress σ* (see `bd.Rankine`).
 
-    Broken facets have index 0, softening ones 1. For `bd.Rankine` the index is the largest principal stress of σ*
-    over the strength. It does not exceed the opening traction along the principal directions over the strength along
-    them. In compression it does not exceed the index of the traction alone. For other criteria facets in compression
-    have index 0. Facets of material planes have the index of their traction.
+    Broken facets have index 0, softening ones 1. For `bd.Rankine` and `bd.MohrCoulomb` the index is the least of
+
+    - the largest principal stress of σ* over the strength,
+    - the largest ratio of opening traction to strength among the principal directions of the mean stress,
+    - the index of the traction alone, if the facet is in compression.
+
+    Facets of material planes, which only these criteria have, have the index of their traction. For other criteria
+    the index is that of σ*, and 0 for facets in compression.
 
     Args:
         model: model whose facets may crack.
@@ -38,6 +42,10 @@ def crack_index(
 
     Returns:
         Index [-], user's order, shape (m,).
+
+    Raises:
+        InputError: The model has no cells, `motion` is of another model, or a state with cracks was changed after its
+            last step.
     """
     body = model.lattice
     facets, _ = body_of(body)

@@ -1,7 +1,7 @@
 """Cell sizes that vary in space, and the number of such cells in a shape.
 
-The size h of a cell is the cube root of its volume. A shape holds ∫ dV / h³ cells. The shape is halved into cubes
-until these are smaller than the cells there; the cubes are also the possible initial places of centres.
+The size h of a cell is the cube root of its volume. A shape has room for ∫ dV / h³ cells. The shape is halved into
+cubes until these are smaller than the cells there; the cubes are also the possible initial places of centres.
 """
 
 from collections.abc import Callable

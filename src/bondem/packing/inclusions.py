@@ -43,9 +43,9 @@ def aggregates(shape: Shape, sieve: Sieve, *, fraction: float, gap: float, seed:
     Args:
         shape: shape of the body, not periodic.
         sieve: grading curve, with diameters in metres.
-        fraction: volume of the balls over that of the shape, met to half a mean ball [-].
-        gap: smallest gap between their surfaces [m], met to 10 %; half as much to walls. Cells of size h need 1.2 h.
-        seed: number that selects one of the random arrangements.
+        fraction: volume of the balls over that of the shape, accurate to half the volume of a mean ball [-].
+        gap: least gap between two balls [m], accurate to 10 %; half of it to walls. Cells of volume h³ need 1.2 h.
+        seed: number that selects one of the random arrangements [-].
 
     Returns:
         The balls, as a region.

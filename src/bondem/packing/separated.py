@@ -1,4 +1,4 @@
-"""A start for spheres of two very different sizes: large ones are separated first, and small ones fill the rest.
+"""Initial places of spheres of two very different sizes: large ones are separated first, small ones fill the rest.
 
 If all are placed at once, small spheres are caught between large ones that overlap deeply. A large sphere touches as
 many small ones as fit on its surface, a hundred at a ratio of 1 : 5. With equal masses it is too stiff for the steps

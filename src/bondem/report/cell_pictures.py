@@ -47,7 +47,7 @@ def draw_cells(
         solid: polygons of the cells.
         colour: red, green and blue of each cell in 0 … 1, (n, 3).
         view: direction of view.
-        moved: displacements of the corners of the polygons [m], (v, 3).
+        moved: displacements of the corners of the polygons as drawn [m], (v, 3); None for zero.
         shown: mask of the cells to draw, (n,); None for all.
         piece: fragment of each cell, (n,), so that faces between fragments are drawn; None for one fragment.
         scale: units of the axes per metre.

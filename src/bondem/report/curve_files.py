@@ -14,7 +14,10 @@ _Columns = Mapping[str, Any]
 
 
 def write_curves(findings: Findings, out: Path) -> dict[str, list[str]]:
-    """Write the curves of a study into `curves/`, one file per curve and packing.
+    """Write the curves of a study into `curves/`.
+
+    Each test has a file per curve and packing. The layering and the distribution of centres are those of the first
+    packing. The calibration has one file, and so have the stresses and strains in tension of all packings.
 
     Args:
         findings: contents of the report.

@@ -15,14 +15,16 @@ def draw_spheres(
     ax: Axes, lattice: Lattice, colour: Floats, *, view: View, moved: Floats | None = None, shown: Mask | None = None,
     scale: float = 1e3,
 ) -> None:  # fmt: skip
-    """Draw elements as spheres, without those whose displacement is more than half the extent off the median.
+    """Draw elements as spheres, except those that have flown away.
+
+    Their displacement differs from the median by more than half the largest extent of the specimen.
 
     Args:
         ax: axes to draw on.
         lattice: the specimen.
-        colour: red, green and blue in 0 … 1, (n, 3).
+        colour: red, green and blue of each element in 0 … 1, (n, 3).
         view: direction of view.
-        moved: displacements as drawn [m], (n, 3); None for none.
+        moved: displacements as drawn [m], (n, 3); None for zero.
         shown: mask of the elements to draw, (n,); None for all.
         scale: units of the axes per metre.
     """

@@ -76,7 +76,7 @@ def turning_cells_of(one: Examined) -> TurningCells:
 
 
 def _clearest(place: Floats, solid: Polyhedra, seen: Ints, label: Ints) -> View:
-    """Return the one of eight views that shows the largest area of all fragments but the two heaviest."""
+    """Return the best of eight views: that in which fragments other than the two heaviest have the largest area."""
     start = solid.start[seen]
     a, b, c = (place[start + k] for k in range(3))
     area = np.cross(b - a, c - a)  # of the first triangle of each polygon

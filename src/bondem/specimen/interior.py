@@ -60,7 +60,7 @@ def core_volume(shape: Shape, depth: float) -> float:
 
 @dataclass(frozen=True, eq=False)
 class Solid:
-    """The volume of spheres represented by points, so that it can be counted in any region.
+    """Volume of spheres represented by points, whose sum in any region approximates the volume of spheres there.
 
     Attributes:
         position: points inside the spheres [m], shape (p, 3).

@@ -1,4 +1,4 @@
-"""The internal order of elements and bonds.
+"""The internal order, in which the core stores elements and bonds.
 
 Bodies follow each other. The elements of each lie along a Morton curve, so that neighbours in space are neighbours
 in memory. Bonds are sorted by their farther element j > i, then by i. A pass over the bonds then streams along the

@@ -1,7 +1,8 @@
 """Equilibrium of laws whose stresses lag one iteration behind the motions.
 
-F_t = A τ holds for any tangential forces that agree with the stress that they cause, so that equations of equilibrium
-alone do not determine them. The equilibrium is the end of a path from the unloaded state, in rounds of
+The tangential force F_t of a bond is A τ, with its area A and the shear stress τ that all forces cause. Many sets of
+forces satisfy this, so that the equations of equilibrium alone do not determine them. The equilibrium is the end of a
+path from the unloaded state, in rounds of
 
     K u' = f + nodal loads of the extra forces e,    e' = e(σ, δ_t) of the motion u'
 

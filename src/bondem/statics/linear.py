@@ -257,7 +257,7 @@ class Iteration:
         return solution, rounds
 
     def approximate(self, residual: Floats) -> Floats:
-        """Return an approximation of (Sᵀ K S)⁻¹ times residuals of shape (6 n,) or (6 n, k)."""
+        """Return approximately (Sᵀ K S)⁻¹ r for residuals r in scaled unknowns, (6 n,) or (6 n, k)."""
         z = residual + self.coarse(residual)
         # the clusters hardly resist rigid motion of the whole: rounding errors along it in a residual would grow a
         # billionfold, and iterations on a free specimen would stall or diverge near 1e-10

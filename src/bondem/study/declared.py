@@ -82,7 +82,7 @@ class Counts(Key):
 
 @dataclass(frozen=True)
 class Text(Key):
-    """Key of a text, one of `choices` if there are any."""
+    """Key of a text: one of `choices`, or any text if `choices` is empty."""
 
     choices: tuple[str, ...] = ()
 

@@ -1,5 +1,5 @@
-// Adhesion on a device: a thread finds the force of one pair, then a thread adds the forces of pairs and walls
-// on one element.
+// Adhesion on a device. A pass with one thread per pair computes the forces. Passes with one thread per element add
+// the forces of its pairs and of the walls that it touches.
 #pragma once
 #include "../passes/contacts/adhesion.hpp"
 #include "contacts.hpp"

@@ -1,10 +1,10 @@
 // Failure of beams on a device, in the stages of the CPU (`passes/damage/pipeline.hpp`). Facets and pairs of the
 // non-local law share some of these functions.
 //
-// Beams: a thread marks one beam as it computes its loads, and a thread evaluates one marked beam and lists it if it
-// fails, in any order. A thread finds the place of one failed beam in the order of bonds, and a thread removes it.
-// Elements: a thread keeps the sum of one postponed element, subtracts its failed beams in the order of bonds, and
-// resumes it. One thread adds up all released energies.
+// Passes with one thread per beam compute its loads and mark it, evaluate marked beams, and list those that fail, in
+// any order. Passes with one thread per failed beam sort the list in the order of bonds, and remove the beams. Passes
+// with one thread per element keep the sums of postponed elements, subtract their failed beams in the order of bonds,
+// and resume the elements. A single thread adds up all released energies.
 #pragma once
 #include "../passes/damage/beam_verdicts.hpp"
 #include "../passes/damage/pipeline.hpp"

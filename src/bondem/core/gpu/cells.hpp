@@ -1,5 +1,5 @@
-// Bodies of cells on a device: a thread computes one facet, one cell, one traction, or all walls of one row
-// of the boundary.
+// Bodies of cells on a device. Passes have one thread per facet, per cell, per traction, or per row of the boundary,
+// whose thread computes all walls of the row.
 #pragma once
 #include "../passes/cells/accumulation.hpp"
 #include "../passes/cells/cell_passes.hpp"

@@ -1,9 +1,8 @@
-// Contacts on a device: a thread computes one listed pair, then a thread adds the forces of pairs and walls
-// on one element.
+// Contacts on a device. A pass with one thread per listed pair computes its force. Passes with one thread per element
+// add the forces of its pairs and of the walls that it touches.
 //
-// Every pair of the list is evaluated in each step, so that distances need not be measured between two lists. If an
-// element or a wall moves beyond the reach of the list, the run stops: later launches do nothing, and the CPU
-// makes a new list.
+// Each step evaluates every pair of the list. A list is valid until an element or a wall has moved by its reach. Then
+// the run halts: launches of later passes do nothing until the CPU has made a new list.
 #pragma once
 #include "../passes/contacts/contact_passes.hpp"
 #include "../passes/contacts/face_contacts.hpp"

@@ -1,5 +1,5 @@
-// Forces that criteria of cracks need, stresses of cells, and facets that begin to crack, on a device: a thread
-// computes one facet or adds up one cell.
+// Stresses of cells, and facets that begin to crack, on a device. Passes have one thread per facet, or one per cell
+// that adds up its facets.
 #pragma once
 #include "../passes/cells/cell_passes.hpp"
 #include "../passes/cracks/onset_of_facets.hpp"

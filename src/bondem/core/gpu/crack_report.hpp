@@ -1,4 +1,4 @@
-// Energies of bodies with cracks on a device, portion by portion.
+// Energies of bodies with cracks on a device, by one thread per portion of facets or cells.
 #pragma once
 #include "crack_onset.hpp"
 #include "record.hpp"

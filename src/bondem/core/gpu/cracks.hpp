@@ -1,8 +1,9 @@
-// Cracks on a device: a thread computes one crack, or adds up one cell. There are no lists of cracks: places and
-// halves have the numbers of their facets, and the list of the halves of a cell is made by the thread of the cell.
+// Cracks on a device. Passes have one thread per facet, which computes its crack, or one per cell, which adds up its
+// cracks. There are no lists of cracks: the data of a crack and of its halves are at the number of the facet. The
+// thread of a cell makes the list of its halves.
 //
-// Changes of a cell by several cracks are added by the thread of the cell, in the order of the CPU, from the flags of
-// its facets in this step: `flag` of active cracks, `waking` of resting ones.
+// If several cracks change a cell in a step, the thread of the cell adds the changes in the order of the CPU. It
+// reads them from the flags of its facets: `flag` for active cracks, `waking` for resting ones.
 #pragma once
 #include "../passes/contacts/face_contacts.hpp"
 #include "../passes/contacts/handover.hpp"

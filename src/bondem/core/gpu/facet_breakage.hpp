@@ -1,9 +1,10 @@
-// Breakage of facets of cells on a device: a thread marks, evaluates or removes one facet. Further threads postpone
-// the neighbours of cells that lose facets, exchange the loads of one postponed cell, and set the weight of one cell.
+// Breakage of facets of cells on a device. Passes with one thread per facet mark, evaluate or remove it. Passes with
+// one thread per cell postpone the neighbours of cells that lose facets, change the loads of postponed cells, and set
+// the weights λ / V of cells.
 //
-// The stages are those of the CPU (`passes/cells/facet_failure.cpp`), which has lists of cells; here each thread
-// reads the reason for which its cell is postponed. Facets fail in their order: a thread finds the energy of its
-// facet without the facets that fail earlier.
+// The stages are those of the CPU (`passes/cells/facet_failure.cpp`). The CPU has lists of cells; here each thread
+// reads the reason for which its cell is postponed. Facets of one step count as failing one after the other: the
+// energy of a facet is that without the facets of smaller numbers that fail in this step.
 #pragma once
 #include "../passes/cells/cell_passes.hpp"
 #include "../passes/cells/facet_removal.hpp"

@@ -1,5 +1,5 @@
-// Motion on a device: a thread adds up the loads on one element, in the same order of bonds as the CPU,
-// and moves it.
+// Motion on a device: one thread per element adds up the loads on it, in the same order of bonds as the CPU, and
+// moves it.
 #pragma once
 #include "../passes/motion/body_forces.hpp"
 #include "../passes/motion/moving.hpp"

@@ -1,5 +1,5 @@
-// Contacts on a device that begin where bonds have broken, or cracks have parted, in a step: a thread begins one
-// contact, then a thread adds the contacts of one element.
+// Contacts that begin where bonds have broken or cracks have parted in a step, on a device. One thread per contact
+// begins it, then one thread per element adds the forces of its new contacts.
 #pragma once
 #include "../passes/contacts/handover.hpp"
 #include "breakage.hpp"

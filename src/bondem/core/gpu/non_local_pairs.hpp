@@ -1,8 +1,8 @@
-// Bonds of the non-local law on a device: a thread finds the force of one bond, then a thread finds the stress of one
-// element, then a thread evaluates one bond by the stresses of its ends. Further threads remove one failed bond, and
-// relieve one element.
+// Bonds of the non-local law on a device. Successive passes compute the forces of bonds (one thread per bond), the
+// stresses of elements (one thread per element), and the index of each bond by the stresses of its ends. Further
+// passes remove failed bonds, and subtract them from the stresses of their elements.
 //
-// The stress of an element adds up its bonds and contacts in the order of the CPU.
+// The stress of an element is the sum over its bonds and contacts in the order of the CPU.
 #pragma once
 #include "../passes/non_local/non_local_passes.hpp"
 #include "../passes/non_local/own_stress.hpp"

@@ -1,4 +1,4 @@
-// Calls of CPU passes by a thread of a device, with the range of one index.
+// Calls of passes of the CPU on a device: each thread calls the pass for a single index.
 #pragma once
 #include "../steps.hpp"
 #include "../tables/device_tables.hpp"

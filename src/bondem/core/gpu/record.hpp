@@ -1,5 +1,6 @@
-// Energy balance and gauges on a device: a thread adds one portion of elements, or one part of a gauge, to exact
-// sums; one thread evaluates or writes the balance, and a thread writes one component of a gauge.
+// Energy balance and gauges on a device. One thread per portion of elements, or per part of a gauge, adds its values
+// to exact sums. A single thread checks the energy, or writes the balance. One thread per component of a gauge writes
+// the value.
 #pragma once
 #include "../passes/record/reading.hpp"
 #include "../passes/record/record.hpp"

@@ -1,5 +1,5 @@
-// Rolling resistance on a device: a thread computes one pair, then a thread adds the moments of pairs and walls
-// on one element.
+// Rolling resistance on a device. A pass with one thread per pair computes its moments. Passes with one thread per
+// element add the moments of its pairs and of the walls that it touches.
 #pragma once
 #include "../passes/contacts/rolling.hpp"
 #include "contacts.hpp"

@@ -1,6 +1,6 @@
-// Beams that soften, on a device: a thread lowers the integrity of one row of the lists, a thread adds up the
-// dissipation of one portion, a thread loads one beam, and a thread softens one marked beam before loads are
-// gathered. One thread logs broken beams and begins rows.
+// Beams that soften, on a device. One thread per listed beam lowers its integrity, one per portion adds up the
+// dissipation, and one per beam computes the loads. Before loads are gathered, one thread per marked beam begins its
+// softening. A single thread logs broken beams and adds beams to the lists.
 //
 // The stages are those of the CPU (`passes/damage/beam_softening.cpp`), in the same order of rows and bonds.
 #pragma once

@@ -1,5 +1,6 @@
-// Strains that change, on a device: one thread updates the factors, a thread stretches one facet or computes one
-// beam or portion, and one thread adds up the work (`passes/boundary/strains.cpp`, `passes/cells/cell_strains.cpp`).
+// Stress-free strains that change, on a device (`passes/boundary/strains.cpp`, `passes/cells/cell_strains.cpp`). A
+// single thread updates the factors of the strains and adds up their work. Other passes have one thread per facet,
+// beam or portion.
 #pragma once
 #include "../passes/boundary/strained_beam.hpp"
 #include "../passes/cells/cell_passes.hpp"

@@ -1,7 +1,7 @@
-// Facets that begin to crack by a function of the stress, on a device: a thread per cell, facet or candidate.
+// Facets that begin to crack by a function of the stress, on a device, with one thread per cell, facet or candidate.
 //
-// Candidates are in a list in any order. The number of one that does not fail is replaced, so that the second
-// evaluation of the function concerns failed ones only. The CPU evaluates the function of a user between two passes.
+// The list of candidates has any order. The number of a candidate that does not fail is set to -1, so that the second
+// evaluation of the function omits it. The function of a user is evaluated on the CPU, between two passes.
 #pragma once
 #include "../laws/criteria/cone.hpp"
 #include "../laws/criteria/mean_stress.hpp"

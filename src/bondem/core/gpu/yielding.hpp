@@ -1,4 +1,4 @@
-// Cells that yield on a device, and cracks under strains that change: a thread evaluates one cell, or updates one
+// Cells that yield, and cracks under stress-free strains that change, on a device. Passes have one thread per cell,
 // facet or wall. Loads on free facets add their work to the rows of their cells.
 #pragma once
 #include "../passes/cracks/strained_cracks.hpp"

@@ -2,7 +2,7 @@
 //
 //     U = s U0 + (1 - s) ½ kn ⟨L - ℓ⟩²        ⟨x⟩ = x where positive, else 0
 //
-// with U0 the energy of the whole beam (`beam.hpp`). All stiffnesses fall in proportion to s, but the beam carries
+// with U0 the energy of the intact beam (`beam.hpp`). All stiffnesses fall in proportion to s, but the beam carries
 // compression as if it were intact. Forces are the exact gradient at fixed s: those of U0 times s, and a pressure
 // (1 - s) kn ⟨L - ℓ⟩ along the branch, which pushes the ends apart. Softening dissipates
 //

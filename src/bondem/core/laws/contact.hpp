@@ -16,8 +16,8 @@
 //
 //     F_t = 2 μ N / (1 + √(1 - 4 μ² N h))
 //
-// The stiffness of a spring may change from step to step, as between faces that slide out of each other. The spring
-// then keeps its force as it stiffens and its stretch as it softens, so that its energy never grows by the change
+// The stiffness of a spring may change from step to step, as between faces whose common area changes. The spring then
+// keeps its force as it stiffens and its stretch as it softens, so that the change never increases its energy
 // (Thornton, Cummins and Cleary, Powder Technology 233, 2013).
 //
 // Signs: the normal is from the first body to the second, velocities are of the second against the first, and the

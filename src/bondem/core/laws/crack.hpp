@@ -3,32 +3,34 @@
 // Half p of a facet of stiffness k has the part w_p of its compliance, so its own stiffness is k / w_p. A crack has
 // an orthonormal frame e_1, e_2, e_3 that turns with cell i; e_1 is its normal. Along e_d half p keeps the share s⁺_d
 // of a force that pulls and s⁻_d of one that presses. Springs s / (1 - s) k / w_p in series with it represent the
-// loss, and their opening u_p is eliminated. With δ the gap of the two faces less their slip, σ_p = λ θ of the cell,
-// and g_p = R_p s_p with the share s_p of the facet in the swelling V θ of the cell (`cell.hpp`),
+// loss; their opening u_p is eliminated. D is the gap of the two faces, ξ their slip, σ_p = λ θ the stress of cell p,
+// and g_p the vector of the facet in V_p θ_p = Σ g_p·D of an intact cell (R_p s_p in `cell.hpp`). With δ = D - ξ,
 //
-//     F_p = k δ + σ_p g_p / w_p                                                force of the whole half
+//     F_p = k δ + σ_p g_p / w_p                                                force of the intact half
 //     L_p = Σ_d [(1 - s⁺_d) ⟨F_p·e_d⟩ + (1 - s⁻_d) min(F_p·e_d, 0)] e_d        lost part of this force
 //     u_p = w_p L_p / k        V_p θ_p = Σ g_p·δ - g_p·L_p / k
 //     f = Σ_p w_p (F_p - L_p) + q
 //
 //     s⁺_1 = s_1    s⁺_2 = γ s_2    s⁺_3 = γ s_3        s⁻_1 = 1    s⁻_2 = s⁻_3 = γ
 //
-// A crack of the material loses s_d along each direction separately. It keeps the traction along itself, as in the
-// material beside it, and transmits pressure along e_1 with Lamé's λ, as whole material does. The grip γ on traction
-// along the crack is 1 until its faces are far apart. A facet of a material plane, or of a cell without cohesion, has
-// e_1 = n and one integrity, s_1 = γ = s: it loses all but the pressure across it. q = (1 - γ) k (δ_t - slip) is
-// friction on the broken part of such a facet, and on a crack of the material once γ = 0. It is at most μ (1 - γ)
-// times the pressure along e_1. An open crack has no friction (Alfano and Sacco 2006).
+// A crack of the material has an integrity s_d along each direction. It keeps the stress along the crack, as in the
+// material beside it, and transmits pressure along e_1 as intact material does. The grip γ on traction along the
+// crack is 1 until its faces are far apart. A facet of a material plane, or of a cell without cohesion, has e_1 = n
+// and a single integrity: s_1 = γ = s and s_2 = s_3 = 1. It loses all but the pressure across it.
+//
+// Friction q = (1 - γ) k (D - ξ)_t, with the part t normal to e_1, acts on the broken part of such a facet, and on a
+// crack of the material once γ = 0. There δ = D - (ξ·e_1) e_1: q has the slip along the crack. |q| is at most
+// μ (1 - γ) Σ w_p ⟨-F_p·e_1⟩, so that an open crack has no friction (Alfano and Sacco 2006).
 //
 // Energy U: halves store ½ k / w |w δ - u|², their springs ½ s (1 - s) w (F·e_d)² / k for s⁺ or s⁻, friction
 // ½ |q|² / (1 - γ) k, and bending s 2 v·H v with v the vector part of q_i* q_j and s the least of s_1, s_2, s_3.
 //
-// Signs: f acts on cell i, -f on j; δ is from i to j, so tension is positive. The couple of the frame that turns with
-// cell i follows from the balance of angular momentum: all torques and δ × f together are zero.
+// Signs: f acts on cell i, -f on j; D is from i to j, so tension is positive. The couple of the frame that turns with
+// cell i follows from the balance of angular momentum: all torques and D × f together are zero.
 //
-// The dissipation of a crack in a step is -∂U/∂s times the loss of each integrity. The rate is the geometric mean of
-// those before and after, which is exact where the opening keeps its direction: then works by the trapezoidal rule,
-// energy and dissipation add up to zero.
+// The dissipation of a crack in a step is -∂U/∂s times the loss of each integrity, with the geometric mean of the
+// rates -∂U/∂s before and after the step. This mean is exact where the opening keeps its direction: the work by the
+// trapezoidal rule then equals the change of energy and the dissipation.
 #pragma once
 #include "../select.hpp"
 #include "cell.hpp"

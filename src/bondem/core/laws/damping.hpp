@@ -4,9 +4,9 @@
 // eqs (11) and (12), where F U / U is printed for F): it vanishes in equilibrium.
 //
 // A bond has a dashpot parallel to each of its springs, against the relative motion of its ends at the contact point.
-// The levers of this point add up to the present distance: no net moment, and no force in rigid motion. Chen et al.
-// (2022), eqs (9) and (10), each component with its own stiffness. Tension positive; the force acts on j, and its
-// opposite on i.
+// The levers of this point add up to the present distance, so that there is no net moment, and no force in rigid
+// motion. Each dashpot follows from the stiffness of its own spring, by eqs (9) and (10) of Chen et al. (2022).
+// Tension positive; the force acts on j, and its opposite on i.
 #pragma once
 #include "beam.hpp"
 

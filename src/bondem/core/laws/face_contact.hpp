@@ -3,14 +3,14 @@
 //     u = ½ g·(n_b - n_a)      A_ab = w A_0 (1 - g²/R²)²      A_0 = 2 A_a A_b / (A_a + A_b),  R² = 3 (A_a + A_b) / 2π
 //
 // with g from the centroid of face a to that of face b, n their outward normals, and w the weight of the pair.
-// Centroids further apart than R do not overlap. The area integrated over all lateral places is A_a A_b, as that of
-// the true polygons: faces that cover a plane, on others that cover it, have its area on average.
+// Faces whose centroids are further apart than R do not overlap. The integral of the area over all lateral places is
+// A_a A_b, as for the true polygons: two sets of faces that each cover a plane have the area of the plane on average.
 //
 // Energy: U = ½ κ A_ab (u - u0)², κ = 2 κ_a κ_b / (κ_a + κ_b) with κ = k / A of the facets, and u0 the overlap with
 // which the contact began. Forces and torques are its exact gradient: F (n_a - n_b) / 2 along the normals, and
 // 4 U (1 - g²/R²)⁻¹ g / R² where faces slide out of each other; they have neither a net force nor a net moment.
 //
-// Signs: forces act on cell b. Limits: faces are taken as compact; rotations within a step small.
+// Signs: forces act on cell b. Limits: faces are assumed to be compact, and rotations within a step to be small.
 #pragma once
 #include "../vector3.hpp"
 

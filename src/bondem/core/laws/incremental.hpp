@@ -11,7 +11,7 @@
 //
 //     torque on i = a' n × F + M      torque on j = (ℓ - a') n × F - M      a' = a + (ℓ - L) / 2
 //
-// The stiffnesses are those of the beams (`beam.hpp`). Plasticity and rate laws need it, and users compare with it.
+// The stiffnesses are those of the beams (`beam.hpp`). Plasticity and rate laws need this formulation.
 //
 // The papers do not say at which instant of a step the rates are taken. Here it is the middle, where the velocities
 // are: half of the rate is added, the stored vector is turned by the Cayley transform of Ω dt, which keeps its length

@@ -1,4 +1,4 @@
-// Linear contact: a spring whose stiffness follows from an effective modulus, as that of a bond does.
+// Linear contact: a spring whose stiffness follows from an effective modulus, like that of a bond.
 //
 //     F = kn u,   kn = E A / L        two spheres: A = π min(R_i, R_j)²,  L = R_i + R_j
 //                                     at a rigid wall: A = π R²,  L = R

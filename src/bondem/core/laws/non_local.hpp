@@ -1,8 +1,9 @@
 // The non-local law of Celigueta, Oñate et al. (2020): a bond follows the mean stress of its two elements.
 //
-// A bond of area A between centres L apart has two faces, at the levers b_i and b_j that turn with its elements;
-// their gap is δ, with the parts δ_n along the normal n and δ_t across it. σ is the mean stress of both elements,
-// found by the forces of the step before. With kn = A E / L and kt = A G / L, tension positive,
+// A bond of area A joins two elements whose centres are L apart. It has a face on each element, at the levers b_i and
+// b_j, which turn with the elements. The gap of the faces is δ, with δ_n along the normal n and δ_t across it. σ is
+// the mean stress of both elements by the forces of the step before. With kn = A E / L and kt = A G / L, tension
+// positive,
 //
 //     F = kn δ_n n + kt δ_t + e                                             eqs (2), (3), (6)
 //     e = A ν (tr σ - n·σ n) n + t - kt δ_t⁻      t = A (σ n - (n·σ n) n)

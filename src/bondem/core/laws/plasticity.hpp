@@ -10,8 +10,9 @@
 //     F = √J2 + α I1 - r k        H = G + 9 K α β               Δε = Δγ [s / 2 √J2 + β 1]
 //
 // so that in pure shear τ both dissipate τ Δγ, and F falls by H Δγ if all cells slip by Δγ at constant total strain.
-// γ is the mean slip of cells about half the width B of a shear band away: a band that slips by s has γ = s / B
-// whatever its profile is, if it is thinner than B/2 (`damage/shear_bands.py`), and dissipates G_II per area.
+// γ is the mean slip of the cells at a distance of about B/2, with the width B of a shear band
+// (`damage/shear_bands.py`). A band that slips by s and is thinner than B/2 has γ = s / B for any profile, and
+// dissipates G_II per area.
 //
 // The slip of step n follows from values of F after the previous steps:
 //

@@ -4,8 +4,8 @@
 //
 //     t = tan = ± σ_pq / (|d| + √(d² + σ_pq²)), the sign that of d      σ_pp ← σ_pp - t σ_pq,   σ_qq ← σ_qq + t σ_pq
 //
-// Sweeps over the three planes converge quadratically; after the third only rounding errors remain. A component below
-// rounding is not cleared, so a stress whose sweeps are done does not change while those of other lanes continue.
+// Sweeps over the three planes converge quadratically. After the third sweep only rounding errors remain. A component
+// below rounding is not cleared: a stress that has converged does not change while stresses in other lanes continue.
 //
 // Source: Golub and Van Loan, Matrix Computations, 4th ed., section 8.5.
 #pragma once

@@ -4,8 +4,8 @@
 //
 //     q ← (cos h, sin h / h · r / 2) q,    h = |r| / 2
 //
-// Half angles below 0.2 rad take a series that is exact to rounding; larger ones are halved until they are below, and
-// doubled again. A step of a stable run turns an element by far less.
+// For half angles below 0.2 rad a series is exact to rounding. Larger ones are halved until they are below 0.2 rad,
+// and the result is doubled again. In a stable run a step turns an element by far less.
 #pragma once
 #include "../lanes.hpp"
 #include "../vector3.hpp"

@@ -1,13 +1,13 @@
 // Facets that lose their integrity: the integrity under given loads, by strength and fracture energy.
 //
-// With t the traction that a facet of the material would have if it were whole, n its normal, and e_1, e_2, e_3 the
+// With t the traction that a facet of the material would have if it were intact, n its normal, and e_1, e_2, e_3 the
 // axes that its crack keeps (`laws/crack.hpp`), each direction has its own criterion and its own integrity s_d:
 //
 //     T_d² = p_d² + b_d²        p_d = ⟨t·e_d⟩        b_d = b |n·e_d| / max |n·e|
 //     strength r f_t c_d        c_d = max(|n·e_d|, 0.2)        r = T_d / (p_d + b_d)
 //
 // Bending opens one edge of a facet more than the other: T_b = √(2 k U_b) / A is the rms of the tractions by which
-// its points differ, U_b the energy of bending of the whole facet, and b = ⟨T_b - max ⟨-σ_dd⟩⟩ the part that opens
+// its points differ, U_b the energy of bending of the intact facet, and b = ⟨T_b - max ⟨-σ_dd⟩⟩ the part that opens
 // the facet, with the mean stress σ of its two cells.
 //
 // An integrity follows the softening curve, and never rises: s T falls from the strength t_0 to 0 as the opening

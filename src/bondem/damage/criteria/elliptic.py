@@ -20,9 +20,9 @@ class Elliptic(BondCriterion):
 
         (ε⁺ / elongation)² + max(|θ_i|, |θ_j|) / rotation ≥ 1
 
-    with ε = (ℓ - L) / L, only where positive, and θ the angle between the beam's axis and that of its end. In ε and θ
-    the limit is a parabola; the name is that of the literature. Bonds without bending stiffness are evaluated in
-    every step, because no force indicates how far they have turned.
+    with ε = (ℓ - L) / L, only where positive. θ_i and θ_j are the angles between the axis of the beam and two axes
+    that are fixed to its ends and agree with it at rest. In ε and θ the limit is a parabola; the name is that of the
+    literature. Bonds without bending stiffness are evaluated in every step, because no force indicates their angles.
 
     Attributes:
         elongation: ε at which a straight beam breaks [-].

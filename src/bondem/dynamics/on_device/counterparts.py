@@ -1,7 +1,7 @@
 """Counterparts of all passes of a step: the launches on a device that compute the same.
 
 The parts of a step (`bondem.dynamics.parts`) compose it once, for the CPU and for devices. Each of its passes has a
-counterpart, so that a device runs whatever the CPU runs. Most are given by kernels with their numbers of indices
+counterpart, so that a device runs whatever the CPU runs. Most counterparts are kernels with their numbers of threads
 (`translation.over`, `in_order`). Counterparts that also make tables of the run are functions.
 """
 

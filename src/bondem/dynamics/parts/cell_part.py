@@ -1,4 +1,4 @@
-"""Part of a step for elastic cells: dilatation, facets, walls that hold facets, tractions, changing strains."""
+"""Part of a step for elastic cells: dilatation, facets, walls that fix facets, tractions, changing strains."""
 
 from collections.abc import Sequence
 from typing import NamedTuple

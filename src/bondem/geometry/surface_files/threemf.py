@@ -50,7 +50,8 @@ def read_3mf(name: str, data: bytes) -> Contents:
     """Read the bytes of a 3MF file; its objects are its named parts.
 
     Raises:
-        InputError: The file is no 3MF file, is damaged, or unpacks to more than a part can have.
+        InputError: The file is no 3MF file or is damaged, has no triangles, declares a document type, or exceeds a
+            limit: 1 GiB unpacked, 20 million triangles, 100 000 objects, or 50 levels of components.
     """
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:

@@ -113,7 +113,7 @@ class SpallTest(OfOneRun):
 
     @property
     def peak(self) -> float:
-        """Spall strength ½ ρ c Δu from the pull-back [Pa]; NaN if the velocity does not rise again."""
+        """Spall strength ½ ρ c Δu [Pa] from the velocity Δu of `pull_back`; NaN if that is None."""
         return math.nan if self.pull_back is None else self.bar.strength(self.pull_back)
 
     @property
@@ -123,7 +123,7 @@ class SpallTest(OfOneRun):
 
     @property
     def table(self) -> dict[str, Floats]:
-        """Velocity of the free end in time, by name and unit, (k,) each."""
+        """Columns of the velocity of the free end over time, by their names with units, (k,) each."""
         return {"time [s]": self.time, "velocity of the free end [m/s]": self.velocity}
 
 

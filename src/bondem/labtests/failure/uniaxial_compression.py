@@ -87,7 +87,7 @@ def compressed(
     reach: float | None,
     options: RunOptions,
 ) -> StrengthTest:
-    """Run the compression test named `test`; arguments, result and errors are those of `uniaxial_compression`."""
+    """Run the compression test named `test` as `uniaxial_compression` does; its other arguments are in `options`."""
     owner = f"labtests.{test}"
     number(owner, "pressure", pressure, unit="Pa", least=0.0)
     rough = number(owner, "platen_friction", platen_friction, least=0.0)

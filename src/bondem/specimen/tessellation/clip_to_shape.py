@@ -1,7 +1,7 @@
 """Cells cut by walls: split by the planes of all wall triangles inside them, until none is inside.
 
-Each piece carries the wall triangles within it, cut to the piece. It is split by the plane of the largest one, and
-so are its other triangles (a binary partition of space). A piece without triangles lies on one side of every wall.
+Each piece has a list of the wall triangles within it, cut to the piece. The plane of the largest triangle splits the
+piece and its other triangles (binary space partition). A piece without triangles lies on one side of every wall.
 """
 
 import numpy as np

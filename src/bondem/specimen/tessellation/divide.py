@@ -1,4 +1,4 @@
-"""Division of pieces that a wall separates from the centre of their cell among other elements."""
+"""Division, among other elements, of the pieces that a wall separates from the centre of their cell."""
 
 import numpy as np
 
@@ -10,17 +10,17 @@ from bondem.specimen.tessellation.polygon_buffer import new_buffer, polygon_buff
 
 
 def divided(solids: Solids, sphere: Floats, near: Ints, start: Ints, tolerance: float) -> tuple[Solids, Ints]:
-    """Divide solids among elements, each point to the one with the least power x² - R².
+    """Divide solids among elements: each point belongs to the element whose power |x - c|² - R² is least there.
 
     Args:
         solids: k solids.
         sphere: centres and radii of all elements [m], shape (n, 4).
-        near: elements among which solid s is divided, near[start[s]] … near[start[s + 1] - 1].
+        near: elements among which solid s is divided: near[start[s]] … near[start[s + 1] - 1].
         start: start of the elements of each solid in `near`, shape (k + 1,).
-        tolerance: depth of a plane in a solid below which it does not divide the solid [m].
+        tolerance: least depth to which a plane reaches into a solid that it divides [m].
 
     Returns:
-        The parts, and the element to which each belongs, (parts,). Faces between parts have tags up to `SPLIT`.
+        The parts, and the element to which each belongs, (parts,). Tags of faces between parts are `SPLIT` or less.
     """
     cell, owner, end = (np.empty(64, np.int64) for _ in range(3))
     lid, work = polygon_buffer(), polygon_buffer()

@@ -75,7 +75,7 @@ class Prism(Shape):
     """A regular prism with axis y = z = 0 and x in [0, length].
 
     Attributes:
-        radius: distance of its edges along x from the axis [m].
+        radius: distance from the axis to the edges that are parallel to it [m].
         length: length along x [m].
         sides: number of sides.
     """

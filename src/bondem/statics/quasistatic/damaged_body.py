@@ -1,9 +1,9 @@
 """Body of cells whose facets have any integrity, in small motions: its matrix, and the loads of its facets.
 
-A facet of integrity s is that of `core/laws/softening.hpp` near the reference. Each half in compression keeps its
-stiffness along the normal: it is k (s 1 + (1 - s) n⊗n), and its share of the dilatation likewise. A facet beside a
-pressure along its crack softens in one direction e alone: it is k (1 - (1 - s) e⊗e) where it opens, else k. Closed
-cracks have no friction. All values are for a load factor of 1, and proportional to it.
+A facet of integrity s follows `core/laws/softening.hpp`, for small motions. A half in compression keeps its stiffness
+along the normal n: its stiffness is k (s 1 + (1 - s) n⊗n), and its share of the dilatation changes likewise. A facet
+with a pressure along its crack softens in a single direction e: its stiffness is k (1 - (1 - s) e⊗e) where it opens,
+else k. Closed cracks have no friction. All values are for a load factor of 1, and proportional to the factor.
 """
 
 from dataclasses import dataclass, replace
@@ -72,7 +72,7 @@ class DamagedBody:
     Attributes:
         integrity: integrity of the facets, (m,).
         closed: mask of the halves of cracked facets in compression, (m, 2).
-        across: unit vectors along which facets soften alone, zero for all directions, (m, 3).
+        across: unit vector of the only direction in which each facet softens, zero if it softens in all, (m, 3).
         area: areas of the facets [m²], (m,).
         system: the whole body and its supports.
         given: V θ of cells with all elements at rest, by moved walls and by tractions on free facets [m³], (n,).
@@ -207,7 +207,8 @@ class DamagedBody:
             facets: internal numbers, each once, (c,).
             integrity: integrity of the facets, (c,) or one for all.
             closed: mask of their halves in compression, (c, 2) or (2,) for all.
-            across: unit vectors along which facets soften alone, zero for all directions, (c, 3); None keeps them.
+            across: unit vector of the only direction in which each facet softens, zero if it softens in all, (c, 3);
+                None for no change.
         """
         before = self._stiffness(facets)
         self._weigh(facets, -1.0)
@@ -245,7 +246,7 @@ class DamagedBody:
         return (self.across != 0.0).any(axis=1)
 
     def _along(self, facets: Ints) -> Floats:
-        """Return the direction in which facets soften alone, else their normal, (c, 3)."""
+        """Return the only direction in which each facet softens, or its normal if it softens in all, (c, 3)."""
         return np.where(self.in_one[facets, None], self.across[facets], self.weakened.normal[facets])
 
     def _apart(self, facets: Ints) -> Floats:

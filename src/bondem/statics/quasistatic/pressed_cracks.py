@@ -1,4 +1,4 @@
-"""Cracks beside a pressure along them, which has to stay as they open."""
+"""Cracks with a pressure along them, which must not fall as they open."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Facets that soften in steps: when the next step of each comes, and what it leaves."""
+"""Facets that soften in steps: load factor of the next step of each facet, and its integrity after the step."""
 
 import numpy as np
 
@@ -32,7 +32,7 @@ class SofteningFacets:
         return limit
 
     def fail(self, found: Loaded, facets: Ints, factor: float) -> tuple[Floats, Floats]:
-        """Return what facets have behind an event at a load factor: integrities (c,), directions (c, 3).
+        """Return the integrities (c,) and the directions (c, 3) of facets after an event at a load factor.
 
         Directions are those of `DamagedBody.across`. A facet that softens in one direction, and cracks across another
         one, softens in all from then on.

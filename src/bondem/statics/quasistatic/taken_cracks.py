@@ -18,11 +18,11 @@ class CrackedHalves:
     Attributes:
         facet: internal numbers of the facets, (c,).
         k: stiffnesses of the facets [N/m], (c,).
-        part: parts of cell i in their compliance [-], (c,).
+        part: share of cell i in the compliance of each facet [-], (c,).
         normal: normals in the reference [-], (c, 3).
-        across: unit vectors along which facets soften alone, zero for all directions, (c, 3).
+        across: unit vector of the only direction in which each facet softens, zero if it softens in all, (c, 3).
         left: integrities, 0 for broken facets [-], (c,).
-        force: forces of the halves on cells i and j, as if these had full integrity [N], (2, c, 3).
+        force: forces that the halves on cells i and j would have at full integrity [N], (2, c, 3).
     """
 
     facet: Ints

@@ -2,8 +2,8 @@
 //
 //     √J2 + α I1 ≥ k        J2 = ½ s : s of the deviator s,  I1 = σ1 + σ2 + σ3
 //
-// Tension positive. The index is the left side over k. Parameters: α [-], k [Pa], and 0, or 1 for cells that yield
-// under pressure: then the index is 0 for I1 ≤ 0.
+// Tension positive. The index is the left side over k. Parameters: α [-], k [Pa], and a flag. The flag is 1 if cells
+// yield under pressure, so that the index is 0 for I1 ≤ 0; else it is 0.
 #pragma once
 #include "../stress.hpp"
 

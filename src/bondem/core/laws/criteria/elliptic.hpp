@@ -2,8 +2,8 @@
 //
 //     (ε⁺ / ε_c)² + max(|θ_i|, |θ_j|) / θ_c ≥ 1
 //
-// with ε = (ℓ - L) / L, only where positive, and θ the angle between the axis of the beam and that of its end.
-// Coefficients: a = 1 / ε_c, b = 1 / θ_c.
+// with ε = (ℓ - L) / L, only where positive. θ_i and θ_j are the angles between the axis of the beam and two axes
+// that are fixed to its ends and agree with it at rest. Coefficients: a = 1 / ε_c, b = 1 / θ_c.
 //
 // Carmona, Wittel, Kun and Herrmann (2008), eq. (5) of arXiv:0711.2993, where ε² also counts in compression.
 #pragma once

@@ -1,4 +1,5 @@
-// The stiffness matrix of the facets of cells at rest, and the forms whose sum is the dilatation of each cell.
+// The stiffness matrix of the facets of cells at rest, and the linear forms of the motion whose sum over the facets
+// of a cell is its dilatation.
 #include "../../registered.hpp"
 #include "../../tables/stiffness_tables.hpp"
 #include "../../vector3.hpp"

@@ -1,4 +1,4 @@
-// Passes over beams that several sources or a device call.
+// Passes over beams that several source files or a device use.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/beam_softening_tables.hpp"

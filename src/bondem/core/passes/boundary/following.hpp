@@ -1,4 +1,4 @@
-// Contribution of one load, and of one driven degree of freedom, to its row at the time of a clock.
+// Contribution of one load, and of one driven degree of freedom, to its row of the boundary at the time of a clock.
 #pragma once
 #include "../motion/elements.hpp"
 #include "timeline.hpp"

@@ -1,4 +1,5 @@
-// Loads and prescribed velocities of the rows of the boundary at the time of the clock.
+// Loads and prescribed velocities at the time of the clock, for the rows of the boundary: one per element with a
+// boundary condition.
 #include "../../registered.hpp"
 #include "following.hpp"
 

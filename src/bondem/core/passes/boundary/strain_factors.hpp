@@ -1,7 +1,7 @@
 // Factors of the stress-free strains that change in time, of beams and of cells, and the work of these strains.
 //
-// The work is the trapezoid of ∂U/∂factor over the change of the factor. A step does nothing if no strain changes in
-// it or in the next one. The step before a change finds ∂U/∂factor, because the trapezoid needs it.
+// The work is the trapezoid of ∂U/∂factor over the change of the factor. The trapezoid needs ∂U/∂factor before the
+// change, so that the step before computes it. Other steps do nothing, except the first one of a call.
 #pragma once
 #include "../../exact_sum.hpp"
 #include "../../steps.hpp"

@@ -1,4 +1,4 @@
-// Passes over cells and their facets that several sources or a device call.
+// Passes over cells and their facets that several source files or a device use.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/cell_tables.hpp"

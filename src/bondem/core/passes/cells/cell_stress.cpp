@@ -1,6 +1,7 @@
-// Moments of cells from the forces of their facets: V σ = sym Σ b⊗f, with b from the centre of the cell to the facet.
+// Stress σ of cells from the forces f of their facets. Passes compute the moment V σ = sym Σ b⊗f of each cell, with
+// the lever b from its centre to the facet.
 //
-// Levers b and forces f are those of one instant, in space. The pass that sums forces sums b⊗f too.
+// Levers and forces are those of the same instant, along fixed axes. The pass that sums forces also sums b⊗f.
 #include "cell_passes.hpp"
 
 #include "../../registered.hpp"

@@ -1,4 +1,5 @@
-// Passes of the gradients of the dilatation, after the stresses of the cells and before the loads of the facets.
+// Passes for gradients of the dilatation (`gradients.hpp`): springs between the stresses of neighbouring cells, and
+// torques of bent layers. They run when the stresses of cells are known, and before the loads of facets are computed.
 #include "../../ledger.hpp"
 #include "../../registered.hpp"
 #include "cell_passes.hpp"

@@ -1,4 +1,4 @@
-// Facets, walls and neighbours of one cell, and the reasons for which a failure postpones the cell.
+// Facets, walls and neighbours of one cell, and the reasons for which a failure postpones the motion of the cell.
 #pragma once
 #include "../damage/pipeline.hpp"
 #include "facets.hpp"

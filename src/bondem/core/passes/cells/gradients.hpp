@@ -1,16 +1,19 @@
 // Gradients of the dilatation at one cell, for passes of a step and for given poses.
 //
-// With σ = λ_p θ_p of the cells, springs between neighbours store ½ c (σ_i - σ_j)². The stress of a cell is
+// Springs with a constant c between neighbouring cells p and q store ½ c (σ_p - σ_q)² with σ = λ_p θ_p. They change
+// the stress of a cell to
 //
 //     σ_p + λ_p / V_p Σ c (σ_p - σ_q)
 //
-// In a layer of normal n, V χ = Σ 2 v · (n × s) over the facets within the layer, with v the vector part of the
-// relative rotation, and U = ½ J λ_p χ². With m = Σ τ n × s of both cells, τ = J λ_p χ / V, the torque on cell p is
+// A layer one cell thick, of normal n, resists bending. A cell in it has the curvature V χ = Σ 2 v · (n × s), summed
+// over its facets within the layer with their shares s, and the energy U = ½ J λ_p χ². w and v are the scalar and the
+// vector part of the rotation of the neighbour relative to the cell. With τ = J λ_p χ / V, and m = Σ τ n × s of both
+// cells of a facet, the torque on cell p is
 //
 //     R_p (w m + v × m)
 //
-// A wall does not rotate. With v of the rotation of the cell since the wall began to fix it, the wall adds
-// -2 v · (n × s) to V χ, and the torque τ (w n × s + v × (n × s)).
+// A wall does not rotate. With w and v of the rotation of the cell since the wall began to fix it, the wall adds
+// -2 v · (n × s) to V χ, and the torque τ (w n × s + v × (n × s)) to that of the cell.
 #pragma once
 #include "facets.hpp"
 #include "walls.hpp"

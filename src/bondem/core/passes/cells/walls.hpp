@@ -7,9 +7,9 @@
 // A wall with friction μ fixes a facet along its face while |f_t| ≤ μ N, with the pressure N. Beyond, the facet
 // slides: the wall moves with it until f_t is μ N, and the work ½ (f before + f after) · slip is lost to friction.
 //
-// P keeps the fixed axes, k = 2 G A / d is that of the half facet of the cell, and v the vector part of q q₀*, the
-// rotation of the cell since the wall fixes it. A wall that begins to fix a moved face starts at the place of the
-// face: `base` has the displacement there and q₀.
+// P projects on the fixed axes, k = 2 G A / d is the stiffness of the half facet of the cell, and v the vector part
+// of q q₀*, the rotation of the cell since the wall began to fix it. A wall that begins to fix a moved face starts at
+// the place of the face: `base` contains the displacement there, and q₀.
 #pragma once
 #include "../boundary/timeline.hpp"
 #include "facets.hpp"

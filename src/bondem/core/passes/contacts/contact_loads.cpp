@@ -1,8 +1,8 @@
-// Contacts of pairs: each touching pair computes its force and memory, then elements add the forces of their pairs.
+// Contacts of pairs. A pass computes force and memory of each touching pair; others add the forces to the elements.
 //
 // Most pairs of a list are bonded, or too far apart to touch before distances are measured again. Only the others are
-// evaluated in every step, in the order of the list, and touching pairs in groups of lanes. Sums have the order of
-// the list, so that no bit depends on threads. Listed pairs that do not touch add nothing to any sum.
+// evaluated in every step, in the order of the list; touching pairs are evaluated in groups of lanes. Forces are
+// summed in the order of the list, so that no bit depends on threads.
 #include "contact_passes.hpp"
 
 #include "../../ledger.hpp"

@@ -1,4 +1,4 @@
-// Passes over contacts and walls that several sources or a device call.
+// Passes over contacts and walls that several source files or a device use.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/contact_tables.hpp"

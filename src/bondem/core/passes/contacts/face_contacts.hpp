@@ -1,14 +1,15 @@
-// Cells in contact by the faces of facets of material planes, such as joints.
+// Contact of cells by the faces of material planes, such as joints.
 //
-// A facet whose faces have parted no longer joins its two cells. Each of its faces may touch an opposite cracked face
-// of a cell that no facet joins to its own. Two faces have half the weight for each of them that has parted: the
-// other half of a face that has not parted is the crack itself. A pair of cells touches by two faces at a time, those
-// that overlap most, until they are apart. Cells with opposite cracked faces do not touch as spheres, which would
-// protrude from the plane of the faces.
+// A facet of a material plane has a face on each of its two cells. Once these faces have parted (`crack_states.cpp`),
+// the facet no longer joins the cells. Each face may then touch an opposite cracked face of a cell that no facet
+// joins to its own. A pair of faces has the weight ½ for each face that has parted. The rest of an unparted face is
+// loaded by its own crack. Two cells touch by one pair of faces at a time: the pair with the largest common area,
+// until it separates. Cells with opposite cracked faces do not touch as spheres, which would protrude from the plane.
 //
-// Faces that overlap before they may touch have contact from this initial overlap on, without a force. Faces in one
-// plane of the reference, such as a joint, instead receive the pressure of facets that part, and find the next faces
-// before they overlap. The rule depends on positions, parted facets and the memory of the pair, and not on lists.
+// If faces overlap already when they may first touch, this initial overlap causes no force. Faces in one plane of the
+// reference, such as those of a joint, are an exception: they take over the pressure of facets that part, and the
+// next faces are found before they overlap. The choice of faces depends on positions, parted facets and the memory of
+// the pair, but not on when lists of contacts are made.
 #pragma once
 #include "../../laws/crack.hpp"
 #include "../../laws/face_contact.hpp"

@@ -1,9 +1,9 @@
-// Contact of two elements whose bond or facet has failed: the pair was listed, but not evaluated before.
+// Contact of two elements whose bond or facet has failed. The pair was in the list of contacts, but not evaluated.
 //
-// The elements press on each other immediately, with the tangential spring at rest. Where a bond fails without
-// softening, the contact acts from the end of that step on, and the energy that it stores is subtracted from that of
-// the event. Where a softening beam breaks, the contact replaces the pressure on the beam. Cells whose crack has
-// parted touch from their present distance on, without a force; cells with faces on a plane touch by these faces.
+// The elements press on each other immediately, with the tangential spring at rest. If a bond fails without
+// softening, the contact acts from the end of that step, and the energy that it stores is subtracted from that of the
+// event. If a softening beam breaks, the contact replaces the pressure on the beam. Cells whose crack has parted
+// touch without a force at their present distance. Cells with faces on a material plane touch by these faces.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/beam_softening_tables.hpp"

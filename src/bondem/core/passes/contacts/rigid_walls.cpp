@@ -3,9 +3,10 @@
 // A contact is evaluated in the frame of its wall, which moves and turns with the wall: there the wall is at rest. A
 // driven wall follows its schedules. A servo is a platen of some mass that is pushed along its normal by a prescribed
 // force against the force of the elements; a share of the missing force resists its motion, and its speed is limited.
-// A free wall moves by the force of the elements and one of its own: half a kick before it moves, half when the
-// forces on it are known. It turns between both kicks of its angular momentum, about its principal axes in the order
-// 1 2 3 2 1 (Dullweber, Leimkuhler and McLachlan, J. Chem. Phys. 107, 1997). Its work is the trapezoid of its power.
+// A free wall moves by the force of the elements and a given force. Half of the change of momentum is added before it
+// moves, and half when the forces on it are known; likewise for its angular momentum. In between it turns about its
+// principal axes in the order 1 2 3 2 1 (Dullweber, Leimkuhler and McLachlan, J. Chem. Phys. 107, 1997). Its work is
+// the trapezoid of its power.
 #include "contact_passes.hpp"
 
 #include "../../ledger.hpp"

@@ -1,8 +1,8 @@
-// Motion for which a list of contacts is valid: pairs are listed up to a gap of twice the reach, so that no pair
-// beyond it touches before an element or a wall has moved by the reach.
+// Check whether a list of contacts is still valid. A list has the pairs with a gap of at most twice its reach, so
+// that no other pair touches before an element or a wall has moved by the reach.
 //
-// The motion of an element since the list was made is at most the sum of two: until distances were last measured, and
-// since then. So one pass over the elements serves both.
+// The motion of an element since the list was made is at most the sum of its motion until distances were last
+// measured and that since then. One pass over the elements therefore checks both the list and the distances.
 #include "contact_passes.hpp"
 
 #include "../../registered.hpp"

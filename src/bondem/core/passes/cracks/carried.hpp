@@ -1,4 +1,5 @@
-// Sum Σ b⊗f over the active cracks of a cell, with b the lever in the reference and f the force in space.
+// Sum Σ b⊗f over the active cracks of a cell, with the lever b in the frame of the cell and the force f along fixed
+// axes.
 #pragma once
 #include "single_cracks.hpp"
 

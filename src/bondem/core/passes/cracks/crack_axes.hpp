@@ -1,11 +1,15 @@
-// Axes of a crack of the material before any loss of integrity.
+// Axes of a crack of the material when it begins, before any loss of integrity.
 //
-// Neighbouring cracks with different axes hinder each other, which costs 6 to 8 % of the fracture energy at a notch,
-// and 10 to 22 % where a body tears by turning. A crack takes the axes of the crack of its two cells that has lost
-// most integrity, if one of the three is within 45° of the largest principal stress around it: behind the front of a
-// crack the largest stress is often along it. Otherwise it takes those of the crack of both cells and all their
-// neighbours that has lost most, if its first is within 45°: with any of the three, cracks under mixed mode would not
-// curve. Otherwise it takes the principal directions of that stress, which is the mean over all these cells.
+// Neighbouring cracks with different axes block each other. The dissipated energy would be too large: by 6 to 8 % of
+// the fracture energy at a notch, and by 10 to 22 % where a body tears by turning. A new crack therefore has the axes
+// of the first rule that applies. e is the direction of the largest principal stress in the mean stress of its two
+// cells and all their neighbours.
+//
+// 1. The axes of the crack that has lost most integrity in its two cells, if any of the three is within 45° of e:
+//    behind the front of a crack the largest stress is often along the crack.
+// 2. The axes of the crack that has lost most in all these cells, if its normal is within 45° of e. If all three
+//    axes counted here too, cracks under mixed mode would not curve.
+// 3. The principal directions of the mean stress.
 #pragma once
 #include "../../laws/principal.hpp"
 #include "single_cracks.hpp"

@@ -1,8 +1,8 @@
-// Lists of active and of resting cracks, and for each cell the halves of its active cracks.
+// Lists of active and of resting cracks (`crack_states.cpp`), and for each cell the halves of its active cracks.
 //
-// Unbroken cracks come first, then broken ones, each in the order of their facets: consecutive facets are near each
-// other, and so are their data. The halves of a cell are linked from the last facet to the first. Contributions to a
-// cell are added in that order, independent of the place of a crack in a list, so that a pause changes no bit.
+// Unbroken cracks precede broken ones, each in the order of their facets: consecutive facets are near each other, and
+// so are their data. The halves of a cell are linked from the last facet to the first. Contributions to a cell are
+// added in this order, which does not depend on the lists: a pause of a run, which renews them, changes no bit.
 #include "crack_passes.hpp"
 
 #include "../../registered.hpp"

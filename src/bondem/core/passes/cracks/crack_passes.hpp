@@ -1,4 +1,4 @@
-// Passes over cracks that several sources or a device call.
+// Passes over cracks that several source files or a device use.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/cell_tables.hpp"

@@ -3,7 +3,8 @@
 // σ* is the mean stress σ of both cells made to agree with the traction t of the facet (`laws/agreed_stress.hpp`),
 // with the opening part of bending (`laws/softening.hpp`) added to its normal traction.
 //
-// Most facets carry far less: σ1(σ*) is at most (1 + √2) |σ| + √2 (|t| + T_b).
+// For most facets a bound is enough: σ1(σ*) is at most (1 + √2) |σ| + √2 (|t| + T_b), with T_b the rms of the
+// tractions by bending.
 #pragma once
 #include "../../laws/agreed_stress.hpp"
 #include "single_cracks.hpp"

@@ -1,4 +1,4 @@
-// Faces of cracks, and the stresses of their cells as cracks open or press, of one crack or cell or of as many as
+// Faces of cracks, and the stresses of their cells as cracks open or press: of one crack or cell, or of as many as
 // there are lanes.
 //
 // V θ = Σ g·δ - g·L / k of the halves of a cell (`laws/crack.hpp`), and σ = weight · V θ. Newton's method solves this

@@ -1,18 +1,19 @@
 // Slip of the faces of cracks: the shear that an open crack transmits falls with its opening.
 //
-// A crack crosses a body by inclined facets. The common part of the shear of the cracked facets of a cell is sliding
-// along the crack. The part that alternates from facet to facet is the stress along the crack, which has to stay. So
-// a cell has one slip for all its cracked facets. Let e be the normal of the crack of a facet, P = 1 - e⊗e, ω = 1 - r
-// with the traction r across the crack over its strength, ± f the force of the facet on the cell, and n its normal
-// outwards. The stress σ of the cell excludes a uniform stress along the crack from the sliding force R:
+// A crack crosses a body by facets inclined to it. The shear of the cracked facets of a cell has a common part, by
+// sliding along the crack, and a part that alternates from facet to facet, by stress along the crack. Only the first
+// part may fall. Therefore a cell has one slip for all its cracked facets. e is the normal of the crack of a facet,
+// P = 1 - e⊗e, r the traction across the crack over its strength, ω = 1 - r, ± f the force of the facet on the cell,
+// and n its outward normal. The term with the stress σ of the cell subtracts a uniform stress along the crack from
+// the sliding force R:
 //
 //     R = Σ ω [± P f - A P σ P n]        K = Σ ω² k        C = Σ ω A |n·e| r f_t        N = Σ ω f·e
 //     transmitted by the crack: L = √(C² - ⟨N⟩²) + μ ⟨-N⟩ with the friction μ of one of its facets
 //     cell: where |R| > L and R·Σ ± ω P f > 0,  b = ½ (1 - L / |R|) R / K        facet: slip += ω P (b_i - b_j)
 //
-// A facet slips until it has dissipated two fracture energies, one for its opening and one for its slip: below an
-// impact the stress along the crack does work on slip that no cohesion resists. Each cell of a facet contributes half
-// of the slip; equal facets of a crack slip at once. Slip only dissipates; its work is by the mean of both forces.
+// A facet slips until it has dissipated two fracture energies, one for its opening and one for its slip. The limit is
+// needed below an impact, where the stress along the crack does work on slip that no cohesion resists. Each cell of a
+// facet contributes half of the slip. Slip only dissipates; its work is that of the mean force of the step.
 #pragma once
 #include "carried.hpp"
 

@@ -1,8 +1,8 @@
 // Mean stresses of cells, V σ = sym Σ b⊗f, from the forces of the last step on their facets, cracks, walls and loaded
 // free facets; and the cells whose facets are evaluated by these stresses.
 //
-// Moments of facets have levers b and forces f in space at one instant. Moments of cracks have levers of the
-// reference, which turn with the cell: R Σ b⊗f is the sum in space.
+// For facets, the levers b and forces f are those of the same instant along fixed axes. For cracks, the levers are
+// those of the reference and turn with the cell: R Σ b⊗f with its rotation R is the sum along fixed axes.
 #include "stress_state.hpp"
 
 #include "../../registered.hpp"

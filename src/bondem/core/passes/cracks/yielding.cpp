@@ -1,4 +1,5 @@
-// Cells that yield under their mean stress, and levers that their plastic deformation stretches.
+// Cells that yield under their mean stress. Their plastic deformation stretches their levers, the vectors from the
+// centre of a cell to its facets.
 #include "../../registered.hpp"
 #include "yielding_cells.hpp"
 

@@ -1,5 +1,5 @@
-// Cells that yield under their mean stress, and levers that their plastic deformation stretches: one cell, facet
-// or wall at a time.
+// Yielding of one cell, and the change of the levers from the centre of a cell to its facets and walls by its plastic
+// deformation.
 #pragma once
 #include "../../laws/plasticity.hpp"
 #include "../../laws/stress.hpp"

@@ -1,10 +1,10 @@
 // Beams that soften in a step (`laws/beam_softening.hpp`).
 //
-// Softening beams are in lists, one per portion of bonds, and lose integrity before the forces of a step. They stay
-// in the pass over all beams, with their present integrity, and transmit pressure there by a stiffness of their own.
-// A beam that reaches its strength softens in the same step, within the pass over all beams, so that its whole force
-// never acts beyond its strength. It is listed at the end of the step. It postpones no element, as its force
-// does not jump.
+// Softening beams are in lists, one per portion of bonds, and lose integrity before the forces of a step are
+// computed. The pass over all beams computes them too, with their present integrity, and with the full stiffness for
+// pressure. A beam that reaches its strength softens in the same step, within this pass, so that its force never
+// exceeds its strength. It is added to a list at the end of the step. It postpones no element, because its force does
+// not jump.
 #include "softening_beam.hpp"
 
 #include "../../ledger.hpp"

@@ -1,7 +1,9 @@
 // The damage pipeline: failure of bonds, facets and pairs in an explicit step, with the kind of bond as a parameter.
 //
-// Bonds fail at the end of a step. Their two elements close it with the whole force, and open the next without it, so
-// that the energy of a bond is released between two steps, and the energy balance is as exact as the scheme.
+// Bonds fail at the end of a step. A velocity changes twice per step: as it is closed, and as the next one is opened
+// (`passes/motion/moving.hpp`). The two elements of a failing bond close the step with its full force and open the
+// next one without it. The energy of a bond is thus released between two steps, and the energy balance is as exact as
+// the time integration.
 //
 // In the order of a step (stages of `bondem/interactions/step_part.py`):
 //

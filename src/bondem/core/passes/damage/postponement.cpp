@@ -1,4 +1,5 @@
-// Elements that a failure postpones from the end of a step to the removal of failed bonds.
+// Elements with failing bonds: their motion is postponed until the failed bonds are removed (`pipeline.hpp`). These
+// passes list the elements, and keep the sums of their forces.
 #include "../../registered.hpp"
 #include "../motion/elements.hpp"
 #include "../../tables/columns.hpp"

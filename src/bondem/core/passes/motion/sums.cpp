@@ -1,4 +1,5 @@
-// Sums of loads of elements that domains share, and of the dashpots of bonds.
+// Sums of loads and of forces of dashpots on elements that domains share. A domain is the part of a body that one
+// thread computes.
 #include "../../registered.hpp"
 #include "elements.hpp"
 

@@ -1,9 +1,9 @@
 // Bonds of the non-local law: extra forces by stresses of the step before, then contributions to the present ones.
 //
-// A step finds the forces of all bonds, then the stresses of all elements; after that the blocks add the forces as
-// those of other bonds. Without failure and contacts no pass needs the stresses before the elements move: blocks find
-// forces, add them at once, and store none. A step of 0 finds the forces of a state again: extra forces, gaps and
-// stresses do not change.
+// A step computes the forces of all bonds, then the stresses of all elements, and then adds the forces block by block
+// like those of other bonds. Without failure and contacts no pass needs the stresses before the elements move: forces
+// are then added as soon as they are computed, and not stored. A time step of 0 computes the forces of a state again,
+// without a change of extra forces, gaps and stresses.
 #include "non_local_passes.hpp"
 
 #include "../../ledger.hpp"

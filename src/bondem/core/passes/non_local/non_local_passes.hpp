@@ -1,4 +1,4 @@
-// Passes of the non-local law that several sources or a device call.
+// Passes of the non-local law that several source files or a device use.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/contact_tables.hpp"

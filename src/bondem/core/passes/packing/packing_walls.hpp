@@ -1,6 +1,6 @@
 // Rigid walls around a packing: the part of the force on a sphere that they carry, and the return of spheres to them.
 //
-// Flat walls, a round wall, and for any other shape its depth on a grid (`PackingWalls`).
+// `PackingWalls` describes flat walls, a round wall, and any other shape by the depth below its walls on a grid.
 #pragma once
 #include "../../tables/packing_tables.hpp"
 #include "../../vector3.hpp"

@@ -1,7 +1,7 @@
 // Conjugate gradients for successive equilibria, with the diagonal of Sᵀ K S equal to one and a coarse correction.
 //
-// Memory traffic determines the time of a round. The residual of the guess is exact; corrections, which are much
-// smaller than the solution, are found with a matrix in single precision.
+// Memory traffic determines the time of an iteration. The residual of the guess is exact. Corrections are much
+// smaller than the solution, so that a matrix in single precision is accurate enough for them.
 #include "../../registered.hpp"
 #include "../../tables/quasistatic_tables.hpp"
 

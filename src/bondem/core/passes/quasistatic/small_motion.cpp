@@ -1,13 +1,13 @@
 // Facets of any integrity s in small motions about the reference, without friction.
 //
-// A facet is two halves, each of which is softened where it opens and stays whole along the normal where it presses.
-// With F the force of a half as if it were whole, w its part of the compliance, s_p its share in V θ, δ the gap and σ
-// the stress of its cell,
+// A facet is two halves. Each softens in all directions where it opens, and keeps its stiffness along the normal
+// where it presses. With F the force of the half at full integrity, w its part of the compliance, s_p the share
+// vector of the facet in V θ of cell p, δ the gap and σ the stress of the cell,
 //
 //     F = k δ + σ s_p / w       opens: s F       presses: s F + (1 - s) (F · n) n
 //     V θ += s (s_p · δ)        presses: and (1 - s) (s_p · n) (δ · n)
 //
-// A facet that softens in one direction e alone keeps what acts along its crack, and all where it presses across it:
+// A facet that softens in a single direction e keeps the force along its crack, and its pressure along e:
 //
 //     opens: F - (1 - s) (F · e) e        V θ += s_p · δ - (1 - s) (s_p · e) (δ · e)
 //

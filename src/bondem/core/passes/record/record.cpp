@@ -1,4 +1,5 @@
-// A row of the history (time, energy balance and gauges), and the guard of the energy.
+// Rows of the history, with time, energy balance and gauges; and the check (guard) that the energy of a run is finite
+// and bounded.
 #include "record.hpp"
 
 #include "../../ledger.hpp"

@@ -1,4 +1,4 @@
-// Guard of the energy and rows of the history, on the CPU and on a device.
+// Check of the energy (guard) and rows of the history, on the CPU and on a device.
 #pragma once
 #include "../../steps.hpp"
 

@@ -5,9 +5,9 @@
 //
 //     ω² = Σ v·ΔF / Σ m v²      ΔF = K v
 //
-// averaged over about 1 / ω steps. Loads and prescribed motions grow linearly over the ramp.
-// The motion ends where the unbalanced force is small against applied and supporting forces plus the noise of
-// rounding; forces are roots of sums of squares, with torques divided by a length.
+// averaged over about 1 / ω steps. Loads and prescribed motions grow linearly over the first steps (the ramp). The
+// motion ends when the unbalanced force is small against applied and supporting forces plus rounding errors. Forces
+// are compared as roots of sums of squares, with torques divided by a length.
 #include "../../registered.hpp"
 #include "../../tables/statics_tables.hpp"
 #include "../beams/beam_passes.hpp"

@@ -1,5 +1,5 @@
-// The triangle nearest to each point, by a tree of boxes: the nearer branch is searched first, and boxes farther than
-// the nearest triangle so far are left out.
+// The triangle nearest to each point, found by a tree of boxes. The nearer branch is searched first, and boxes
+// farther away than the nearest triangle found so far are left out.
 #include "../../registered.hpp"
 #include "../../tables/surface_tables.hpp"
 #include "../../threads.hpp"

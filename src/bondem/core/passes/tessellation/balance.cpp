@@ -1,6 +1,6 @@
 // The operator of the balanced shares (`bondem/specimen/tessellation/balanced_shares.py`): with a symmetric tensor Y
 // of each cell and the weighted branch b of each facet, N Y = Σ sym((Y_p - Y_q) b ⊗ b) over the facets of cell p.
-// Every cell sums its own facets, so that no result depends on the number of threads.
+// The sum over the facets of a cell is made by one thread, so that no result depends on the number of threads.
 #include "../../registered.hpp"
 #include "../../symmetric3.hpp"
 #include "../../tables/tessellation_tables.hpp"

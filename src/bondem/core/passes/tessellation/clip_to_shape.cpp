@@ -1,7 +1,8 @@
 // Cells cut by walls: split by the planes of all wall triangles that reach into them, until none does.
 //
-// Each piece carries the wall triangles within it, cut to the piece. It is split by the plane of the largest one, and
-// so are its other triangles (a binary partition of space); a piece without triangles lies on one side of every wall.
+// Each piece has a list of the wall triangles within it, cut to the piece. The plane of the largest triangle splits
+// the piece and its other triangles (binary space partition). A piece without triangles lies on one side of every
+// wall.
 #include "../../registered.hpp"
 #include "../../tables/tessellation_tables.hpp"
 #include "section.hpp"
