@@ -31,6 +31,7 @@ def model_of(follows: bool, *sides: str, schedule: bd.Schedule = STEADY) -> bd.M
     return bd.Model(cells(BOX, 150), bd.CellBond(E=E, nu=NU), RHO, boundary=pressures)
 
 
+@pytest.mark.filterwarnings("ignore::bondem.errors.TurnedPressureWarning")
 @pytest.mark.parametrize("follows", [True, False])
 def test_it_pushes_along_the_normals_of_now(follows: bool) -> None:
     """On one face of a body that has turned by 90°: momentum p A t along its normal, or that of the reference."""
@@ -43,6 +44,7 @@ def test_it_pushes_along_the_normals_of_now(follows: bool) -> None:
     assert np.abs(momentum).sum() == pytest.approx(expected, rel=1e-3)
 
 
+@pytest.mark.filterwarnings("ignore::bondem.errors.TurnedPressureWarning")
 def test_all_around_it_turns_nothing() -> None:
     """A fluid about a body makes no moment, however it stands; pressures of the reference would, some 2 p V here."""
     spins = []

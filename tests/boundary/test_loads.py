@@ -186,6 +186,7 @@ def test_a_clamped_bar_bears_minus_e_times_the_strain() -> None:
 SCHEDULES = {"ramp": bd.Ramp(0.0, 1.0, 0.25), "table": bd.Table((0, 0.125, 0.25, 0.5), (0, 1.0, 1.0, -0.5))}
 
 
+@pytest.mark.filterwarnings("ignore::bondem.errors.TurnedPressureWarning")
 @pytest.mark.parametrize("schedule", SCHEDULES.values(), ids=SCHEDULES.keys())
 def test_the_ledger_of_all_loads_closes_to_second_order(schedule: bd.Ramp | bd.Table, record: Record) -> None:
     boundary = [

@@ -33,7 +33,10 @@ from tests.device_yielding import CASES as YIELDING
 from tests.recording import Record
 
 # Cases of contact are fast and soft, so that much happens in few steps.
-pytestmark = pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")
+pytestmark = [
+    pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning"),
+    pytest.mark.filterwarnings("ignore::bondem.errors.TurnedPressureWarning"),
+]
 LAUNCHED: set[str] = set()
 
 
