@@ -160,7 +160,7 @@ class DeviceTables:
         return self.device.prepared(one, count, addresses, flag)
 
     def _table(self, name: str, table: tuple[Any, ...]) -> int:
-        """Return the address of a table on the device."""
+        """Return the address of a table on the device, where it and its arrays are copied at the first request."""
         fields = fields_of(table, name)
         if id(table) not in self._tables:
             words = filled_table(name, fields, table, self.lengths)

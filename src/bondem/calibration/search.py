@@ -37,7 +37,8 @@ class Search:
         Args:
             measure: function of the value that returns ν and its derivative.
             target: target value of ν [-].
-            start: first value, from curves of similar specimens [-]; None for the geometric mean of the ends.
+            start: first value, from curves of similar specimens, limited to the range [-]; None for the geometric
+                mean of its ends.
             tolerance: tolerance of ν [-].
             who: name of the bonds in messages.
 

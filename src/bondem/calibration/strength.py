@@ -123,7 +123,7 @@ class StrengthCalibration:
         return Sample(np.array(self.nearest.measured[test]))
 
     def tolerated(self, parameter: str) -> tuple[float, float]:
-        """Return the range of a parameter for strengths anywhere within the tolerances of the targets.
+        """Return the range of a parameter for strengths within the tolerances of all targets, to first order.
 
         Raises:
             InputError: an unknown parameter, or unknown sensitivities.

@@ -31,7 +31,7 @@ TABLE: dict[str, Any] = {"box": None, "padding": (0, 2, 0, 0)}
 
 
 def wide_console(width: int = 120, *, markup: bool = True) -> Console:
-    """Create a console for results, which does not wrap lines, with a number of columns outside a terminal."""
+    """Create a console that does not wrap the lines of results; outside a terminal it is `width` columns wide."""
     console = Console(highlight=False, markup=markup, soft_wrap=True)
     if not console.is_terminal:
         console.width = width

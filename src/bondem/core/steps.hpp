@@ -1,16 +1,17 @@
 // A step as a list of passes, which Python composes and the core runs without returning to Python.
 //
-// A pass is a function over tables. A model has no pass for a feature that it lacks. `take_steps` calls each pass
-// with the tables that its entry names, and with a `Range`: the block, portion or other part for which it is called.
-// The order of calls is that of the list. The kind of a pass (`PassKind`) decides over which parts it runs. The
-// elements of a block are those whose last bond is in the block. One pass divides them into elements that continue to
-// the next step and elements that a failure postpones (`passes/damage/`). Later passes over elements are called once
-// for each of these two groups; for the postponed elements the clock does not continue to the next step.
+// A pass is a function over tables. The list has no pass for a feature that the model lacks. `take_steps` calls each
+// pass with the tables that its entry names, and with a `Range`: the block, portion or other part that it has to
+// process. The order of calls is that of the list. The kind of a pass (`PassKind`) decides over which parts it runs.
+// The elements of a block are those whose last bond is in the block. One pass divides them into two groups: elements
+// that continue to the next step, and elements whose bonds fail, which are postponed (`passes/damage/`). Later passes
+// over elements are called once per group; in calls for postponed elements the next step is not opened.
 //
-// Successive passes over blocks are called block by block, so that a block stays in the cache from its bonds to the
-// motion of its elements. Each domain, a range of blocks, has a thread of its own. A pass over bonds that follows a
-// pass over elements begins when all elements are done. At the end of a step postponed elements resume: a pass lists
-// them all, passes over elements find their acceleration with a time step of 0, and others open the next step.
+// Successive passes over blocks are called block by block, so that the data of a block remain in the cache from the
+// forces of its bonds to the motion of its elements. Each domain, a range of blocks, has a thread of its own. A pass
+// over bonds that follows a pass over elements begins when all elements are complete. Postponed elements resume at
+// the end of a step: a pass lists them all, passes over elements compute their accelerations with a time step of 0,
+// and further passes open their next step.
 #pragma once
 #include "tables/columns.hpp"
 #include "tables/step_tables.hpp"

@@ -101,7 +101,7 @@ class CrackingBody:
 
     @property
     def joints(self) -> CrackJoints:
-        """Cracked facets as joints of their cells."""
+        """Cracked facets that still join their cells: two cells do not touch until the faces of the facet part."""
         return CrackJoints(self.cracks, self.lists, self.body.facets, self.of_cells, self.strengths, self.log)
 
     def parts(self, elastic: Part) -> list[Part]:

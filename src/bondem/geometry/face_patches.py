@@ -17,10 +17,10 @@ _NEAR = 1e-6
 
 
 def face_patches(shape: Shape, face: str, size: float) -> tuple[Floats, Floats]:
-    """Cut a face into patches of about `size` [m].
+    """Cut a face of a shape into flat patches with edges of about `size` [m].
 
-    Elementary shapes and surfaces are cut directly. A combined shape has those patches of its parts that are walls
-    of it too, with the shape on one side and the outside on the other.
+    Elementary shapes and surfaces are cut directly. For a combined shape the faces of its parts are cut; the patches
+    that remain have the combined shape on one side and its outside on the other.
 
     Returns:
         Centres [m] and areas times outward normals [m²], (k, 3) each.

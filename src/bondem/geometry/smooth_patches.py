@@ -121,7 +121,11 @@ def _angles(normal: Floats, pairs: Ints) -> PerElement:
 
 
 def _planes(piece: Ints, content: Floats, area: Floats, thin: np.ndarray, beside: Ints) -> np.ndarray:
-    """Return a mask of coplanar pieces that are planes: four times as large as smooth neighbours, (pieces,)."""
+    """Return a mask of the flat pieces that become patches of their own, (pieces,).
+
+    These consist of several triangles, are flat as a whole, and are at least four times as large as each piece that
+    they pass into smoothly.
+    """
     count = piece.max() + 1
     own = np.bincount(piece, weights=content, minlength=count)
     whole = np.stack([np.bincount(piece, weights=part, minlength=count) for part in area.T], axis=1)

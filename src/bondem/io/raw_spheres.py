@@ -136,7 +136,7 @@ def some_axes(borders: Sequence[bool]) -> str:
 
 
 def listed(names: Iterable[str]) -> str:
-    """Join names of columns for a message, at most 40 characters of each and 20 names."""
+    """Join the first 20 names for a message, each shortened to 40 characters; return "none" if there are no names."""
     known = list(names)
     short = [name if len(name) <= 40 else f"{name[:37]}..." for name in known[:20]]
     return ", ".join([*short, *(["..."] if len(known) > 20 else [])]) or "none"

@@ -24,7 +24,8 @@ class FragmentSizes(Plotted):
     """Size distribution of the fragments of a broken ball, by mass.
 
     The diameter of a fragment of mass m is D (m / M)^(1/3), with the diameter D of the ball and the sum M of the
-    masses. Fragments of rattlers only are left out of both, as rattlers were loose from the start.
+    masses. Fragments that consist of rattlers only are left out of the distribution and of M, because rattlers were
+    loose from the start.
 
     Attributes:
         diameter: diameters of the fragments, ascending [m], shape (f,).

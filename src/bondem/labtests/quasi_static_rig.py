@@ -173,7 +173,7 @@ def softening_of(test: str, failure: object, wanted: str) -> Softening:
 
 
 def softenings_of(test: str, body: Lattice, failure: FailureAssignment, wanted: str) -> tuple[Softening, ...]:
-    """Return the softening laws of all criteria that apply to a part of a body, the matrix first.
+    """Return the softening laws of the criteria that apply to any bond or element, in their order in `failure`.
 
     Raises:
         InputError: no criterion, or one without a required fracture energy.

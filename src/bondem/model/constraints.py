@@ -69,7 +69,7 @@ class Constraints:
         mass: PerElement,
         law: Interaction,
     ) -> "Constraints":
-        """Resolve the boundary conditions of a model whose elements have `mass` [kg], user's order.
+        """Resolve the boundary conditions of a model whose elements have masses `mass` [kg], (n,), user's order.
 
         `boundary` excludes conditions on facets (`bondem.boundary.wall_constraints`), which the law resolves. The
         cells of these facets own rows nevertheless.

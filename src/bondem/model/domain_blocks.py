@@ -108,7 +108,7 @@ class Blocks:
         )  # fmt: skip
 
     def table(self, more: int = 0) -> StepBlocks:
-        """Return the division as the table of the core, with sums of zero and `more` rows after them."""
+        """Return the division as a table of the core, with new rows of sums and `more` rows after them, all zero."""
         return StepBlocks(
             domain=self.domain, bond=self.bond, move=self.move, first_owner=self.first_owner, ready=self.ready,
             ready_row=self.ready_row, row_i=self.row_i, row_j=self.row_j, shared=self.shared,

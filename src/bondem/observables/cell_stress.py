@@ -38,9 +38,13 @@ def cell_stress(model: Model, result: SmallMotion | State) -> Floats:
 
 
 def stress_fields(model: Model, result: SmallMotion | State) -> dict[str, Floats]:
-    """Return the fields of cells by name: "stress" [Pa], (n, 9), "dilatation" [-] and "lambda_theta" [Pa], (n,).
+    """Return fields of cells by name; the result is empty for a model whose law does not act on facets.
 
-    The result is empty for a model whose law does not act on facets.
+    The fields are "stress", the mean stress σ row by row [Pa], (n, 9), "dilatation", tr σ / (3 λ + 2 G) [-], (n,),
+    and "lambda_theta", the λ θ of the law [Pa], (n,).
+
+    Raises:
+        InputError: The result belongs to another model, or a state with cracks was changed after its last step.
     """
     if not model.interaction.on_facets:
         return {}

@@ -23,15 +23,15 @@ class ElementStress:
 
         σ = Σ (c - x) ⊗ f / V,   μ = Σ (c - x) ⊗ (m + (c - x) × f) / V
 
-    over the bonds of an element of volume V about its centre x. The first index is the direction of the arm. Σ V σ
-    over all elements is the moment of the forces on the surface. σ is symmetric where no couples act: its
-    antisymmetric part balances them.
+    over the bonds of an element of volume V about its centre x. The first index is the direction of the arm. In
+    equilibrium, Σ V σ over all elements of a body that is not periodic is Σ x ⊗ F of the external forces F on them,
+    and the antisymmetric part of σ balances the couples on an element. Without couples it is zero.
 
     Attributes:
         lattice: the elements.
         stress: σ [Pa], shape (n, 3, 3).
         couple_stress: μ about the centre of each element [N/m], shape (n, 3, 3).
-        volume: V [m³], shape (n,); the sum is the volume of the shape, shared in proportion to the spheres.
+        volume: V [m³], shape (n,): volumes of cells, or parts of the volume of the shape in proportion to spheres.
         centre: x [m], shape (n, 3).
 
     Reference: Eliáš and Cusatis (2024), arXiv 2412.12616; the stress is that of Love and Weber.

@@ -70,7 +70,7 @@ class _Parts(NamedTuple):
 
 
 def _parts(shape: Shape) -> _Parts:
-    """Return the planes normal to an axis that bound a whole shape, and the depth below its other walls."""
+    """Return the planes normal to axes between which the whole shape lies, and the depth below its other walls."""
     match shape:
         case Box():
             return _Parts([shape.planes], None)

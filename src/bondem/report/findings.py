@@ -85,15 +85,15 @@ class Findings:
 
     Attributes:
         title: title of the report.
-        material: continuum to reproduce; None for a study that packs and checks only.
+        material: continuum that the bonds have to reproduce; None for a study that packs and checks only.
         bonds: bonds of the tests; None for a study that packs and checks only.
         chart: evaluations at 0.6 to 1.4 times the calibrated parameter; empty for a study without a calibration.
-        calibrating: number of packings of the calibration, the first ones.
-        specimens: all packings.
+        calibrating: number of packings of the calibration, which are the first of `specimens`.
+        specimens: all packings, with the results of their tests.
         results: contents of `results.json`.
-        citation: source of `published`, or "".
-        published: published errors of the tests, by name [-].
-        peaks: published ranges of the peaks of curves by test, in the SI unit of the curve.
+        citation: source of `published` and `peaks`, or "".
+        published: published errors of the tests, by test [-].
+        peaks: published range of the peak of the curve of each test, in the SI unit of the curve.
         failures: failure criteria by part of the material.
         source: name and text of the study file, or None.
     """

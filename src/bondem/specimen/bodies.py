@@ -64,10 +64,12 @@ class Bodies:
         return np.isin(self.label, self.numbers(owner, which))
 
     def shape_of(self, owner: str, which: Which | None, particles: Particles) -> tuple[int, Shape]:
-        """Return the number and shape of a body, the only one for None; without a shape, the box around its spheres.
+        """Return the number and shape of a body; None selects the only body of a scene.
+
+        For a body without a shape, the shape is the box around its spheres.
 
         Raises:
-            InputError: There is no such body, or more than one.
+            InputError: There is no such body, there are several, or `which` is None in a scene of several bodies.
         """
         if which is None and len(self.names) == 1:
             return 0, particles.envelope

@@ -46,7 +46,13 @@ class Region(ABC):
         return chosen
 
     def anchor(self, lattice: Lattice) -> Vector:
-        """Return the point through which a load on the region acts: the centroid of its elements [m], (3,)."""
+        """Return the point through which a load on the region acts [m], (3,).
+
+        It is the mean of the centres of the connected elements of the region, not weighted by volume.
+
+        Raises:
+            EmptyRegionError: No connected element matches.
+        """
         return lattice.centre[self.select(lattice)].mean(axis=0)
 
     def __bool__(self) -> bool:

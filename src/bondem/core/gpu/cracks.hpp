@@ -1,9 +1,9 @@
 // Cracks on a device. Passes have one thread per facet, which computes its crack, or one per cell, which adds up its
-// cracks. There are no lists of cracks: the data of a crack and of its halves are at the number of the facet. The
-// thread of a cell makes the list of its halves.
+// cracks. There are no lists of cracks: the number of a facet is also the row of its crack and, with the side, that
+// of each half. The thread of a cell links the halves of the cell in a list.
 //
-// If several cracks change a cell in a step, the thread of the cell adds the changes in the order of the CPU. It
-// reads them from the flags of its facets: `flag` for active cracks, `waking` for resting ones.
+// If several cracks of a cell change in a step, the thread of the cell adds the changes in the same order as the CPU.
+// Flags of the facets state which cracks change: `flag` for active cracks, `waking` for resting ones.
 #pragma once
 #include "../passes/contacts/face_contacts.hpp"
 #include "../passes/contacts/handover.hpp"

@@ -1,6 +1,7 @@
-// Beams that soften, on a device. One thread per listed beam lowers its integrity, one per portion adds up the
-// dissipation, and one per beam computes the loads. Before loads are gathered, one thread per marked beam begins its
-// softening. A single thread logs broken beams and adds beams to the lists.
+// Beams that soften, on a device. One thread per listed beam lowers its integrity and adds its dissipation to an
+// exact sum; one per portion moves broken beams to the end of its list. One thread per beam computes the loads and
+// marks beams near their criterion. Before the loads are gathered, one thread per beam starts the softening of a
+// marked beam that has reached its criterion. A single thread logs broken beams and adds beams to the lists.
 //
 // The stages are those of the CPU (`passes/damage/beam_softening.cpp`), in the same order of rows and bonds.
 #pragma once

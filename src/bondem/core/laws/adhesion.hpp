@@ -1,12 +1,13 @@
-// Adhesion of two bodies: a potential well as deep as half the pull-off force times its reach.
+// Adhesion of two bodies: an attractive force F that decreases linearly from F_c at contact to zero at a gap D.
 //
 //     F = F_c            g < 0        U = F_c (g - D / 2)
 //     F = F_c (1 - g/D)  0 <= g < D   U = -F_c (D - g)² / 2 D      F_c = σ A,  A = π min(R_i, R_j)², at a wall π R²
 //
-// g is the gap, F pulls the two together, against the spring and the dashpot, which push them apart. The force is
-// continuous and a function of the gap alone: adhesion stores all work, and has no memory. Friction is that of the
-// spring, whose force exceeds the outer pressure by F_c. Source: linear adhesion within a range, as in the adhesive
-// rolling resistance linear model of PFC (pull-off force F_0, range D_0); σ A as in the cohesive law of Yade.
+// g is the gap [m], negative for an overlap, D the range [m], F_c the pull-off force [N], σ the strength [Pa], R a
+// radius [m] and U the energy [J]. F opposes the spring and the dashpot of the contact. F is a continuous function
+// of the gap alone, so that adhesion dissipates no energy. Friction is limited by the force of the spring, which at
+// rest exceeds the external compression by F_c. Source: linear adhesion within a range, as in the adhesive rolling
+// resistance linear model of PFC (pull-off force F_0, range D_0); σ A as in the cohesive law of Yade.
 #pragma once
 #include "linear_contact.hpp"
 

@@ -1,8 +1,8 @@
-// Angle between two directions from its sine and cosine, for single numbers or lanes.
+// Angle φ between two directions from its sine and cosine, for one angle or for one angle per SIMD lane.
 //
-// The core has its own polynomial, because those of system libraries differ in their bits. Its error is at most two
-// units in the last place. For t = tan φ ≤ tan π/8, φ is t - t³ P(t²) with the coefficients of fdlibm (Sun
-// Microsystems, 1993); above, φ = π/4 + atan((t - 1) / (t + 1)).
+// The core has its own polynomial, because arctangents of different system libraries differ in their last bits. The
+// error is at most two units in the last place. With t = tan φ, φ = t - t³ P(t²) up to t = tan π/8, where P has the
+// coefficients of fdlibm (Sun Microsystems, 1993). From there to t = 1, φ = π/4 + atan((t - 1) / (t + 1)).
 #pragma once
 #include "../lanes.hpp"
 

@@ -1,11 +1,11 @@
-// Orientations as unit quaternions (w, x, y, z), of numbers or of lanes of numbers.
+// Orientations as unit quaternions q = (w, x, y, z), for one element or for one element per SIMD lane.
 //
-// An element turns by the exponential map of the rotation vector r = ω dt:
+// In a time step dt an element of angular velocity ω turns by the exponential map of the rotation vector r = ω dt:
 //
 //     q ← (cos h, sin h / h · r / 2) q,    h = |r| / 2
 //
-// For half angles below 0.2 rad a series is exact to rounding. Larger ones are halved until they are below 0.2 rad,
-// and the result is doubled again. In a stable run a step turns an element by far less.
+// For half angles h below 0.2 rad a series is exact to rounding. A larger h is halved until it is below 0.2 rad, and
+// the angle is doubled as often afterwards. In a stable run the rotation in a step is far smaller.
 #pragma once
 #include "../lanes.hpp"
 #include "../vector3.hpp"

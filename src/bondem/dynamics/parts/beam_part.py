@@ -19,7 +19,10 @@ from bondem.model.state import State
 def beams(
     _: Interaction, model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, __: float
 ) -> BondParts:
-    """Return the parts of beams: forces, with dashpots if given, and breakage or softening."""
+    """Return the parts of a step for beams, and the beams as joints of their elements.
+
+    The parts are the forces, with dashpots if given, and breakage or softening if beams can fail.
+    """
     moving, blocks, ledger = shared.moving, shared.blocks, shared.ledger
     strain = _changing_strain(model, state)
     bonds = model.bonds.stretched(state.eigenstrain)

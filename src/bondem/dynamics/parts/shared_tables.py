@@ -14,7 +14,7 @@ from bondem.model.state import State
 
 @dataclass(frozen=True, eq=False)
 class SharedTables:
-    """Tables of a run from a state, whose arrays they share.
+    """Tables of a run that begins from a state; those of elements and of the boundary refer to arrays of the state.
 
     Attributes:
         moving: motion of the elements.

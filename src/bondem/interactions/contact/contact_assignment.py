@@ -47,8 +47,9 @@ class ContactLaws:
     def of(cls, lattice: Lattice, contact: ContactAssignment | None, walls: Sequence[Wall]) -> "ContactLaws":
         """Return the contact laws of a model; without `contact` there are no laws and no kinds.
 
-        With a mapping, pairs within a region and contacts of its elements with walls follow its law; pairs of two
-        regions, and contacts of a region with a wall, follow that of the pair. Later entries override earlier ones.
+        In a mapping, the law of a region acts between its elements, and between them and walls. The law of a pair
+        acts between the elements of two regions, or between those of a region and a wall. The law of a wall acts
+        between it and all elements. Later entries override earlier ones.
 
         Raises:
             InputError: The laws cannot be combined, or some contacts have none.

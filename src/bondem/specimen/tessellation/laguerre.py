@@ -58,7 +58,10 @@ def usual_reach(particles: Particles) -> float:
 
 
 def bins(particles: Particles, lower: Vector, upper: Vector, reach: float) -> Bins:
-    """Sort centres in the box from `lower` to `upper` [m] into a grid of boxes; `reach` is that of `usual_reach`."""
+    """Sort the centres of elements into a grid of equal boxes, for the search of neighbours.
+
+    The grid fills the box with the corners `lower` and `upper` [m], (3,) each; `usual_reach` returns `reach` [m].
+    """
     x, n = particles.position, len(particles)
     lower, upper = np.array(lower, dtype=float), np.array(upper, dtype=float)
     extent = upper - lower

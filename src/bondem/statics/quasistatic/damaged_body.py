@@ -142,7 +142,7 @@ class DamagedBody:
 
     @property
     def pull(self) -> Floats:
-        """Forces and torques between driven elements and the others [N, N·m], (6 n,)."""
+        """Forces and torques K u of the prescribed motions u, with all other elements at rest [N, N·m], (6 n,)."""
         return self.matrix.force(self.motion) if self.motion.any() else self.motion
 
     def potential(self, motion: Floats) -> float:

@@ -1,12 +1,13 @@
-// Linear sum: a bond fails where the shares of its four strengths sum up to 1.
+// Linear sum: a bond fails when the sum of its four loads, each divided by its strength, reaches 1.
 //
 //     N / N_max + |Q| / Q_max + |M| / M_max + |T| / T_max ≥ 1
 //
-// Tension positive; N counts with its sign, so that compression strengthens. M is the larger of the moments at both
-// ends of a beam, or that at the contact point. Coefficients: the inverse strengths in this order. The mode is that
-// of the largest share, the first one of equal shares.
+// N is the axial force, positive in tension, so that compression strengthens; Q the shear force [N]; M the bending
+// moment, the larger one of both ends of a beam, or that at the contact point; T the torque [N·m]. The coefficients
+// a, b, c and d are the inverse strengths in this order. The mode is that of the largest term, or of the first of
+// several equal ones.
 //
-// `bond_style bpm/rotational` of LAMMPS, after Wang (2009).
+// Source: `bond_style bpm/rotational` of LAMMPS, after Wang (2009).
 #pragma once
 #include "loads.hpp"
 

@@ -1,9 +1,10 @@
-// Mohr–Coulomb on the traction of a bond or facet, with a tensile strength f_t: cohesion C and angle of friction φ.
+// Mohr–Coulomb criterion with a tensile strength f_t, for the traction of a bond or facet, which fails if
 //
-//     t_n ≥ f_t        |t_s| + t_n tan φ ≥ C
+//     t_n ≥ f_t    or    |t_s| + t_n tan φ ≥ C
 //
-// with t_n = N / A and t_s = Q / A; moments do not count. Tension positive, so that compression strengthens. Where
-// f_t > C / tan φ the cohesion alone limits the traction. Coefficients:
+// with the cohesion C, the angle of friction φ, t_n = N / A, positive in tension, and t_s = Q / A, of the normal
+// force N, the shear force Q and the area A. Moments have no influence. If f_t > C / tan φ, f_t is never reached.
+// Coefficients:
 //
 //     a = 1 / (A f_t)    b = 1 / (A C)    c = tan φ
 #pragma once

@@ -1,7 +1,8 @@
-// Factors of the stress-free strains that change in time, of beams and of cells, and the work of these strains.
+// Factors of stress-free strains that change in time, of beams and of cells, and the work of these strains.
 //
-// The work is the trapezoid of ∂U/∂factor over the change of the factor. The trapezoid needs ∂U/∂factor before the
-// change, so that the step before computes it. Other steps do nothing, except the first one of a call.
+// The work in a step is the mean of ∂U/∂factor before and after it, times the change of the factor; U is the energy.
+// ∂U/∂factor is therefore computed in each step in which a factor changes and in the step before it, and also in the
+// first step of a call of the core.
 #pragma once
 #include "../../exact_sum.hpp"
 #include "../../steps.hpp"

@@ -1,4 +1,5 @@
-// Cracks in space, their softening and their halves: of a single crack, or of a group, one crack per lane.
+// Cracks in the current configuration: position, axes, opening, criterion and softening, and the two halves of each
+// cracked facet, one per cell. The functions are templates for one crack or for one crack per SIMD lane.
 #pragma once
 #include "crack_groups.hpp"
 

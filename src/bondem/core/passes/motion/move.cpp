@@ -1,5 +1,6 @@
-// Elements whose forces are complete close the step, and open the next where it continues without a pause
-// (`moving.hpp`). The sums of the forces are set to zero.
+// Passes that close the step of elements with complete forces, and open their next step where the run continues
+// without a pause: both change velocities, and opening also changes positions (`moving.hpp`). The sums of the forces
+// are set to zero.
 #include "../../registered.hpp"
 #include "moving.hpp"
 

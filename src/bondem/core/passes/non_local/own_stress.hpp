@@ -1,4 +1,5 @@
-// Stress of one element, or of as many as there are lanes: turned into space, and found from the moments of forces.
+// Stress of one element, or of one element per SIMD lane: its computation from the moments of the forces on the
+// element, and its rotation between the frame of the element and global axes.
 #pragma once
 #include "bond_columns.hpp"
 
