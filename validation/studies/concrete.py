@@ -86,7 +86,7 @@ def specimen(kind: str, count: int, seed: int) -> bd.Lattice:
 
 
 def tested(case: Case, body: bd.Lattice) -> tuple[Any, dict[str, float]]:
-    """The result of a test, and what else is told of a disc."""
+    """Return the result of a test, and by name the stress factors [-], half angle [rad] and tension [Pa] of a disc."""
     labtests, failure = bd.labtests, concrete()
     match case.kind:
         case "ucs":
@@ -100,8 +100,8 @@ def tested(case: Case, body: bd.Lattice) -> tuple[Any, dict[str, float]]:
         case "shear":
             return labtests.shear(body, LAW, failure), {}
     split = labtests.brazilian(body, LAW, _material(case.kind), half_angle=STRIPS.get(case.kind))
-    told = {"centre": split.centre, "factor": split.factor, "half_angle": split.half_angle}
-    return split, told | {"tension": split.tension, "onset": SPLIT}
+    values = {"centre": split.centre, "factor": split.factor, "half_angle": split.half_angle}
+    return split, values | {"tension": split.tension, "onset": SPLIT}
 
 
 def _material(kind: str) -> bd.MohrCoulomb:
