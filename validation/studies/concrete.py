@@ -86,7 +86,7 @@ def specimen(kind: str, count: int, seed: int) -> bd.Lattice:
 
 
 def tested(case: Case, body: bd.Lattice) -> tuple[Any, dict[str, float]]:
-    """Return the result of a test, and by name the stress factors [-], half angle [rad] and tension [Pa] of a disc."""
+    """Return the result of a test; of a disc also stress factors [-], half angle [rad] and tension [Pa]."""
     labtests, failure = bd.labtests, concrete()
     match case.kind:
         case "ucs":
