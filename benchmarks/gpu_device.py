@@ -4,16 +4,17 @@ python benchmarks/gpu_device.py [--out FILE]
 
 Beams and cells of 1e4 to 1e6 elements, a body in contact, beams and cells that break or crack, and a batch of 100
 specimens of 10 000 elements, several at once. Last are beams of 1e7 and cells of 3e6 elements. Bodies are repeated
-periodic packings of 10 000 spheres. A section that fails is recorded with its error, and the others continue.
+periodic packings of 10 000 spheres. The CPU runs bodies of up to 1e6 elements too, on all its cores. Each section is
+a process of its own: one that fails is recorded as such, and the others continue.
 `pytest --gpu` compares runs of all kinds with those of the CPU.
 `--host` rehearses the script with small bodies and the CPU as the device.
 """
 
 import importlib
 import statistics
+import subprocess
 import sys
 import time
-import traceback
 import warnings
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
@@ -25,11 +26,13 @@ import numpy as np
 import bondem as bd
 from bondem._core import pass_tables
 from bondem._device import Device, Host
+from bondem._threads import current_threads
+from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.device_loop import DeviceLoop
-from bondem.dynamics.plan import Plan
+from bondem.dynamics.plan import Loop, Plan
 from bondem.dynamics.timestep import critical_step
 from bondem.model.state import State
-from kept import Record, run
+from kept import Record, alone, run
 from tiled import specimen
 
 LAWS: dict[str, tuple[Any, str]] = {
@@ -42,6 +45,8 @@ COHESIVE: dict[str, Any] = {"failure": bd.Rankine(tension=2e7, fracture_energy=5
 TOUCHING: dict[str, Any] = {"contact": bd.LinearContact(E=265e9)}
 # Least and largest number of steps of a measurement.
 _LEAST, _MOST = 100, 10_000
+# The CPU carries out this part of the bond-steps of a device, and bodies of up to so many elements.
+_PART_OF_CPU, _LARGEST_OF_CPU = 0.1, 1_000_000
 
 
 class Sizes(NamedTuple):
@@ -89,26 +94,40 @@ def loop_on(device: Device, body: Body, state: State) -> DeviceLoop:
     return loop
 
 
-def measured(own: Device, sizes: Sizes, name: str, elements: int, options: dict[str, Any]) -> dict[str, Any]:
-    """Return the speed of a body on a device without copies of the state, with its sizes and counts of failures."""
-    body = prepared(name, elements, sizes.packing, options)
-    state, bonds = body.state, len(body.state.integrity)
-    loop, rates = loop_on(own, body, state), []
-    steps = 100 * round(min(max(sizes.updates / max(bonds, 1), _LEAST), _MOST) / 100)
-    for _ in range(3 if elements <= 1_000_000 else 1):
+def rates(loop: Loop, bonds: int, updates: float, repeat: int) -> dict[str, float]:
+    """Return bond-steps per second of a loop without the time by which it copies its state, as median and best."""
+    steps, found = 100 * round(min(max(updates / max(bonds, 1), _LEAST), _MOST) / 100), []
+    for _ in range(repeat):
         start = time.perf_counter()
         loop.run(steps)
         whole = time.perf_counter() - start
         start = time.perf_counter()
         loop.run(0)
-        rates.append(bonds * steps / (whole - (time.perf_counter() - start)))
-    middle, best = statistics.median(rates), max(rates)
+        found.append(bonds * steps / (whole - (time.perf_counter() - start)))
     return {
-        "bodies": name, "elements": len(state.pose), "bonds": bonds, "steps": steps,
-        "bond-steps/s": {"median": float(f"{middle:.4g}"), "best": float(f"{best:.4g}")},
-        "µs per step": float(f"{1e6 * bonds / middle:.4g}"), "finite": bool(np.isfinite(state.pose).all()),
+        "median": float(f"{statistics.median(found):.4g}"), "best": float(f"{max(found):.4g}"),
+        "steps": repeat * steps,
+    }  # fmt: skip
+
+
+def measured(own: Device, sizes: Sizes, name: str, elements: int, options: dict[str, Any]) -> dict[str, Any]:
+    """Return the speed of a body on a device and on the CPU, with its sizes and counts of failures."""
+    body = prepared(name, elements, sizes.packing, options)
+    state, bonds = body.state, len(body.state.integrity)
+    on_cpu, repeat = state.copy() if elements <= _LARGEST_OF_CPU else None, 3 if elements <= 1_000_000 else 1
+    found = rates(loop_on(own, body, state), bonds, sizes.updates, repeat)
+    result = {
+        "bodies": name, "elements": len(state.pose), "bonds": bonds, "bond-steps/s": found,
+        "µs per step": float(f"{1e6 * bonds / found['median']:.4g}"), "finite": bool(np.isfinite(state.pose).all()),
         "broken": int((state.integrity == 0.0).sum()), "cracks": len(state.cracks),
     }  # fmt: skip
+    if on_cpu is not None:
+        loop = CoreLoop(body.model, Plan(duration=1.0, dt=body.dt, every=0), on_cpu, body.dt)
+        loop.run(200)
+        cpu = rates(loop, bonds, _PART_OF_CPU * sizes.updates, repeat)
+        ratio = float(f"{found['median'] / cpu['median']:.4g}")
+        result |= {"cpu": {"threads": current_threads(), **cpu}, "ratio": ratio}
+    return result
 
 
 def batch(device: Callable[[], Device], sizes: Sizes) -> dict[str, Any]:
@@ -153,13 +172,20 @@ def sections(device: Callable[[], Device], sizes: Sizes) -> dict[str, Callable[[
     }
 
 
-def measure(record: Record, *, host: bool = False) -> None:
-    """Measure all sections.
+def section(name: str, host: bool) -> Any:
+    """Return the result of a section."""
+    warnings.simplefilter("ignore")
+    device = Host if host else importlib.import_module("bondem._cuda").CudaDevice
+    return sections(device, REHEARSAL if host else Sizes())[name]()
+
+
+def measure(record: Record, *, host: bool = False, only: str = "") -> None:
+    """Measure sections.
 
     Args:
         host: rehearse in small, with the CPU as the device.
+        only: sections whose names contain this text; all unless given.
     """
-    warnings.simplefilter("ignore")
     device: Callable[[], Device] = Host
     if not host:
         cuda = importlib.import_module("bondem._cuda")
@@ -168,13 +194,14 @@ def measure(record: Record, *, host: bool = False) -> None:
             sys.exit(f"nothing measured: {reason}")
         device = cuda.CudaDevice
         record.keep(device=cuda.CudaDevice().name)
-    for name, work in sections(device, REHEARSAL if host else Sizes()).items():
+    for name in sections(device, REHEARSAL if host else Sizes()):
+        if only not in name:
+            continue
         began = time.perf_counter()
         try:
-            result = work()
-        except Exception as error:  # because the other sections still need their time on the device
-            traceback.print_exc()
-            result = {"failed": f"{type(error).__name__}: {error}"}
+            result = alone(section, name, host)
+        except subprocess.CalledProcessError as error:  # the other sections still need their time on the device
+            result = {"failed": f"exit status {error.returncode}"}
         record.keep(**{name: result})
         print(f"{time.perf_counter() - began:6.1f} s  {name}: {result}", flush=True)
 

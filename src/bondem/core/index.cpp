@@ -19,7 +19,7 @@ template <class... Tables> PassDescription of_index(const char *name, void (*)(I
     return {name, "", 0, nullptr, TableNames<Tables...>::names, Index(sizeof...(Tables)), nullptr};
 }
 
-#define X(pass) of_index(#pass, pass),
+#define X(pass) of_index(#pass, function_of(pass)),
 const PassDescription index_passes[] = {BONDEM_INDEX_PASSES(X)};
 #undef X
 

@@ -7,7 +7,7 @@
 namespace bondem {
 namespace {
 
-#define X(pass) &ForEach<pass>::on_host,
+#define X(pass) &ForEach<function_of(pass)>::on_host,
 using Loop = Index(Index, const Index *, const void *const *);
 Loop *const loops[] = {BONDEM_INDEX_PASSES(X)};
 #undef X

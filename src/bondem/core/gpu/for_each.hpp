@@ -7,6 +7,12 @@ namespace bondem {
 // Largest number of tables of a pass.
 constexpr Index tables_of_index_pass = 8;
 
+// The function of a pass, which is a function itself or one of `ranges.hpp`.
+template <class... Arguments> constexpr auto function_of(void (*pass)(Arguments...)) { return pass; }
+template <class Pass> constexpr auto function_of(const Pass &pass) -> decltype(pass.function()) {
+    return pass.function();
+}
+
 template <auto pass> struct ForEach;
 template <class... Tables, void (*pass)(Index, const Tables &...)> struct ForEach<pass> {
     // Tables are read once, because no pass writes the tables themselves.

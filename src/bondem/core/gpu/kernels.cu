@@ -33,7 +33,7 @@ using bondem::Index;
                                     const void *d, const void *e, const void *f, const void *g, const void *h) {         \
         const Index k = Index(blockIdx.x) * blockDim.x + threadIdx.x;                                                    \
         const void *const tables[bondem::tables_of_index_pass] = {a, b, c, d, e, f, g, h};                               \
-        if (k < count && !(halted && *halted)) bondem::ForEach<bondem::pass>::at(k, tables);                             \
+        if (k < count && !(halted && *halted)) bondem::ForEach<bondem::function_of(bondem::pass)>::at(k, tables);                             \
     }
 #if defined(BONDEM_ONLY)
 BONDEM_KERNEL(BONDEM_ONLY)

@@ -48,11 +48,27 @@ template <class... Tables, void (*pass)(const Range &, const Tables &...)> struc
     }
 };
 // A pass of the CPU for all (index 0), one element, a place in a list of elements, a portion of elements or bonds.
-template <auto pass> constexpr auto once = &OneRange<pass>::once;
-template <auto pass> constexpr auto one_element = &OneRange<pass>::element;
-template <auto pass> constexpr auto listed_element = &OneRange<pass>::listed;
-template <auto pass> constexpr auto portion_of_elements = &OneRange<pass>::elements;
-template <auto pass> constexpr auto portion_of_bonds = &OneRange<pass>::bonds;
+// NVRTC compiles every function whose address a constant contains; such a constant contains none before it is used.
+template <auto pass> struct Once {
+    constexpr auto function() const { return &OneRange<pass>::once; }
+};
+template <auto pass> struct OneElement {
+    constexpr auto function() const { return &OneRange<pass>::element; }
+};
+template <auto pass> struct ListedElement {
+    constexpr auto function() const { return &OneRange<pass>::listed; }
+};
+template <auto pass> struct PortionOfElements {
+    constexpr auto function() const { return &OneRange<pass>::elements; }
+};
+template <auto pass> struct PortionOfBonds {
+    constexpr auto function() const { return &OneRange<pass>::bonds; }
+};
+template <auto pass> constexpr Once<pass> once;
+template <auto pass> constexpr OneElement<pass> one_element;
+template <auto pass> constexpr ListedElement<pass> listed_element;
+template <auto pass> constexpr PortionOfElements<pass> portion_of_elements;
+template <auto pass> constexpr PortionOfBonds<pass> portion_of_bonds;
 
 // Advances the clock by `ahead` steps and sets its flags; for a step of no duration its coefficients are 0.
 inline void set_clock(Index, const DeviceSpan &span, const StepScheme &scheme, const Tick &tick) {
