@@ -184,7 +184,7 @@ def measure(record: Record, *, host: bool = False, only: str = "") -> None:
 
     Args:
         host: rehearse in small, with the CPU as the device.
-        only: sections whose names contain this text; all unless given.
+        only: name of the section to measure; all unless given.
     """
     device: Callable[[], Device] = Host
     if not host:
@@ -195,7 +195,7 @@ def measure(record: Record, *, host: bool = False, only: str = "") -> None:
         device = cuda.CudaDevice
         record.keep(device=cuda.CudaDevice().name)
     for name in sections(device, REHEARSAL if host else Sizes()):
-        if only not in name:
+        if only not in ("", name):
             continue
         began = time.perf_counter()
         try:
