@@ -2,10 +2,10 @@
 
 python benchmarks/gpu_device.py [--out FILE]
 
-Beams and cells of 1e4 to 1e6 elements, a body in contact, beams and cells that break or crack, and a batch of 100
-specimens of 10 000 elements, several at once. Last are beams of 1e7 and cells of 3e6 elements. Bodies are repeated
-periodic packings of 10 000 spheres. The CPU runs bodies of up to 1e6 elements too, on all its cores. Each section is
-a process of its own: one that fails is recorded as such, and the others continue.
+Beams and cells of 1e4 to 1e6 elements, a body in contact, beams and cells that break or crack, a batch of 100
+specimens of 10 000 elements, several at once, and the time of each pass of a step. Last are beams of 1e7 and cells of
+3e6 elements. Bodies are repeated periodic packings of 10 000 spheres. The CPU runs bodies of up to 1e6 elements too,
+on all its cores. Each section is a process of its own: one that fails is recorded as such, and the others continue.
 `pytest --gpu` compares runs of all kinds with those of the CPU.
 `--host` rehearses the script with small bodies and the CPU as the device.
 """
@@ -16,7 +16,7 @@ import subprocess
 import sys
 import time
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from typing import Any, NamedTuple
@@ -25,7 +25,8 @@ import numpy as np
 
 import bondem as bd
 from bondem._core import pass_tables
-from bondem._device import Device, Host
+from bondem._device import Device, Enqueue, Host
+from bondem._passes import Kernel
 from bondem._threads import current_threads
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.device_loop import DeviceLoop
@@ -60,7 +61,7 @@ class Sizes(NamedTuple):
     cells_that_crack: int = 100_000
     batch: tuple[int, int, int] = (100, 10_000, 16)  #: specimens, elements of each, specimens at once
     packing: int = 10_000  #: largest number of spheres of the repeated packing
-    updates: float = 4e9  #: intended bond-steps of a measurement
+    updates: float = 2e9  #: intended bond-steps of a measurement
 
 
 REHEARSAL = Sizes(
@@ -130,6 +131,37 @@ def measured(own: Device, sizes: Sizes, name: str, elements: int, options: dict[
     return result
 
 
+def passes(own: Device, sizes: Sizes, name: str, elements: int, options: dict[str, Any]) -> dict[str, float]:
+    """Return the microseconds of each pass of a step, launched 100 times in succession, by its place and name."""
+    body, names, plain = prepared(name, elements, sizes.packing, options), {}, own.prepared
+
+    def named(one: Kernel, count: int, tables: Sequence[int], halted: int) -> Enqueue:
+        made = plain(one, count, tables, halted)
+        names[id(made)] = f"{one.name}, {count}"
+        return made
+
+    own.prepared = named  # type: ignore[method-assign]
+    loop, found, flag = loop_on(own, body, body.state), {}, np.zeros(1)
+    place, _memory = own.allocate(8)
+    for k, enqueue in enumerate(loop._go_on):
+        repeated, times = own.recorded([enqueue] * 100), []
+        for _ in range(4):
+            own.fetch(place, flag)  # after all launches so far
+            start = time.perf_counter()
+            repeated()
+            own.fetch(place, flag)
+            times.append(time.perf_counter() - start)
+        found[f"{k + 1}. {names[id(enqueue)]}"] = float(f"{1e4 * min(times[1:]):.4g}")
+    return found
+
+
+def compiled(own: Device) -> dict[str, float]:
+    """Compile all passes, unless they are in the cache, and return their number and the seconds."""
+    names, start = tuple(pass_tables("kernels")), time.perf_counter()
+    own.compile(names)
+    return {"passes": len(names), "seconds": float(f"{time.perf_counter() - start:.3g}")}
+
+
 def batch(device: Callable[[], Device], sizes: Sizes) -> dict[str, Any]:
     """Return the speed of many specimens, of which several run at once on separate streams."""
     count, elements, at_once = sizes.batch
@@ -161,13 +193,16 @@ def sections(device: Callable[[], Device], sizes: Sizes) -> dict[str, Callable[[
     one = partial(measured, device(), sizes)
     plain = [(name, elements) for elements in sizes.plain for name in LAWS]
     return {
-        "compiled": lambda: device().compile(tuple(pass_tables("kernels"))) or "all passes",
+        "compiled": lambda: compiled(device()),
         **{f"{name}, {elements}": partial(one, name, elements, {}) for name, elements in plain},
         "batch": partial(batch, device, sizes),
         "contact": partial(one, "beams", sizes.touching, TOUCHING),
         "cells that break": partial(one, "cells", sizes.cells_that_break, WEAK),
         "cells that crack": partial(one, "cells", sizes.cells_that_crack, COHESIVE),
         "beams that break": partial(one, "beams", sizes.beams_that_break, BRITTLE),
+        **{f"passes, {name}, {elements}": partial(passes, device(), sizes, name, elements, {})
+           for name, elements in plain[2:]},
+        "passes, contact": partial(passes, device(), sizes, "beams", sizes.touching, TOUCHING),
         **{f"{name}, {elements}": partial(one, name, elements, {}) for name, elements in sizes.largest},
     }
 

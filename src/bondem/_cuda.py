@@ -65,12 +65,15 @@ class Registers:
     stack: int
 
 
-def compiled_passes(architecture: str, name: str | None = None) -> tuple[bytes, dict[str, Registers]]:
+def compiled_passes(
+    architecture: str, name: str | None = None, *, fused: bool = True
+) -> tuple[bytes, dict[str, Registers]]:
     """Compile passes over an index; no device is needed.
 
     Args:
         architecture: architecture of the device, such as "sm_90".
         name: name of a pass; None for all passes.
+        fused: let the compiler fuse products and sums.
 
     Returns:
         The compiled passes, and the registers of a thread of each.
@@ -79,7 +82,7 @@ def compiled_passes(architecture: str, name: str | None = None) -> tuple[bytes, 
     options = core.ProgramOptions(
         name=str(source), arch=architecture, std="c++17", device_as_default_execution_space=True,
         include_path=[str(source.parent)], define_macro=None if name is None else [("BONDEM_ONLY", name)],
-        ptxas_options=["-v"],
+        ptxas_options=["-v"], fma=fused,
     )  # fmt: skip
     compiled = core.Program(source.read_text(), "c++", options).compile("cubin", logs=log)
     return bytes(compiled.code), _registers(log.getvalue())
@@ -107,12 +110,16 @@ def _cached() -> Path:
 
 
 def _cubin(name: str, architecture: str) -> bytes:
-    """Return a compiled pass, from the cache if it is stored there."""
-    place = _cached() / f"{architecture}.{name}.cubin"
+    """Return a compiled pass, from the cache if it is stored there.
+
+    If BONDEM_CUDA_FMA is "off", products and sums are not fused, as on a CPU that cannot do so (BONDEM_ISA=v2).
+    """
+    fused = os.environ.get("BONDEM_CUDA_FMA") != "off"
+    place = _cached() / f"{architecture}.{name}{'' if fused else '.unfused'}.cubin"
     try:
         return place.read_bytes()
     except OSError:
-        made, _ = compiled_passes(architecture, name)
+        made, _ = compiled_passes(architecture, name, fused=fused)
     try:
         place.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.NamedTemporaryFile(dir=place.parent, delete=False) as aside:

@@ -7,7 +7,12 @@ namespace bondem {
 // Largest number of tables of a pass.
 constexpr Index tables_of_index_pass = 8;
 
-// The function of a pass, which is a function itself or one of `ranges.hpp`.
+// A pass that is another function. NVRTC compiles every function whose address a constant contains, needed or not: this
+// one has it in its type.
+template <auto pass> struct As {
+    constexpr auto function() const { return pass; }
+};
+// The function of a pass, which is a function itself, `As`, or one of `ranges.hpp`.
 template <class... Arguments> constexpr auto function_of(void (*pass)(Arguments...)) { return pass; }
 template <class Pass> constexpr auto function_of(const Pass &pass) -> decltype(pass.function()) {
     return pass.function();

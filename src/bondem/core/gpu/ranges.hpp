@@ -48,7 +48,6 @@ template <class... Tables, void (*pass)(const Range &, const Tables &...)> struc
     }
 };
 // A pass of the CPU for all (index 0), one element, a place in a list of elements, a portion of elements or bonds.
-// NVRTC compiles every function whose address a constant contains; such a constant contains none before it is used.
 template <auto pass> struct Once {
     constexpr auto function() const { return &OneRange<pass>::once; }
 };
