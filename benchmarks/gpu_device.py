@@ -6,7 +6,7 @@ Beams and cells of 1e4 to 1e6 elements, a body in contact, beams and cells that 
 specimens of 10 000 elements, several at once, and the time of each pass of a step. Last are beams of 1e7 and cells of
 3e6 elements. Bodies are repeated periodic packings of 10 000 spheres. The CPU runs bodies of up to 1e6 elements too,
 on all its cores. Each section is a process of its own: one that fails is recorded as such, and the others continue.
-`pytest --gpu` compares runs of all kinds with those of the CPU.
+First the runs of `pytest --gpu` are compared with those of the CPU.
 `--host` rehearses the script with small bodies and the CPU as the device.
 """
 
@@ -30,6 +30,7 @@ from bondem._passes import Kernel
 from bondem._threads import current_threads
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.device_loop import DeviceLoop
+from bondem.dynamics.explicit import integrate
 from bondem.dynamics.plan import Loop, Plan
 from bondem.dynamics.timestep import critical_step
 from bondem.model.state import State
@@ -60,13 +61,15 @@ class Sizes(NamedTuple):
     cells_that_break: int = 100_000
     cells_that_crack: int = 100_000
     batch: tuple[int, int, int] = (100, 10_000, 16)  #: specimens, elements of each, specimens at once
+    compared: int | None = None  #: runs of the tests that are compared with the CPU; None for all
     packing: int = 10_000  #: largest number of spheres of the repeated packing
     updates: float = 2e9  #: intended bond-steps of a measurement
 
 
 REHEARSAL = Sizes(
-    (400, 1_200), (("beams", 2_400), ("cells", 800)), 800, 1_200, 400, 400, (4, 400, 2), packing=400, updates=1e5
-)
+    (400, 1_200), (("beams", 2_400), ("cells", 800)), 800, 1_200, 400, 400, (4, 400, 2),
+    compared=4, packing=400, updates=1e5,
+)  # fmt: skip
 
 
 class Body(NamedTuple):
@@ -188,6 +191,33 @@ def batch(device: Callable[[], Device], sizes: Sizes) -> dict[str, Any]:
     }  # fmt: skip
 
 
+def deviation_of(case: str, host: bool) -> float:
+    """Return the largest deviation of a run of `tests/` on a device from that on the CPU, over the largest values."""
+    warnings.simplefilter("ignore")
+    of_device = Host if host else importlib.import_module("bondem._cuda").CudaDevice
+    model, start, steps, dt, options = cases()[case]()
+    plan = Plan(duration=steps * dt, dt=dt, **options)
+    on_cpu = integrate(model, plan, state=start(model))
+    found = integrate(model, plan, state=start(model), loop_of=lambda *of: DeviceLoop(*of, of_device()))
+    return float(f"{importlib.import_module('tests.device_runs').deviation(on_cpu, found):.3g}")
+
+
+def cases() -> dict[str, Any]:
+    """Return the runs that `pytest --gpu` compares."""
+    modules = map(importlib.import_module, ("tests.device_runs", "tests.device_cracks", "tests.device_yielding"))
+    return {name: case for module in modules for name, case in module.CASES.items()}
+
+
+def agreement(host: bool, sizes: Sizes) -> dict[str, Any]:
+    """Compare all runs of `pytest --gpu` with the CPU, where neither fuses products and sums."""
+    names = list(cases())[: sizes.compared]
+    plain = {"BONDEM_ISA": "v2", "BONDEM_CUDA_FMA": "off", "BONDEM_NUM_THREADS": "1"}
+    with ThreadPoolExecutor() as pool:
+        found = dict(zip(names, pool.map(lambda name: alone(deviation_of, name, host, **plain), names), strict=True))
+    above = {name: deviation for name, deviation in found.items() if deviation > 1e-15}
+    return {"runs": len(names), "largest": max(found.values()), "above 1e-15": above}
+
+
 def sections(device: Callable[[], Device], sizes: Sizes) -> dict[str, Callable[[], Any]]:
     """Return the function of each section by name, in order."""
     one = partial(measured, device(), sizes)
@@ -211,7 +241,8 @@ def section(name: str, host: bool) -> Any:
     """Return the result of a section."""
     warnings.simplefilter("ignore")
     device = Host if host else importlib.import_module("bondem._cuda").CudaDevice
-    return sections(device, REHEARSAL if host else Sizes())[name]()
+    sizes = REHEARSAL if host else Sizes()
+    return agreement(host, sizes) if name == "agreement" else sections(device, sizes)[name]()
 
 
 def measure(record: Record, *, host: bool = False, only: str = "") -> None:
@@ -229,7 +260,7 @@ def measure(record: Record, *, host: bool = False, only: str = "") -> None:
             sys.exit(f"nothing measured: {reason}")
         device = cuda.CudaDevice
         record.keep(device=cuda.CudaDevice().name)
-    for name in sections(device, REHEARSAL if host else Sizes()):
+    for name in ("agreement", *sections(device, REHEARSAL if host else Sizes())):
         if only not in ("", name):
             continue
         began = time.perf_counter()

@@ -24,7 +24,8 @@ TOUCHING = Measurement("breaking_contact", "python benchmarks/breaking.py --cont
 TOUCHING_CELLS = Measurement(
     "breaking_cells_contact", "python benchmarks/breaking.py --cells --contact --elements 5000", "4 min"
 )
-MEASUREMENTS = (PEERS, KRATOS, AGAINST, FIRST, CALLBACK, TIMES, FAILING, TOUCHING, TOUCHING_CELLS)
+GPU = Measurement("gpu_device", "python benchmarks/gpu_device.py", "8 min, and a GPU")
+MEASUREMENTS = (PEERS, KRATOS, AGAINST, FIRST, CALLBACK, TIMES, FAILING, TOUCHING, TOUCHING_CELLS, GPU)
 
 RATE = Form("M/s", 1e6, ".0f")
 RATIO = Form(style=".1f")

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from book.chapters.cost import CALLBACK, FAILING, KRATOS, PEERS
+from book.chapters.cost import CALLBACK, FAILING, GPU, KRATOS, PEERS
 from book.chapters.runs import OUTPUT
 from book.forms import Form
 from book.quoting import Quoted
@@ -45,3 +45,37 @@ def quoted() -> Iterator[Quoted]:
     yield Quoted("slow.callback", "time of a callback over that of the 100 steps between two",
         f"{CALLBACK.at('many', 'elements')} elements, one thread", CALLBACK,
         (CALLBACK.at("share of an output in the steps between two"),), SHARE)  # fmt: skip
+    yield from gpu()
+
+
+#: Bodies of the benchmark of a GPU by the name of their numbers.
+_ON_GPU = {
+    "beams4": "beams, 10000", "beams5": "beams, 100000", "beams6": "beams, 1000000", "cells4": "cells, 10000",
+    "cells5": "cells, 100000", "contact": "contact", "break6": "beams that break",
+    "cells_break": "cells that break", "cells_crack": "cells that crack",
+}  # fmt: skip
+
+
+def gpu() -> Iterator[Quoted]:
+    """Speed on a GPU, and agreement with the CPU."""
+    rate = Form(scale=1e9, style=".2f")
+    for name, body in _ON_GPU.items():
+        found = GPU.at(body)
+        size = f"{found['elements']} elements, {found['bonds']} bonds"
+        yield Quoted(f"gpu.{name}", f"10⁹ bond-steps per second on a GPU: {body}", size, GPU,
+            (found["bond-steps/s"]["median"],), rate)  # fmt: skip
+        yield Quoted(f"gpu.{name}_ratio", f"bond-steps on a GPU over those on all its cores: {body}", size, GPU,
+            (found["ratio"],), Form(style=".1f"))  # fmt: skip
+    batch, cracked, compared = (GPU.at(name) for name in ("batch", "cells that crack", "agreement"))
+    yield Quoted("gpu.batch", "10⁹ bond-steps per second on a GPU: many specimens at once",
+        f"{batch['specimens']} specimens of {batch['elements']} elements", GPU, (batch["bond-steps/s"],), rate)  # fmt: skip
+    yield Quoted("gpu.threads", "cores of the machine with the GPU", "16 threads", GPU,
+        (cracked["cpu"]["threads"],))  # fmt: skip
+    yield Quoted("gpu.cracks", "facets that crack on the GPU", f"{cracked['bonds']} facets", GPU,
+        (cracked["cracks"],), Form("cracks", style=",.0f"))  # fmt: skip
+    runs = f"{compared['runs']} small runs"
+    yield Quoted("gpu.runs", "runs on a GPU that are compared with the CPU", runs, GPU, (compared["runs"],))
+    yield Quoted("gpu.deviation", "largest difference of these runs from the CPU", runs, GPU,
+        (compared["largest"],), Form(style=".1e"))  # fmt: skip
+    yield Quoted("gpu.within", "runs that differ from the CPU by less than 1e-15", runs, GPU,
+        (compared["runs"] - len(compared["above 1e-15"]),))  # fmt: skip
