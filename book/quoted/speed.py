@@ -68,7 +68,8 @@ def gpu() -> Iterator[Quoted]:
             (found["ratio"],), Form(style=".1f"))  # fmt: skip
     batch, cracked, compared = (GPU.at(name) for name in ("batch", "cells that crack", "agreement"))
     yield Quoted("gpu.batch", "10⁹ bond-steps per second on a GPU: many specimens at once",
-        f"{batch['specimens']} specimens of {batch['elements']} elements", GPU, (batch["bond-steps/s"],), rate)  # fmt: skip
+        f"{batch['specimens']} specimens of {batch['elements']} elements", GPU, (batch["bond-steps/s"],),
+        rate)  # fmt: skip
     yield Quoted("gpu.threads", "cores of the machine with the GPU", "16 threads", GPU,
         (cracked["cpu"]["threads"],))  # fmt: skip
     yield Quoted("gpu.cracks", "facets that crack on the GPU", f"{cracked['bonds']} facets", GPU,

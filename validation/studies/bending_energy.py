@@ -60,10 +60,16 @@ def shares(body: bd.Lattice, path: bd.QuasistaticResult, begun: list) -> np.ndar
             borne = curve.onset * max(curve.last - now, 0.0) / (curve.last - curve.onset)  # on its straight line
             own[k, 2] = unit[k] * (now - curve.onset) * (now - borne)
         teeth, step, before, T = done[k]
+        if s == before:  # from now on it softens in all directions, not in one
+            weight[n] = 0.0
+            continue
         weight[n] = unit[k] * T**2 * (before - s)
         done[k] = teeth, step + 1, s, float(teeth.limit[step]) if step < len(teeth.limit) else 0.0
     total = np.bincount(path.event, weights=weight, minlength=len(path.energy))
-    np.add.at(own[:, 0], path.bond, path.energy[path.event] * weight / total[path.event])
+    count = np.bincount(path.event, minlength=len(path.energy))  # an event without a step belongs to all its facets
+    stepless = total[path.event] == 0.0
+    share = np.where(stepless, 1.0 / count[path.event], weight / np.where(stepless, 1.0, total[path.event]))
+    np.add.at(own[:, 0], path.bond, path.energy[path.event] * share)
     own[:, 3] = path.energy.sum() / total[:-1].sum()
     return own
 
