@@ -6,7 +6,7 @@
 
 namespace bondem {
 
-constexpr As<&adhere_pair> adhere_one_pair;
+constexpr auto adhere_one_pair = as<&adhere_pair>;
 inline void add_adhesion_of_element(Index p, const ContactPairs &pairs, const EarlierPairs &earlier, const AdheringPairs &of,
                                     const ContactSums &to) {
     for_each_pair_of(pairs, earlier.start, earlier.pair, p,

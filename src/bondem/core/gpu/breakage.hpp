@@ -63,7 +63,7 @@ BONDEM_INLINE void judge_beam(Index k, const DeviceSpan &span, const Moving &all
     if (list_failing(k, verdict_of<Criterion>(all.pose.data, beams, strengths, k), marks, candidates))
         postpone_ends(postponed, beams, k);
 }
-#define BONDEM_JUDGE(_, name, Criterion) constexpr As<&judge_beam<Criterion>> judge_beam_by_##name;
+#define BONDEM_JUDGE(_, name, Criterion) constexpr auto judge_beam_by_##name = as<&judge_beam<Criterion>>;
 BONDEM_BEAM_CRITERIA(BONDEM_JUDGE, )
 #undef BONDEM_JUDGE
 

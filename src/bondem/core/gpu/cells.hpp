@@ -63,8 +63,8 @@ inline void find_acceleration_of(Index e, const Moving &all, const Rows &rows, c
     if (rows.of(p) < 0) find_acceleration(all, mass, sum, p);
     else find_acceleration(all, rows, mass, sum, p);
 }
-constexpr As<&find_inertia> find_dilatation_inertia_of;
-constexpr As<&find_inertia_force> find_inertia_force_of;
+constexpr auto find_dilatation_inertia_of = as<&find_inertia>;
+constexpr auto find_inertia_force_of = as<&find_inertia_force>;
 inline void add_inertia_force_of(Index e, const CorrectedMass &mass, const StepBlocks &blocks) {
     add_inertia_force(mass, &blocks.sums(blocks.ready_row(e), 0), blocks.ready(e));
 }

@@ -31,7 +31,7 @@ BONDEM_INLINE void judge_facet(Index k, const DeviceSpan &span, const Moving &al
     postpone_element(postponed, facets.i(k), postponed_for::own_facet);
     postpone_element(postponed, facets.j(k), postponed_for::own_facet);
 }
-#define BONDEM_JUDGE(_, name, Criterion) constexpr As<&judge_facet<Criterion>> judge_facet_by_##name;
+#define BONDEM_JUDGE(_, name, Criterion) constexpr auto judge_facet_by_##name = as<&judge_facet<Criterion>>;
 BONDEM_FACET_CRITERIA(BONDEM_JUDGE, )
 #undef BONDEM_JUDGE
 

@@ -12,6 +12,7 @@ constexpr Index tables_of_index_pass = 8;
 template <auto pass> struct As {
     constexpr auto function() const { return pass; }
 };
+template <auto pass> constexpr As<pass> as;
 // The function of a pass, which is a function itself, `As`, or one of `ranges.hpp`.
 template <class... Arguments> constexpr auto function_of(void (*pass)(Arguments...)) { return pass; }
 template <class Pass> constexpr auto function_of(const Pass &pass) -> decltype(pass.function()) {

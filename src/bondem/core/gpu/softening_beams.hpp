@@ -59,7 +59,7 @@ BONDEM_INLINE void begin_one(Index k, const DeviceSpan &span, const Moving &all,
     const BeamLoads<double> whole = loads_in(to, k);
     put_pressed(k, all, beams, {left * whole.force, left * whole.on_i, left * whole.on_j}, to, bounds);
 }
-#define BONDEM_BEGIN(_, name, Criterion) constexpr As<&begin_one<Criterion>> begin_beam_by_##name;
+#define BONDEM_BEGIN(_, name, Criterion) constexpr auto begin_beam_by_##name = as<&begin_one<Criterion>>;
 BONDEM_SOFTENING_CRITERIA(BONDEM_BEGIN, )
 #undef BONDEM_BEGIN
 

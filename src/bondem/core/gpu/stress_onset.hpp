@@ -19,8 +19,8 @@ BONDEM_INLINE void judge_one_cell(Index p, const DeviceSpan &span, const Stresse
                                   const StressFunction &by, const CandidateFacets &onset, const CrackOnset &cracks) {
     if (clock_of(span).dt > 0.0) judge_cell_by<Criterion>(stresses, by, onset, cracks, p);
 }
-constexpr As<&judge_one_cell<MeanStress>> judge_cell_by_mean_stress;
-constexpr As<&judge_one_cell<Cone>> judge_cell_by_cone;
+constexpr auto judge_cell_by_mean_stress = as<&judge_one_cell<MeanStress>>;
+constexpr auto judge_cell_by_cone = as<&judge_one_cell<Cone>>;
 inline void judge_cell_by_size(Index p, const DeviceSpan &span, const StressesOfCells &stresses,
                                const CandidateFacets &onset, const CrackOnset &cracks) {
     if (clock_of(span).dt > 0.0) judge_cell_of_user(stresses, onset, cracks, p);
@@ -47,8 +47,8 @@ BONDEM_INLINE void index_candidate(Index c, const StressCandidates &candidates, 
     if (c < candidates.number(0) && candidates.bond(c) != does_not_fail)
         candidates.found(c) = Criterion::index(stress_in(candidates, c), by.parameter.data);
 }
-constexpr As<&index_candidate<MeanStress>> index_candidate_by_mean_stress;
-constexpr As<&index_candidate<Cone>> index_candidate_by_cone;
+constexpr auto index_candidate_by_mean_stress = as<&index_candidate<MeanStress>>;
+constexpr auto index_candidate_by_cone = as<&index_candidate<Cone>>;
 
 inline void mark_failing_facet(Index c, const Moving &all, const ElasticFacets &facets, const FacetForces &stored,
                                const StressesOfCells &stresses, const CrackOnset &cracks, const CandidateFacets &onset) {
