@@ -4,6 +4,7 @@ from enum import IntEnum
 
 ELEMENTS_OF_PORTION = 1024  #: elements of a portion
 BONDS_OF_PORTION = 2048  #: bonds or facets of a portion
+TERMS_OF_THREAD = 32  #: elements, bonds or facets whose terms a thread of a device adds up
 STRESS_COLUMN = 3  #: column of a pose, `pose.stress`, with the stress λ θ of a cell [Pa]
 
 

@@ -41,7 +41,8 @@ inline double absolute(double a) { return __builtin_fabs(a); }
 inline double arc_tangent(double y, double x) { return __builtin_atan2(y, x); }
 #endif
 
-// Access to numbers that several threads write: a value that is the same from all, a sum, bits and a count.
+// Access to numbers that several threads write: a value that is the same from all, a sum, bits, a count, and the largest
+// of numbers that are not negative, whose bits have their order.
 #if defined(__CUDACC_RTC__)
 template <class T> inline void put_shared(T &place, T value) { *const_cast<volatile T *>(&place) = value; }
 template <class T> inline T get_shared(const T &place) { return *const_cast<const volatile T *>(&place); }
@@ -51,11 +52,20 @@ inline Index add_to_shared(Index &place, Index value) {
 inline void set_in_shared(Index &place, Index bits) {
     atomicOr(reinterpret_cast<unsigned long long *>(&place), (unsigned long long)bits);
 }
+inline void raise_shared(double &place, double value) {
+    atomicMax(reinterpret_cast<unsigned long long *>(&place), __builtin_bit_cast(unsigned long long, value));
+}
 #else
 template <class T> inline void put_shared(T &place, T value) { __atomic_store_n(&place, value, __ATOMIC_RELAXED); }
 template <class T> inline T get_shared(const T &place) { return __atomic_load_n(&place, __ATOMIC_RELAXED); }
 inline Index add_to_shared(Index &place, Index value) { return __atomic_fetch_add(&place, value, __ATOMIC_RELAXED); }
 inline void set_in_shared(Index &place, Index bits) { __atomic_fetch_or(&place, bits, __ATOMIC_RELAXED); }
+inline void raise_shared(double &place, double value) {
+    Index *const word = reinterpret_cast<Index *>(&place);
+    const Index bits = __builtin_bit_cast(Index, value);
+    Index now = get_shared(*word);
+    while (now < bits && !__atomic_compare_exchange_n(word, &now, bits, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {}
+}
 #endif
 inline Index count_up(Index &count) { return add_to_shared(count, 1); }
 

@@ -108,14 +108,15 @@ inline void kick_free_wall(Index e, const DeviceSpan &span, const WallMotions &m
 inline void measure_overlaps(Index b, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
                              const ContactPairs &pairs, const WallContacts &contacts, const Walls &walls,
                              const Travel &travel) {
-    const Range range = portion_of(span, b, elements_of_portion, span.n);
-    double deepest = travel.portion(b, 2);
+    const Range range = portion_of(span, b, span.n);
+    double deepest = 0.0;
     for (Index k = pairs.start(range.first); k < pairs.start(range.last); k++)
         if (pairs.touch(k) == touching) {
             const double overlap = pairs.reach(k) - length(branch_of(all.pose.data, pairs, k));
             deepest = most(deepest, overlap / least(c.radius(pairs.first(k)), c.radius(pairs.second(k))));
         }
-    travel.portion(b, 2) = deepest_at_walls(range, all, c, contacts, walls, deepest);
+    deepest = deepest_at_walls(range, all, c, contacts, walls, deepest);
+    raise_shared(travel.portion(range.first / elements_of_portion, 2), deepest);
 }
 constexpr auto sum_portion_of_pairs = portion_of_elements<sum_pair_energies>;
 constexpr auto sum_portion_of_faces = portion_of_elements<sum_face_energies>;

@@ -24,10 +24,11 @@ template <class Table, class... Tables>
 BONDEM_INLINE const StepBlocks &blocks_among(const Table &, const Tables &...tables) {
     return blocks_among(tables...);
 }
-// The part of a step that consists of portion b of elements or bonds.
-BONDEM_INLINE Range portion_of(const DeviceSpan &span, Index b, Index size, Index count) {
-    const Index last = least((b + 1) * size, count);
-    return {clock_of(span), b * size, last, last, nullptr, nullptr, b, nullptr};
+// The part of a step that consists of portion b of all elements or bonds, whose terms a thread adds up. Sums of a CPU
+// have longer portions and the same bits, because they are exact.
+BONDEM_INLINE Range portion_of(const DeviceSpan &span, Index b, Index count) {
+    const Index last = least((b + 1) * terms_of_thread, count);
+    return {clock_of(span), b * terms_of_thread, last, last, nullptr, nullptr, b, nullptr};
 }
 
 // A pass of the CPU as a pass over an index, which calls it with the range of that index.
@@ -41,10 +42,10 @@ template <class... Tables, void (*pass)(const Range &, const Tables &...)> struc
         pass(range_of(span, blocks_among(tables...), e), tables...);
     }
     static void elements(Index b, const DeviceSpan &span, const Tables &...tables) {
-        pass(portion_of(span, b, elements_of_portion, span.n), tables...);
+        pass(portion_of(span, b, span.n), tables...);
     }
     static void bonds(Index b, const DeviceSpan &span, const Tables &...tables) {
-        pass(portion_of(span, b, bonds_of_portion, span.m), tables...);
+        pass(portion_of(span, b, span.m), tables...);
     }
 };
 // A pass of the CPU for all (index 0), one element, a place in a list of elements, a portion of elements or bonds.

@@ -35,7 +35,7 @@ constexpr auto sum_strain_portion = portion_of_bonds<sum_strain_powers>;
 inline void begin_strain_portion(Index b, const DeviceSpan &span, const Moving &all, const CellStrains &strains,
                                  const ElasticFacets &facets) {
     if (!clock_of(span).first) return;
-    sum_strain_powers(portion_of(span, b, bonds_of_portion, span.m), all, strains, facets);
+    sum_strain_powers(portion_of(span, b, span.m), all, strains, facets);
 }
 inline void begin_cell_strains(Index, const DeviceSpan &span, const Moving &all, const CellStrains &strains,
                                const WallConstraints &walls) {

@@ -7,6 +7,7 @@ namespace bondem {
 
 constexpr Index elements_of_portion = 1024;  // elements of a portion
 constexpr Index bonds_of_portion = 2048;  // bonds or facets of a portion
+constexpr Index terms_of_thread = 32;  // elements, bonds or facets whose terms a thread of a device adds up
 constexpr Index stress_column = 3;  // column of a pose, `pose.stress`, with the stress λ θ of a cell [Pa]
 
 // Words of a sum without rounding (`core/exact_sum.hpp`): its limbs, and flags of terms that are not finite.

@@ -103,7 +103,8 @@ def deepest_overlaps(run: Translation, passes: Passes) -> list[Launch]:
     moving, law, pairs, _, travel = pressed[:5]
     _, walls, _ = named["check_travel"]
     contacts = named["press_walls"][2] if "press_walls" in named else run.once(walls, lambda: _none(run.span.n))
-    return [(kernels.measure_overlaps(run.span, moving, law, pairs, contacts, walls, travel), len(travel.portion))]
+    threads = counts.portions_of_elements(run, {})
+    return [(kernels.measure_overlaps(run.span, moving, law, pairs, contacts, walls, travel), threads)]
 
 
 def _none(n: int) -> WallContacts:

@@ -6,7 +6,7 @@ from typing import TypeVar
 import numpy as np
 
 from bondem._tables.cell_tables import WallConstraints
-from bondem._tables.columns import BONDS_OF_PORTION, ELEMENTS_OF_PORTION
+from bondem._tables.columns import TERMS_OF_THREAD
 from bondem._tables.step_tables import Rows
 from bondem.dynamics.on_device.translation import Count, Given, Translation
 
@@ -24,13 +24,13 @@ def bonds(run: Translation, _: Given) -> int:
 
 
 def portions_of_elements(run: Translation, _: Given) -> int:
-    """Return the number of portions of elements."""
-    return -(-run.span.n // ELEMENTS_OF_PORTION)
+    """Return the number of threads that add up terms of elements."""
+    return -(-run.span.n // TERMS_OF_THREAD)
 
 
 def portions_of_bonds(run: Translation, _: Given) -> int:
-    """Return the number of portions of bonds or facets."""
-    return -(-run.span.m // BONDS_OF_PORTION)
+    """Return the number of threads that add up terms of bonds or facets."""
+    return -(-run.span.m // TERMS_OF_THREAD)
 
 
 def free(run: Translation, _: Given) -> int:
