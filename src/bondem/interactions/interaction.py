@@ -69,7 +69,7 @@ class SurfaceState(NamedTuple):
     """Walls that hold facets, and tractions on facets, at one time.
 
     `base` are initial places of the walls, (g, 7), and `motion` their displacements [m], (g, 3). `pressed` is the
-    contribution of tractions to V θ of each cell [m³], internal order, (n,).
+    contribution of tractions to V θ, volume times dilatation, of each cell [m³], internal order, (n,).
     """
 
     base: Floats
@@ -172,7 +172,7 @@ class Interaction(ABC):
     @classmethod
     @abstractmethod
     def join(cls, lattice: Lattice, layout: Layout, bond: Any, boundary: Boundary, may_fail: bool) -> "Interaction":
-        """Return the interaction of a specimen by a law, or laws by region, under conditions.
+        """Return the interaction of a specimen by a law, or laws by region, under boundary conditions.
 
         Raises:
             InputError: The laws do not fit each other or the specimen.
@@ -212,7 +212,7 @@ class Interaction(ABC):
 
     @property
     def supports(self) -> Supports:
-        """Facets that walls hold."""
+        """Free facets whose displacement walls prescribe; none for laws without facets."""
         return Supports.none()
 
     def strained(self, strain: PerBond, base: Floats, motion: Floats, pressed: PerElement) -> Self:
@@ -222,7 +222,7 @@ class Interaction(ABC):
         return twin
 
     def pressed(self, facet: Ints, force: Floats) -> PerElement:
-        """Return the contribution of forces on free facets [N], (k, 3), to V θ [m³], user's order, (n,)."""
+        """Return the volume changes V θ [m³], (n,), due to forces on free facets [N], (k, 3); user's order."""
         return np.zeros(len(self.layout.order))
 
     def dilatational_stress(self, swelling: PerElement) -> PerElement:
@@ -231,7 +231,7 @@ class Interaction(ABC):
 
     @property
     def moments_at_contact(self) -> bool:
-        """True if moments count for failure at the contact points."""
+        """True if moments at the contact points, not those at the ends, count for failure."""
         return False
 
     def own_strength(self) -> PerBond:
@@ -311,7 +311,7 @@ class Interaction(ABC):
     def of_walls(
         self, displacement: PerElement3, rotation: PerElement3, strain: PerBond, pressed: PerElement
     ) -> PerElement6:
-        """Return force and torque of holding walls on elements [N, N·m], user's order, (n, 6)."""
+        """Return force and torque on elements by the walls that hold facets [N, N·m], user's order, (n, 6)."""
         return np.zeros((len(displacement), 6))
 
     def small_energy(
@@ -391,7 +391,7 @@ class Interaction(ABC):
 
 
 class SteppingInteraction(Interaction):
-    """Law of bonds that provides its own parts of a step."""
+    """Law of bonds that provides its own parts of a time step."""
 
     strains: ClassVar[bool] = False
 

@@ -57,7 +57,7 @@ def _keep_nothing() -> None:
 
 @dataclass(frozen=True, eq=False)
 class Part:
-    """Passes of one subject in a step.
+    """Passes of one subject, such as contact, in a time step.
 
     Attributes:
         stages: passes by stage.
@@ -81,6 +81,6 @@ class Part:
 
 
 def composed(parts: Iterable[Part], *stages: str) -> Passes:
-    """Return the passes of stages, each stage in the order of the parts."""
+    """Return the passes of given stages one after the other, each in the order of the parts."""
     parts = list(parts)
     return [one for stage in stages for part in parts for one in part.stages.get(stage, [])]

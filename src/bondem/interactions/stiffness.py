@@ -16,7 +16,7 @@ class Stiffness:
     """The matrix K = B + Fᵀ (W + S) F + Tᵀ T, with degrees of freedom (u, θ) per element.
 
     Bonds couple two elements, B. The dilatation of a cell couples all its neighbours with each other. An explicit
-    matrix for it would have four times the blocks, so it remains a product. So do its gradients S and T.
+    matrix for it would have four times the blocks, so it remains a product, as do the gradients S and T.
 
     Attributes:
         bonds: B, 6×6 blocks, with a diagonal block in every row, (6 n, 6 n).

@@ -54,7 +54,7 @@ def replacing(path: Path) -> Iterator[Path]:
 
 
 def write_bytes(path: Path, content: bytes | memoryview) -> None:
-    """Write a file to a temporary path and move it into place."""
+    """Write a file to a temporary path and move it into place; errors as for `replacing`."""
     with replacing(path) as aside:
         aside.write_bytes(content)
 
@@ -65,7 +65,7 @@ def write_text(path: Path, text: str) -> None:
 
 
 def failed(path: Path, error: OSError) -> RunFileError:
-    """Error for a file that could not be written."""
+    """Return the error for a file that could not be written."""
     return RunFileError(
         f"'{path}' could not be written ({error.strerror or error}); make room or choose another place"
     )
@@ -93,7 +93,7 @@ def require_writable(path: Path, what: str) -> None:
 
 
 def require_folder(path: Path, what: str) -> None:
-    """Check, before any work, that a folder exists and can be written to, or can be created.
+    """Check, before any work, that a folder, named `what` in messages, exists and is writable, or can be created.
 
     The folder is not created yet, so that failed work leaves nothing behind.
 

@@ -37,7 +37,7 @@ def fixed(text: str) -> np.bytes_:
 
 
 def text_of(value: object) -> str:
-    """Read a text from a file, of fixed or variable length."""
+    """Convert a text from an HDF5 file, of fixed or variable length, to `str`."""
     return value.decode() if isinstance(value, bytes) else str(value)
 
 

@@ -143,11 +143,11 @@ class _Frame:
 
     @property
     def columns(self) -> dict[str, Floats]:
-        """Field components by column name: components are numbered, vectors have letters."""
+        """Columns of all fields, (n,) each, by name: "NAME_x" … of vectors, "NAME_0" … of fields of other widths."""
         return {key: values for name in self.fields for key, values in self.columns_of(name).items()}
 
     def columns_of(self, name: str) -> dict[str, Floats]:
-        """Components of one field by column name."""
+        """Return the components of a field, (n,) each, by column name."""
         values = self.fields[name]
         if values.ndim == 1:
             return {name: values}

@@ -1,4 +1,4 @@
-"""HDF5 files: the one place where they are opened for reading, and where whole files are written.
+"""Opening of HDF5 files for reading, and writing of complete HDF5 files.
 
 HDF5 does not survive a failing disk: it crashes when it closes a file that it could not write. Files are therefore
 made in memory, and their bytes are written by Python. Reading a damaged file can raise errors of any type. Each is
@@ -48,7 +48,7 @@ def writing(path: Path) -> Iterator[h5py.File]:
     """Yield a new file in memory, which is written to `path` at the end of the block.
 
     Raises:
-        RunFileError: the disk is full, or another failure to write.
+        InputError, RunFileError: errors of `bondem.io.atomic.replacing`.
     """
     content = io.BytesIO()
     with h5py.File(content, "w", libver=FORMAT) as file:
@@ -65,7 +65,7 @@ def write_head(file: h5py.File, name: str, schema: int, texts: Mapping[str, str]
 
 
 def refuse_newer(path: Path, schema: int, version: str, known: int, kind: Kind) -> None:
-    """Raise the error of `kind` if the schema of a file, which bondem `version` wrote, is above the `known` ones."""
+    """Raise the error of `kind` if the schema of a file, which bondem `version` wrote, is above `known`."""
     if schema > known:
         raise kind.error(
             f"'{path}' was written by bondem {version}, which is newer than this {__version__}; update bondem to read"
@@ -84,7 +84,7 @@ def put(group: Any, name: str, values: Any) -> None:
 
 @contextmanager
 def reading(path: Path, kind: Kind, source: Path | io.BytesIO | None = None) -> Iterator[h5py.File]:
-    """Open a file for reading.
+    """Yield an HDF5 file that is open for reading.
 
     Args:
         path: the file.
@@ -108,7 +108,7 @@ def reading(path: Path, kind: Kind, source: Path | io.BytesIO | None = None) -> 
 
 @contextmanager
 def damage(path: Path, kind: Kind, *passing: type[Exception]) -> Iterator[None]:
-    """Turn errors of the block into the error of a damaged file.
+    """Turn errors of the block into the error of `kind`, for a damaged file or one that does not fit into memory.
 
     Args:
         path: the file.
@@ -127,7 +127,7 @@ def damage(path: Path, kind: Kind, *passing: type[Exception]) -> Iterator[None]:
 
 
 def _require_stored(name: str, item: Any) -> None:
-    """Reject arrays that announce more bytes than the file can hold, before memory is allocated for them."""
+    """Raise ValueError for an array that announces more bytes than the file can contain, before it is read."""
     if isinstance(item, h5py.Dataset):
         stored = item.id.get_storage_size()
         if item.nbytes > _LITTLE + _MOST_COMPRESSED * stored:

@@ -114,8 +114,8 @@ def read_lattice(
         periodic: True to use the box of a LAMMPS file as a periodic cell.
 
     Raises:
-        InputError: an error of `read_particles`, a file without bonds, or bonds across the border of a periodic cell
-            that is not known as one.
+        InputError: an error of `read_particles`, a file without bonds, or bonds across the border of a cell
+            that is not known to be periodic.
         DisconnectedError: the specimen consists of two large pieces.
 
     Warns:

@@ -271,7 +271,7 @@ def recover(path: Path, file: Any) -> None:
 
 
 def journal_of(path: Path) -> Path:
-    """Path of the journal of a file, or of the file behind a link."""
+    """Return the path of the journal of a file, or of the file behind a link."""
     path = target_of(path)
     return path.with_name(f".{path.name}.journal")
 

@@ -1,6 +1,6 @@
 """Shares of bodies in files older than the balanced shares (run files before schema 9).
 
-A run continues with its original law: the share of a facet in the dilatation of its cell p was A w_p M_p⁻¹ n, with
+A run continues with its original law. The share of a facet in the dilatation of its cell p was A w_p M_p⁻¹ n, with
 w_p = d_p / (d_p + d_q) and M_p = (1/V_p) Σ A d_p n⊗n over all facets of the cell. Particle files get balanced shares.
 """
 
@@ -40,7 +40,7 @@ def balanced_body(
 
 
 def with_corrected_normals(body: Lattice, boundary: Sequence[BoundaryCondition]) -> Lattice:
-    """Return a body with the shares A w M⁻¹n of run files before schema 9.
+    """Return a body with the shares A w M⁻¹ n of run files before schema 9, where M = (1/V) Σ A d n⊗n of a cell.
 
     A smooth platen fixes the displacement of a facet along its normal only: the share of this facet is along n alone.
 

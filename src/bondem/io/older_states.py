@@ -73,7 +73,7 @@ def with_directions(model: Model, state: State) -> Floats:
 
 
 def judge_anew(model: Model, state: State) -> None:
-    """Replace the stored traction at initiation of cracks by the strength, and reset the limit of resting cracks."""
+    """Replace the traction at initiation of cracks by the strength, and reset the force limit of cracks at rest."""
     if model.softening is None:
         return
     rows = state.cracks

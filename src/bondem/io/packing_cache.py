@@ -106,7 +106,7 @@ class PackingCache:
     if it had not been stored.
 
     Args:
-        folder: the folder; None for the default of this module.
+        folder: the folder; None for the folder `packings` in the cache of bondem.
         most_bytes: largest total size of the files [bytes]; the least recently used files are removed first.
     """
 

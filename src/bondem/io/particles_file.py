@@ -75,13 +75,13 @@ def load_particles(path: str | Path) -> Particles:
 
 
 def load_bonded(path: str | Path) -> tuple[Particles, np.ndarray | None]:
-    """Read particles and the pairs (m, 2) of their bonds, which are None for a file without bonds."""
+    """Read particles and their bonds, (m, 2), or None for a file without bonds; errors as for `load_particles`."""
     particles, lattice, _ = _read(Path(path))
     return particles, None if lattice is None else lattice.pairs
 
 
 def load_lattice(path: str | Path) -> Lattice | None:
-    """Read the stored lattice, including any facets and cells; return None for a file without bonds."""
+    """Read the stored lattice, including any facets and cells; None without bonds. Errors as for `load_particles`."""
     return _read(Path(path))[1]
 
 

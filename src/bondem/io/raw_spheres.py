@@ -1,4 +1,4 @@
-"""Spheres of a text file, and common parts of the readers of text files."""
+"""Spheres as read from a file, and common parts of the readers of text files."""
 
 import math
 from collections import deque
@@ -93,7 +93,7 @@ def snapshot_number(path: Path, number: int, count: int, *, argument: str = "fra
 
 
 def chosen_frame(path: Path, number: int, frames: Iterable[_Frame], empty: str = "") -> _Frame:
-    """Return a snapshot by its number, where -k counts from the end and keeps k snapshots in memory.
+    """Return a snapshot by its number; -k is the k-th from the end, for which k snapshots are kept in memory.
 
     Raises:
         InputError: the file has no such snapshot; `empty`, if given, is the message for a file without snapshots.

@@ -72,7 +72,7 @@ class RunContents:
         return None if self.rate is None else (self.steps - self.step) / self.rate
 
     def as_json(self) -> str:
-        """Summary as JSON text."""
+        """Return the summary as JSON text."""
         return json.dumps(asdict(self) | {"rate": self.rate, "left": self.left}, indent=2)
 
 

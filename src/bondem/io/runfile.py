@@ -95,7 +95,7 @@ class Checkpoint:
 
 
 class RunFile:
-    """Writer of checkpoints and snapshots of a run (a `Sink`).
+    """Writer of the checkpoints and snapshots of a run to its file.
 
     Args:
         path: the file; an existing run file is replaced at the first checkpoint or snapshot.
@@ -185,7 +185,7 @@ class RunFile:
         self._commit()
 
     def snapshot(self, state: State) -> None:
-        """Append and commit a snapshot of a state for ParaView."""
+        """Append and commit a snapshot of a state for ParaView; errors as for `checkpoint`."""
         file = self._new_file()
         if self._snapshots is None:
             self._snapshots = Snapshots.begin(file, self._model, self._cracks)
@@ -277,7 +277,7 @@ def read_run(path: str | Path, *, failure: Criterion | None = None) -> Checkpoin
 
 @contextmanager
 def reading_run(path: Path) -> Iterator[h5py.File]:
-    """Open the last commit of a run file, also while it is written or after a kill.
+    """Yield the last commit of a run file, open for reading, also while the file is written or after a kill.
 
     Raises:
         RunFileError: The file does not exist, is not HDF5, or is damaged.

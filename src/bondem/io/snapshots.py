@@ -51,7 +51,7 @@ class Snapshots:
     """Group of the snapshots in a file.
 
     Attributes:
-        pieces: pieces by name.
+        pieces: parts of each snapshot by name, such as "elements" and "bonds".
         cracks: function of the crack outlines of a state; None for a file without cracks.
         drawn: numbers of the shown bonds, which do not cross the border of a periodic cell.
         corners: corners of the cells if the file stores their motion; else None.

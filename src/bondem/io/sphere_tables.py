@@ -139,7 +139,7 @@ def _row(
         most: largest number of columns of a line; None for no limit.
 
     Raises:
-        InputError: too few or too many columns, or one that is no number.
+        InputError: too few or too many columns, a word that is no number, or a size that is not positive.
     """
     if len(words) <= max(chosen.columns):
         raise InputError(

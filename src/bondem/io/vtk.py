@@ -26,7 +26,7 @@ def write_vtkhdf(
     elements: Mapping[str, ArrayLike] | None = None,
     bonds: Mapping[str, ArrayLike] | None = None,
 ) -> None:
-    """Write a lattice as VTKHDF PolyData, which ParaView 5.11 and later opens (glyph by `radius`).
+    """Write a lattice as VTKHDF PolyData, which ParaView 5.11 and later opens; glyphs scale with `radius`.
 
     A body of cells is written as polyhedra (ParaView 6.0 and later), with `elements` as fields of the cells. For a
     state under `CellBond`, the file also has the mean stress of each cell, its dilatation θ and λ θ (λ of Lamé).

@@ -22,7 +22,7 @@ _SAME = 1e-7
 
 
 def fields_of_motion(state: State | StaticResult | None) -> dict[str, ArrayLike]:
-    """Return fields of elements by name: motion of a state; motion, reactions and stresses of a static solution."""
+    """Return fields of elements by name: motion, for a static solution also reactions and stresses; {} for None."""
     if state is None:
         return {}
     if isinstance(state, State):
@@ -64,7 +64,7 @@ def write_cells(path: Path, body: Lattice, state: State | None, fields: Mapping[
     """Write cells as polyhedra, which move and turn with the state.
 
     Args:
-        path: VTKHDF file.
+        path: VTKHDF file; InputError if it cannot be written.
         body: lattice of cells.
         state: state of the cells; None for cells at rest.
         fields: fields of the cells by name, (n,) or (n, k).

@@ -15,7 +15,7 @@ from bondem.io.vtkhdf_series import begin_group, static_cells
 
 @contextmanager
 def poly_data(path: Path, points: ArrayLike, chosen: str, offsets: Ints, corners: Ints) -> Iterator[h5py.Group]:
-    """Create a PolyData file of points and cells of one kind, and yield its group, to which fields can be added.
+    """Yield the group of a new PolyData file with points and cells of one kind, to which fields can be added.
 
     Args:
         path: file to write.

@@ -22,7 +22,7 @@ _CHUNK = 1 << 13
 
 
 def begin_collection(file: h5py.File) -> h5py.Group:
-    """Create the group of all pieces, still empty."""
+    """Create the empty VTKHDF group of a file, to which pieces can be added."""
     root = begin_group(file, "PartitionedDataSetCollection")
     root.create_group("Assembly", track_order=True)
     return root

@@ -52,7 +52,7 @@ def read_vtkhdf_spheres(path: Path, radius: str | None = None, *, frame: int = -
 
 @dataclass(frozen=True, eq=False)
 class _Step:
-    """Time step of a file, or the whole of a file without time steps.
+    """Time step of a file, or all contents of a file without time steps.
 
     Attributes:
         offsets: group with the first rows of the step in each array; None for a file without time steps.

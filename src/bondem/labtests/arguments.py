@@ -26,16 +26,16 @@ _RULES: dict[str, dict[str, Any]] = {
 
 
 def check(test: str, lattice: object, *, faces: str = "x_min x_max", **given: object) -> None:
-    """Check that a lattice is one bonded body whose loaded faces are across the load, and that numbers are in range.
+    """Check that a lattice is one bonded body with loaded faces normal to the load, and that numbers are in range.
 
     Args:
         test: name of the calling function, for messages.
         lattice: the specimen.
-        faces: names of the loaded faces, for `refuse_turned`.
+        faces: names of the loaded faces, separated by blanks.
         **given: further arguments by name, such as E [Pa], nu [-], density [kg/m³] or depth in mean radii [-].
 
     Raises:
-        InputError: an argument is of the wrong type or out of range.
+        InputError: a value of the wrong type or out of range, no bonds, several bodies, or a turned face.
     """
     specimen = instance(f"labtests.{test}", "lattice", lattice, Lattice, "a lattice, from bd.connect")
     if not len(specimen.pairs):

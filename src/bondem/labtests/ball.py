@@ -89,7 +89,7 @@ class BallSpecimen:
         middle: centre of the ball [m], (3,).
         diameter: diameter of the ball [m].
         radius: contact radii of the elements [m], (n,).
-        stiffness: k_n of the median bond or facet [N/m].
+        stiffness: median normal stiffness k_n of the bonds or facets [N/m].
         mass: mass of the ball [kg].
     """
 
@@ -102,7 +102,7 @@ class BallSpecimen:
 
     @classmethod
     def of(cls, test: str, model: Model) -> "BallSpecimen":
-        """Create the specimen of a model, for the test of a given name.
+        """Create the ball of a model; `test` is the name of the test in messages.
 
         Raises:
             InputError: the shape is not a ball.
@@ -120,7 +120,7 @@ class BallSpecimen:
         )  # fmt: skip
 
     def reach(self, direction: Floats) -> float:
-        """Largest coordinate of the surfaces of all elements along a unit vector, shape (3,) [m]."""
+        """Return the largest coordinate [m] of the surfaces of all elements along a unit vector, (3,)."""
         return float((self.lattice.centre @ direction + self.radius).max())
 
     def contact(self, given: ContactLaw | None) -> ContactLaw:

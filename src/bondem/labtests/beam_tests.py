@@ -57,7 +57,7 @@ class CrossSection:
                 raise InputError(f"a {type(shape).__name__} is not a bar along x; test a Cylinder or a Box")
 
     def filled(self, stiffness: Floats, mass: Floats) -> "CrossSection":
-        """Return a cross-section of equal area with the second moments of uneven stiffness and mass.
+        """Return a cross-section of equal area whose second moments are those of nonuniform stiffness and mass.
 
         Args:
             stiffness: ⟨y²⟩ and ⟨z²⟩, weighted with the axial force in tension [m²], (2,). The shear stiffness is
@@ -80,7 +80,7 @@ class CrossSection:
 
 
 def _torsion_of_rectangle(b: float, c: float) -> float:
-    """Torsion constant J of a b × c rectangle [m⁴], by Saint-Venant's series, whose terms decrease as n⁻⁵."""
+    """Compute the torsion constant J of a b × c rectangle [m⁴] by Saint-Venant's series, with terms ∝ n⁻⁵."""
     long, short = max(b, c), min(b, c)
     n = np.arange(1, 60, 2)
     tail = (np.tanh(0.5 * n * math.pi * long / short) / n**5.0).sum()

@@ -31,8 +31,8 @@ def compress_bonded(
 ) -> StrengthTest:
     """Compress bonded spheres along x between a fixed platen and one that approaches it.
 
-    The platens have a coefficient of `friction` [-], and the sides a confining `pressure` [Pa]. `reach` limits the
-    motion, over that at the expected peak [-]; None for `REACH`. Raises InputError for a pressure on a shape that
+    The platens have a coefficient of `friction` [-], and the sides a confining `pressure` [Pa]. `reach` is the
+    largest motion over that at the expected peak [-]; None for 20. Raises InputError for a pressure on a shape that
     walls cannot confine, and for friction with the non-local law on cells.
     """
     lower, upper = specimen.bounds
@@ -60,7 +60,7 @@ def compress_bonded(
 
 
 def tear_bonded(specimen: BondedSpecimen, options: RunOptions) -> StrengthTest:
-    """Pull one end layer of bonded spheres along x away from the other, until the load has dropped to a tenth."""
+    """Pull one end layer of bonded spheres along x away from the other, until the load is a tenth of its peak."""
     lower, upper = specimen.bounds
     section = specimen.lattice.particles.envelope.section()
     near, far = specimen.layer(0, -1.0), specimen.layer(0, 1.0)
@@ -81,7 +81,7 @@ def tear_bonded(specimen: BondedSpecimen, options: RunOptions) -> StrengthTest:
 
 
 def _confining(specimen: BondedSpecimen, pressure: float, speed: float, begin: float) -> tuple[Wall, ...]:
-    """Create smooth walls for a confining pressure [Pa]: a servo cylinder, or fixed and servo planes along y and z.
+    """Create smooth walls for a confining pressure [Pa], none for 0: a servo cylinder, or fixed and servo planes.
 
     Raises:
         InputError: the specimen is neither a cylinder nor a box.

@@ -53,7 +53,8 @@ LEAST, REACH, RECORDS = 0.2, 20.0, 4000
 def is_cells(body: Lattice, law: object) -> bool:
     """Return True for a body of cells with a cell law, False for bonded spheres and for the non-local law.
 
-    The result is also True for an object that is not a lattice, which the checks of tests with cells reject.
+    The result is also True for arguments that later checks reject: spheres with a cell law, cells with a beam law,
+    or an object that is not a lattice.
     """
     kind = kind_of(matrix_of(law))
     if kind.on_facets or not isinstance(body, Lattice):
@@ -219,7 +220,7 @@ class BondedSpecimen:
         return self._between(walls, tuple(drives))
 
     def extent(self, axis: int, sign: float) -> Floats:
-        """Largest coordinate of the surface of each element along sign · axis [m], (n,); -inf for rattlers."""
+        """Return the largest coordinate of each element's surface along sign · axis [m], (n,); -inf for rattlers."""
         reach = sign * self.lattice.centre[:, axis] + self.bare.contact_radius
         return np.where(self.lattice.connected, reach, -np.inf)
 
@@ -264,7 +265,7 @@ class BondedSpecimen:
         )  # fmt: skip
 
     def pressed(self, axis: int, near: Ints, far: Ints) -> StaticResult:
-        """Solve for the elastic equilibrium with the near end fixed and the far end displaced, both along an axis."""
+        """Solve for the equilibrium with the elements `near`, (k,), fixed and `far`, (k,), moved along an axis."""
         lower, upper = self.bounds
         from_middle = np.linalg.norm(self.lattice.centre - 0.5 * (lower + upper), axis=1)
         inmost = Index([int(np.argmin(np.where(self.lattice.connected, from_middle, np.inf)))])
@@ -318,7 +319,7 @@ class BondedSpecimen:
         return float(np.quantile(failure_index(self.bare, scaled), 1.0 - _REACHED))
 
     def _uniform_index(self, largest: float, least: float) -> float:
-        """Failure index of the non-local law per nominal stress [1/Pa], for principal over nominal stresses [-].
+        """Return the failure index of the non-local law per nominal stress [1/Pa], for principal over nominal ones.
 
         The largest of all criteria counts. A load that no criterion limits gives 1 over the weakest strength.
         """

@@ -67,7 +67,7 @@ def split_bonded(
 
 
 def _centre(specimen: BondedSpecimen, disc: Disc, bottom: Ints, top: Ints) -> float:
-    """Elastic stress σ_zz at the centre per load [1/m²]; NaN for the non-local law."""
+    """Compute the elastic stress σ_zz at the centre per load [1/m²]; NaN for the non-local law."""
     if not specimen.bare.interaction.has_potential:  # a static solution does not store its stresses
         return math.nan
     static = specimen.pressed(1, bottom, top)

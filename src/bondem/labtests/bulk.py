@@ -139,7 +139,7 @@ def _of_lagged(model: Model, law: LaggedInteraction) -> BulkModuli:
 
 
 def _slips(branch: Floats) -> Floats:
-    """Slips ε · branch of each bond for six unit strains [m], shape (6, m, 3)."""
+    """Compute the slips ε · branch of each bond for six unit strains [m], shape (6, m, 3)."""
     slip = np.zeros((6, len(branch), 3))
     for s, (a, b) in enumerate(VOIGT):
         if a == b:

@@ -34,8 +34,8 @@ class Cantilever:
 
     Attributes:
         lattice: the specimen.
-        clamped: elements at x_min, (k,).
-        loaded: elements at x_max, (k,).
+        clamped: indices of the elements at x_min, (k,).
+        loaded: indices of the elements at x_max, (k,).
         paper: bar of length L_M of eq (12) of André et al. (2012), from wall to wall.
         refined: bar between the mean centres of both sets, for statics; between the walls of a body of cells.
         moving: bar from the mean centre of the clamped set to the face x_max, for dynamics: the elements at x_max
@@ -92,7 +92,7 @@ class Cantilever:
         )  # fmt: skip
 
     def model_under(self, law: AnyLaw, depth: float, force: tuple[float, ...], moment: float = 0.0) -> Model:
-        """Create the model clamped at x_min, under a force [N], (3,), and a moment about x [N·m] on x_max."""
+        """Create the model clamped at x_min, with a force [N], (3,), and a moment about x [N·m] on x_max."""
         clamp = Fix(Face("x_min", depth))
         load = Load(Face("x_max", depth), force=(force[0], force[1], force[2]), moment=(moment, 0.0, 0.0))
         return Model(self.lattice, law, density=1.0, boundary=[clamp, load])  # statics do not depend on the density
@@ -118,14 +118,14 @@ class Cantilever:
         return solution, specimen_faces(self.lattice, depth).motion(model, solution, "x_max")
 
     def profile(self, displacement: Floats, component: int) -> dict[str, Floats]:
-        """Evaluate the curves "x" [m] and "profile", component 0 … 5 of the motion of sections [m or rad]."""
+        """Evaluate "x" [m] and "profile", a component (0 … 5) of the motion of sections [m or rad], (k,) each."""
         chosen = self.lattice.connected
         x, motion = profile(self.lattice.centre[chosen], displacement[chosen])
         return {"x": x, "profile": motion[:, component]}
 
 
 def mass_gyration(lattice: Lattice, density: float | PerElement = 1.0) -> Floats:
-    """Squared radii of gyration of the mass in the section, ⟨y²⟩ and ⟨z²⟩ about its centre [m²], (2,).
+    """Compute the squared radii of gyration of the mass in the section, ⟨y²⟩ and ⟨z²⟩ about its centre [m²], (2,).
 
     Elements are solid balls or cells. Cells, and spheres of `balanced_density`, have the result of the shape. Spheres
     of uniform density have less, as the skin of their packing is less dense than its core.

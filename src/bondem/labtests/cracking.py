@@ -44,7 +44,7 @@ class Cracking:
         fracture_energy: fracture energy G_f of the material, or of the matrix [J/m²]; NaN for brittle bonds.
         section: area that a single crack has to cross [m²]; NaN for a test in compression, which has no such section.
         axis: normal of that section, 0, 1 or 2.
-        crushed: energy of `dissipated` that facets released beyond G_f times their area, or without cohesion [J].
+        crushed: part of `dissipated` that facets released beyond G_f times their area, or without cohesion [J].
     """
 
     body: Lattice
@@ -124,17 +124,17 @@ class Cracking:
     def stored_ratio(self) -> float:
         """Elastic energy at the peak over the energy of one crack, G_f times the section [-]; NaN without either.
 
-        Above 1 the specimen stores more energy than one crack dissipates: the equilibrium path snaps back, and in a
-        test at a given motion the excess drives further cracks and vibrations.
+        Above 1 the specimen stores more energy than one crack dissipates, and the equilibrium path snaps back. In
+        a test at a given motion the excess drives further cracks and vibrations.
         """
         taken = self.fracture_energy * self.section
         return self.stored / taken if taken > 0.0 else math.nan
 
     @property
     def single(self) -> bool:
-        """True if both energies agree with one crack, so that the work per section is a fracture energy.
+        """True if both energies are those of one crack at most, so that the work per section is a fracture energy.
 
-        The stored energy is at most that of one crack, and the dissipated energy at most 1.5 times that.
+        The stored energy is then at most G_f times the section, and the dissipated energy at most 1.5 times this.
         """
         return self.stored_ratio <= 1.0 and self.per_section <= _SEVERAL * self.fracture_energy
 

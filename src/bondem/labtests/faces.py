@@ -59,7 +59,7 @@ class SpecimenFaces:
         return float(particles.mean_radius + np.hypot(*particles.position[side, 1:].T).mean())
 
     def side_distance(self, distance: Floats, share: Floats) -> float:
-        """Distance from the axis at which the motion of "side" is measured [m]: R_M, or the mean of facets of cells.
+        """Return the distance of "side" from the axis for its measured motion [m]: R_M, or the mean of facets.
 
         A cylinder of cells is a prism, whose facets are nearer to the axis than the radius of its section.
 
@@ -75,7 +75,7 @@ class SpecimenFaces:
         return rigid_motion(self.lattice.centre[chosen], solution.displacement[chosen])
 
     def outside(self, model: Model, solution: StaticResult) -> tuple[Floats, Floats, dict[str, tuple[Ints, Floats]]]:
-        """Positions and displacements of elements or facets [m], (k, 3), with indices and weights by face."""
+        """Return positions and displacements of elements or facets [m], (k, 3), and indices and weights by face."""
         sets = {name: self._select(name) for name in self._names}
         even = {name: (found, np.full(len(found), 1.0 / len(found))) for name, found in sets.items()}
         return self.lattice.centre, solution.displacement, even
@@ -141,7 +141,7 @@ class WalledFaces(SpecimenFaces):
         return free.cell, free.centroid, free.area[:, None] * free.normal
 
     def _surface(self, model: Model, solution: StaticResult) -> Floats:
-        """Displacements of the free facets under the loads of the model [m], (k, 3), in the order of `cells.free`."""
+        """Compute the displacements of free facets under the loads of the model [m], (k, 3), as in `cells.free`."""
         traction = loads_on_facets(model) / self.elements.cells.free.area[:, None]
         return surface_displacement(model, solution.displacement, solution.rotation, traction=traction)
 

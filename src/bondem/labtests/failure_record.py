@@ -119,7 +119,7 @@ class FailureTest:
     cracking: Callable[[Any, Lattice, float], Cracking] = lambda result, body, fracture_energy: result.cracking
 
     def figure_of(self, curves: Mapping[str, Any]) -> TestFigure:
-        """Return the style of the figures of a specimen from its `Outcome.curves`, with "plain" for a plain beam."""
+        """Return the style of the figures of a specimen; a plain beam has the key "plain" in its `Outcome.curves`."""
         return replace(self.figure, strain=self.figure.plain) if "plain" in curves else self.figure
 
     def curves(self, result: Any, cracking: Cracking) -> dict[str, np.ndarray]:

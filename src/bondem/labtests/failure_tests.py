@@ -204,9 +204,9 @@ def failure_outcome(
 ) -> Outcome:
     """Run a test of `FAILURE_TESTS` and compare its strength with that implied by the material.
 
-    The implied strength is f_t in direct tension, the Brazilian test and the spall test. Under smooth platens it
-    follows from the criterion. Bending, the shear test and crushing have no closed form; their theory is NaN. An
-    impact has no strength; its measured value is the share of broken facets [-].
+    The implied strength is f_t in direct tension, the Brazilian test and the spall test. In compression
+    between smooth platens it follows from the criterion. Bending, the shear test and crushing have no closed form;
+    their theory is NaN. An impact has no strength; its measured value is the share of broken facets [-].
 
     Args:
         name: name of the test in `FAILURE_TESTS`, such as "ucs".
@@ -220,6 +220,7 @@ def failure_outcome(
     Raises:
         InputError: an unknown test, or a specimen, law or criterion that the test does not support.
         UnstableRunError: the run became unstable or lost its energy balance.
+        RunInterrupted: Ctrl-C was pressed; its `.result` is that of the test so far.
     """
     asked, test = dict(options or {}), FAILURE_TESTS.get(name)
     if test is not None and test.bonded and not is_cells(body, law):

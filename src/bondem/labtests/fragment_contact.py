@@ -15,7 +15,7 @@ def fragment_contact(stiffness: float, radius: Floats) -> ContactLaw:
     """Return a contact law with a friction of 0.4, by which contacts with walls are as stiff as the median bond.
 
     Args:
-        stiffness: k_n of the median bond or facet [N/m].
+        stiffness: median normal stiffness k_n of the bonds or facets [N/m].
         radius: contact radii of the elements [m], (n,).
     """
     return LinearContact(E=stiffness / (math.pi * float(np.median(radius))), friction=_FRICTION)

@@ -16,7 +16,7 @@ def spectrum(time: Floats, signal: Floats, *, padding: int = 8) -> tuple[Floats,
         padding: number of appended zeros, in lengths of the signal [-], for a smooth curve.
 
     Returns:
-        Frequencies [Hz] and amplitudes in the unit of the signal.
+        Frequencies [Hz] and amplitudes in the unit of the signal, (f,) each.
     """
     window = np.hanning(len(signal))
     count = len(signal) * (1 + padding)

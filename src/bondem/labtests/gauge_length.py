@@ -106,7 +106,7 @@ def curvature(position: PerElement3, displacement: PerElement3, at: float) -> fl
 
 
 def twist_rate(position: PerElement3, displacement: PerElement3) -> float:
-    """Fit the twist rate dθ_x/dx [rad/m] to positions and displacements across x [m], (n, 3).
+    """Fit the twist rate dθ_x/dx [rad/m] to positions and displacements [m], (n, 3), of which u_y and u_z count.
 
     Rotation and shift of the sections are linear in x.
     """

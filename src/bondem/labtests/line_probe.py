@@ -37,7 +37,7 @@ def walls_along(shape: Shape, start: Floats, end: Floats) -> tuple[bool, Floats]
 
 
 def ligament_of(shape: Shape) -> float:
-    """Height of the uncut section of a beam at mid-span, above a notch from below [m].
+    """Measure the height of the uncut section of a beam at mid-span, above a notch from below [m].
 
     Raises:
         InputError: the section has holes.

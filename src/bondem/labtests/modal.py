@@ -88,7 +88,7 @@ def natural_frequencies(
 
 
 def _effective_mass(model: Model, shape: Floats) -> Floats:
-    """Effective mass shares (φ·M r)² / (φ·M φ · r·M r), (count, 4), for motions r along x, y, z and about x."""
+    """Compute the effective mass shares (φ·M r)² / (φ·M φ · r·M r), (count, 4), for r along x, y, z and about x."""
     lattice = model.lattice
     moving = lattice.connected
     y, z = (lattice.centre - lattice.centre[moving].mean(axis=0))[:, 1:].T

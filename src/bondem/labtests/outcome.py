@@ -76,7 +76,7 @@ class Outcome(Plotted):
 
     @property
     def state(self) -> State | None:
-        """State of the broken specimen, or None."""
+        """State of the broken specimen; None for an elastic test."""
         return None if self.cracking is None else self.cracking.state
 
     @property
@@ -90,10 +90,10 @@ class Outcome(Plotted):
 
     @property
     def error_timoshenko(self) -> float | None:
-        """Relative error measured / theory_timoshenko - 1 [-], or None."""
+        """Relative error measured / theory_timoshenko - 1 [-]; None without this theory."""
         return None if self.theory_timoshenko is None else self.measured / self.theory_timoshenko - 1.0
 
     @property
     def error_refined(self) -> float | None:
-        """Relative error measured / theory_refined - 1 [-], or None."""
+        """Relative error measured / theory_refined - 1 [-]; None without this theory."""
         return None if self.theory_refined is None else self.measured / self.theory_refined - 1.0

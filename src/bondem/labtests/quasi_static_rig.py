@@ -46,7 +46,7 @@ class StrengthTest(OfOneRun):
     """Result of a test to failure.
 
     Attributes:
-        peak: largest stress [Pa], positive in tension and in compression; the test defines its section.
+        peak: largest stress [Pa], positive in tension and in compression: force over the nominal section of the test.
         E: slope of the stress over the strain of the curve, or over that of a gauge, between a tenth and half of the
             peak [Pa]; NaN for too few records. Some tests derive a modulus from it.
         curve: strain [-] and stress [Pa] of each record, positive along the load, shape (k, 2).
@@ -150,7 +150,7 @@ class Rig:
         return LoadDrop(load, self.ending, self.least * self.expected * self.section)
 
     def forces(self, history: History) -> tuple[Floats, Floats]:
-        """Forces of the near and of the far side on the specimen along the axis [N], (k,) each."""
+        """Return the forces of the near and of the far side on the specimen along the axis [N], (k,) each."""
         near, far = np.zeros((2, len(history)))
         for name, (_, taken) in self._sides.items():
             side = far if name.startswith("far") else near
@@ -232,7 +232,7 @@ class RunOptions:
         cls, density: float | Material | None, traverses: float | None, out: str | Path | None,
         progress: Callable[[float], None] | None,
     ) -> "RunOptions":  # fmt: skip
-        """Create the options of a test from its arguments; the density is `DENSITY` for None."""
+        """Create the options of a test from its arguments; the density is 2000 kg/m³ for None."""
         given = constant("density", density)
         return cls(DENSITY if given is None else given, traverses, out, progress)
 
@@ -260,7 +260,7 @@ def require_cells(test: str, body: Lattice, law: object, density: float = DENSIT
 
 
 def matrix_of(given: object) -> object:
-    """Return the first value of a mapping by region, that of the matrix; other arguments unchanged."""
+    """Return the first value of a mapping by region, that of the matrix (None if empty); return others unchanged."""
     return next(iter(given.values()), None) if isinstance(given, Mapping) else given
 
 

@@ -32,7 +32,7 @@ class _WithRun(Protocol):
 
 
 class OfOneRun(PlottedState):
-    """Base of results of a test with the explicit run `run`."""
+    """Base class of results of a test with the explicit run `run`."""
 
     @property
     def state(self: _WithRun) -> State:

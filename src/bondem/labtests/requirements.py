@@ -12,7 +12,7 @@ NOTCH, BORING, BALL = "notch", "boring", "ball"
 
 @dataclass(frozen=True)
 class Requirements:
-    """Specimens that a test needs: `fits` returns True for a suitable shape, which the keys in `advice` create."""
+    """Specimens that a test needs: `fits` returns True for a suitable shape; `advice` names one for messages."""
 
     fits: Callable[[Shape], bool]
     advice: str

@@ -59,7 +59,7 @@ class Tension(Plotted):
 
     @property
     def drawn(self) -> dict[str, Floats]:
-        """Young's modulus by the affine fit and by eq (14) [Pa]."""
+        """Young's modulus by the affine fit and by eq (14) of André et al. (2012) [Pa], by name and unit."""
         return {name: self.table[name] for name in ("E [Pa]", "E by eq (14) [Pa]")}
 
     @property
@@ -136,7 +136,7 @@ def tension_of(
 
 
 def force_gyration(model: Model, solution: StaticResult) -> Floats:
-    """Squared radii of gyration of the axial force in the section, ⟨y²⟩ and ⟨z²⟩ about its centre [m²], (2,).
+    """Compute the squared radii of gyration of the axial force, ⟨y²⟩ and ⟨z²⟩ about its centre [m²], (2,).
 
     The mean is over the bonds in the middle half of the length, weighted with axial force times extent along x. For
     cells it is over the cells, weighted with mean axial stress times volume. A homogeneous section gives I/S. A

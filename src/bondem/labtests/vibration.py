@@ -36,7 +36,7 @@ _AT_ONCE = Constant(1.0)
 
 @dataclass(frozen=True, eq=False)
 class FreeVibration(Plotted):
-    """Motion of the face x_max after release.
+    """Motion of the face x_max of a clamped specimen after the release of its loads.
 
     Attributes:
         time: time of each record [s], (s,).

@@ -22,7 +22,7 @@ class Bodies:
     Attributes:
         label: number of the body of each element, 0 … b - 1, shape (n,).
         names: name of each body; "grains/3" belongs to the group "grains".
-        shapes: shape that each body fills; None for one without.
+        shapes: shape that each body fills; None for a body without a shape.
     """
 
     label: Ints

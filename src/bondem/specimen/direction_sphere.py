@@ -46,7 +46,7 @@ def _unit(vector: Floats) -> Floats:
 
 @cache
 def _corners(level: int) -> Floats:
-    """Return the corners of the faces after `level` divisions, counter-clockwise seen from outside."""
+    """Return the corners of the faces after `level` divisions, counter-clockwise seen from outside, (f, 3, 3)."""
     if level == 0:
         return _icosahedron()
     a, b, c = np.moveaxis(_corners(level - 1), 1, 0)
@@ -57,7 +57,7 @@ def _corners(level: int) -> Floats:
 
 @cache
 def _cuts(level: int) -> Floats:
-    """Return the normals of the planes that separate child k = 0, 1, 2 of each face from the middle child 3."""
+    """Return the normals of the planes that separate child k = 0, 1, 2 of each face from child 3, (f, 3, 3)."""
     corner = _corners(level)
     middle = _unit(corner + np.roll(corner, -1, axis=1))
     return np.cross(np.roll(middle, 1, axis=1), middle)

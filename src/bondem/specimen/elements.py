@@ -121,7 +121,7 @@ class Elements:
         return self.particles.radius
 
     def inertia(self, density: PerElement) -> PerElement:
-        """Return moments of inertia, 2/5 m R², or a third of the trace of a cell's tensor [kg·m²], (n,)."""
+        """Return 2/5 m R², or a third of the trace of a cell's inertia tensor [kg·m²], (n,), at densities [kg/m³]."""
         return 0.4 * (density * self.volume) * self.particles.radius**2
 
     @property

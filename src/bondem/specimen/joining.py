@@ -19,7 +19,7 @@ _OVERLAP = 1e-3
 
 
 def join(*bodies: Lattice | Particles, names: Sequence[str] | None = None, pairs: ArrayLike | None = None) -> Lattice:
-    """Return several bodies in one lattice, one after the other, as they stand in space.
+    """Return several bodies in one lattice, one after the other, each at its present place.
 
     Args:
         bodies: lattices, or particles for loose grains, which are a body without bonds. A lattice of several bodies

@@ -223,7 +223,7 @@ class Lattice:
 
         Args:
             path: PNG, PDF or SVG to write; nothing is written when None.
-            values: numbers that colour the elements, shape (n,); sizes, or the bodies of a scene, unless given.
+            values: numbers that colour the elements, shape (n,); None for their sizes, or for the bodies of a scene.
             label: name and unit of the values, for the scale.
             view: azimuth and elevation of the camera [degree].
 

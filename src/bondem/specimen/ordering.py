@@ -93,7 +93,7 @@ class Layout:
 
     @property
     def blocks(self) -> tuple[Ints, Ints, Ints]:
-        """Numbers of the blocks of a matrix, by rows: (p, p), (n,), and (i, j) and (j, i) of each bond, (m,) each.
+        """Numbers of the blocks of a matrix, counted by rows: at (p, p), (n,), and at (i, j) and (j, i), (m,) each.
 
         Row p has a block for each bond with j = p, then the block (p, p), then one for each bond with i = p.
         """

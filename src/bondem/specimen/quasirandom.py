@@ -73,11 +73,11 @@ def points_inside(shape: Shape, count: int, depth: float) -> tuple[Floats, float
 
     Args:
         shape: shape to sample.
-        count: number of points in its bounding box.
+        count: number of points in its bounding box, which is reduced by `depth` on all sides.
         depth: smallest distance from every wall [m].
 
     Returns:
-        Points [m], (k, 3), and the volume of the bounding box over `count` [m³].
+        Points [m], (k, 3), and the volume of this box over `count` [m³].
     """
     lower, upper = shape.bounds
     # A point of this depth in the shape is at least as deep in its bounding box.

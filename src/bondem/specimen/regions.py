@@ -33,7 +33,7 @@ class Region(ABC):
         return np.flatnonzero(self._some(chosen, "connected element"))
 
     def with_rattlers(self, lattice: Lattice) -> Mask:
-        """Return a mask of the elements of the region, (n,), also of rattlers, for all that is no load or support.
+        """Return a mask of all elements of the region, rattlers included, (n,); loads and supports use `select`.
 
         Raises:
             EmptyRegionError: No element matches.
@@ -184,7 +184,7 @@ class Within(Region):
 
 @dataclass(frozen=True, kw_only=True)
 class Plane(Region):
-    """Elements on the side of a plane to which its normal points, by the centre of their particle.
+    """Elements whose particle has its centre on the side of a plane to which its normal points.
 
     `bd.pack(..., around=plane)` makes cells end on the plane.
 

@@ -15,14 +15,14 @@ BondAssignment = BondLaw | Mapping[Region | tuple[Region, Region], BondLaw]
 
 
 def bond_geometry(lattice: Lattice) -> BondGeometry:
-    """Return the geometry of the bonds of a lattice that laws depend on, user's order."""
+    """Return the geometry of the bonds of a lattice, the input of bond laws, user's order."""
     i, j = lattice.pairs.T
     r = lattice.particles.radius
     return BondGeometry(lattice.length, r[i], r[j], lattice.elements.mean_radii[i])
 
 
 def bond_stiffness(lattice: Lattice, bond: BondAssignment | None) -> tuple[BondStiffness, str]:
-    """Return the stiffnesses of all bonds in the user's order, and the formulation.
+    """Return the stiffnesses of all bonds in the user's order, and the formulation, "total" or "incremental".
 
     With a mapping, the bonds within a region follow its law, and bonds between two regions follow the law of the
     pair. Later entries override earlier ones.
@@ -61,10 +61,10 @@ def bond_stiffness(lattice: Lattice, bond: BondAssignment | None) -> tuple[BondS
 
 
 def ends_of(argument: str, where: object, lattice: Lattice) -> tuple[Mask, Mask]:
-    """Return masks of the elements at both ends of bonds for the key `where`, a region or a pair of them, (n,) each.
+    """Return masks of the elements at both ends of bonds for the key `where`, a region or two regions, (n,) each.
 
     Raises:
-        InputError: The key is neither; the message begins with `argument`.
+        InputError: The key is something else; the message begins with `argument`.
         EmptyRegionError: A region has no elements.
     """
     pair = where if isinstance(where, tuple) else (where, where)

@@ -112,9 +112,9 @@ class StoredBeamInteraction(BeamInteraction, SteppingInteraction):
     fields: ClassVar[tuple[StateField, ...]] = (StateField("history", (6, "m")),)
 
     def tables(self, arrays: Arrays) -> tuple[Beams, StoredLoads]:
-        """Return the beams and their stored loads, which share the array of the state.
+        """Return the beams and their stored loads, whose array is that of the state.
 
-        With fewer beams than a pass computes at once, the array is a longer copy, made by `with_zeros`.
+        With fewer beams than a pass computes at once, it is a longer copy, made by `with_zeros`.
         """
         beams = self._beams(np.zeros(0), arrays["integrity"])
         return beams, StoredLoads(np.ascontiguousarray(with_zeros(self.table.kb)), with_zeros(arrays["history"]))

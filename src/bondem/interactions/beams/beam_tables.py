@@ -39,7 +39,7 @@ def beam_tables(
 
 
 def load_beams(pose: Floats, beams: Beams, sums: BeamSums) -> None:
-    """Add the forces and torques of all beams in a pose to the rows of `sums` of both ends."""
+    """Add force and torque of all beams in a pose, (n, 8), to the rows of `sums` for both ends [N, N·m]."""
     run_pass(calls.load_beams(Poses(pose), beams, sums))
 
 
@@ -56,7 +56,8 @@ def count_turned(pose: Floats, beams: Beams) -> tuple[int, int, bool]:
 
     Returns:
         Number of beams with c1 or c2 < 0.7 or w² < 0.75, number with c1 or c2 <= 0 or w² <= 0.25, and True if a
-        number is not finite.
+        number is not finite. c1 and c2 are the cosines of the bending angles of both ends, w of half the
+        relative rotation.
     """
     found = np.empty(3, dtype=np.int64)
     run_pass(calls.count_turned_beams(Poses(pose), beams, BeamTurns(found)))

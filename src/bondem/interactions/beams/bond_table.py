@@ -44,7 +44,7 @@ class BondTable:
 
     @classmethod
     def of(cls, lattice: Lattice, layout: Layout, stiffness: BondStiffness) -> "BondTable":
-        """Reorder a law's stiffnesses and form the constants of the energy."""
+        """Compute the constants of the bonds in internal order from stiffnesses in the user's order."""
         order, flipped = layout.bond_order, layout.flipped
         L = lattice.length[order]
         ks, kb, kt = stiffness.ks[order], stiffness.kb[order], stiffness.kt[order]
@@ -84,7 +84,7 @@ class BondTable:
     def uniform(self) -> tuple[float, float, float, float] | None:
         """Return kn L [N], A L = C L, B L and kt L [N·m²] if all bonds share them, else None.
 
-        They do for Euler–Bernoulli bonds of one material and radius, whose stiffnesses are proportional to 1 / L.
+        Euler–Bernoulli bonds of one material and radius share them, as their stiffnesses are proportional to 1 / L.
         """
         if len(self.length) == 0:
             return None
@@ -104,12 +104,12 @@ def directions(lattice: Lattice, layout: Layout) -> Floats:
 
 
 def with_twins(column: np.ndarray) -> np.ndarray:
-    """Return a column of bonds (m,), padded to GROUP entries with copies of the first one."""
+    """Return a column of bonds, (m,), padded with its first entry to the `GROUP` bonds that a pass takes at once."""
     return _longer(column, column[:1])
 
 
 def with_zeros(columns: np.ndarray) -> np.ndarray:
-    """Return columns of bonds (…, m), padded to GROUP entries with zeros."""
+    """Return columns of bonds, (…, m), padded with zeros to the `GROUP` bonds that a pass takes at once."""
     return _longer(columns, np.zeros(1))
 
 

@@ -22,10 +22,10 @@ class CellBond:
         U = Σ facets ½ (2 G A / L) |δ|² + Σ facets ½ ρ·H ρ + Σ cells ½ V λ θ²,   V_p θ_p = Σ A w_p m_p·δ
 
     where ρ is the relative rotation and H the resistance of the facet to it. w_p is the share of the opening on the
-    side of cell p. A w_p m_p is its balanced share: near A w_p n, it sums to zero over each cell and gives every
-    uniform strain its dilatation, so that each uniform stress is exact in every cell. Gradients of θ add the energy
-    of bending. Facets on the surface open until they carry no traction. The law needs no calibration: E and ν are
-    those of the material, for -1 < ν < ½. Tension is positive.
+    side of cell p. A w_p m_p, near A w_p n, is the balanced share of the facet. Shares sum to zero over each cell and
+    give every uniform strain its dilatation. Each uniform stress is therefore exact in every cell. Gradients of θ add
+    the energy of bending. Facets on the surface open until they carry no traction. The law needs no calibration: E
+    and ν are those of the material, for -1 < ν < ½. Tension is positive.
 
     `bd.CellBond(granite)` takes E and ν from a `bd.Material`.
 

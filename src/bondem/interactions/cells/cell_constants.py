@@ -153,7 +153,7 @@ class CellConstants:
         return np.asarray(stress + self.weight * self.gradients.differences(stress), dtype=float)
 
     def pressed_by(self, force: Floats) -> PerElement:
-        """Return Σ (d / 2 G) F·m, the contribution of forces F on free facets [N], (k, 3), to V θ [m³], (n,)."""
+        """Return the contribution of forces on free facets [N], (k, 3), to V θ of the cells [m³], (n,)."""
         opened = self.softness * (self.way * force).sum(axis=1)
         return np.bincount(self.free_cell, weights=opened, minlength=len(self.pressed)).astype(float)
 
@@ -173,12 +173,12 @@ class CellConstants:
 
     @property
     def lever_i(self) -> PerBond3:
-        """Levers from the centres of mass of cells i [m], shape (m, 3)."""
+        """Levers from the centres of mass of cells i to the centroids of the facets [m], shape (m, 3)."""
         return self._lever(0)
 
     @property
     def lever_j(self) -> PerBond3:
-        """Levers from the centres of mass of cells j [m], shape (m, 3)."""
+        """Levers from the centres of mass of cells j to the centroids of the facets [m], shape (m, 3)."""
         return self._lever(1)
 
     def _lever(self, side: int) -> PerBond3:
@@ -297,7 +297,7 @@ def ways(facets: Facets) -> tuple[PerBond3, PerBond3]:
 
 
 def _along_facets(free: FreeFacets, position: PerElement3) -> Floats:
-    """Return τ / d of free facets, the part of (c - g) / d in their planes [-], (k, 3).
+    """Return τ / d of free facets [-], (k, 3): τ is c - g, from cell centre to centroid, less its normal part d n.
 
     A uniform strain ε adds A n·ε (c - g) to V θ, and opens the facet by d ε n. The difference under a traction t
     along the surface is A n·ε τ = A t·τ / 2 G. The result is zero for shares other than A n, such as those of older
@@ -329,7 +329,7 @@ def compliance(body: Lattice) -> PerElement:
 def _supports(
     cells: Cells, fixed: FixedFacets, G: PerElement, n_free: Floats, rotation: str, walls: FreeWalls
 ) -> Supports:
-    """Return the table of half facets by which walls hold cells."""
+    """Return the table of the free facets that walls hold, each with the spring of half a facet."""
     free, facet = cells.free, fixed.facet
     cell, normal, axes = free.cell[facet], free.normal[facet], fixed.axes.astype(float)
     stiffness = 2.0 * G[cell] / free.depth[facet]

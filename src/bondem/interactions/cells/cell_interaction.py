@@ -164,7 +164,8 @@ class CellInteraction(CellsAtAnyPose):
     ) -> CellStrain:
         """Return the deformation by small motions [m, rad], user's order, with walls at their final places.
 
-        `strain` and `pressed` are those of `strain_load`.
+        `strain` are stress-free strains of the facets [-], internal order, (m,). `pressed` is the contribution of
+        tractions to V θ of the cells [m³], (n,).
         """
         own, supports = np.empty(len(strain)), self.supports
         own[self.layout.bond_order] = strain

@@ -24,7 +24,7 @@ _CONTRAST, _ROUGH, _FEW_FACETS = 1.25, 0.15, 8
 
 
 def question_cells(body: Lattice, bond: CellAssignment, *, may_fail: bool) -> None:
-    """Warn about cells that bend or twist inaccurately, have ragged interfaces, or are too uneven for their ν.
+    """Warn about cells that bend or twist inaccurately, do not end at interfaces, or are too uneven for their ν.
 
     Args:
         body: lattice of a model.

@@ -48,7 +48,7 @@ class CellStrain:
             displacement, rotation: displacements and rotations of the elements.
             slip: additional opening of every facet [m], (m, 3): that of a macroscopic strain in a periodic cell, or
                 minus the stress-free opening.
-            wall: displacement of walls that hold facets [m], (g, 3); None for none.
+            wall: displacement of walls that hold facets [m], (g, 3); None for walls at rest.
             pressed: contribution of tractions on free facets to V θ [m³], (n,); None for none.
         """
         i, j = body.pairs.T
@@ -94,7 +94,7 @@ class CellStrain:
         return row_sums(supports.cell, supports.nodal(self.wall_gap, self.rotation, self.stress(constants)), n)
 
     def work(self, other: "CellStrain", constants: CellConstants) -> float:
-        """Return the work of these stresses on another deformation [J]; on itself it is twice the energy."""
+        """Return the work of stresses of this deformation on another one [J]; on itself it is twice the energy."""
         supports = constants.supports
         bent = np.einsum("ma,mab,mb->", self.turn, constants.H, other.turn)
         moments, at_wall = constants.gradients.moments(self.turn, self.rotation)

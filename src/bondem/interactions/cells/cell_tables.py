@@ -23,7 +23,7 @@ from bondem.interactions.cells.cell_constants import CellConstants
 from bondem.interactions.cells.dilatation_gradients import GradientConstants
 from bondem.specimen.ordering import Layout
 
-#: Column of a pose that holds the stress λ θ of a cell [Pa].
+#: Column of a pose with the stress λ θ of a cell [Pa].
 STRESS = 3
 
 
@@ -80,7 +80,7 @@ def gradient_tables(gradients: GradientConstants, n: int, walls: WallConstraints
 
 
 def _of_cells(i: Ints, j: Ints, n: int) -> tuple[Ints, Ints, np.ndarray]:
-    """Return the start of the sides of each of n cells, the sides sorted by cell, and the cells opposite."""
+    """Group the ends of facets by cell: starts of the n groups, (n + 1,), order of the ends, and cells opposite."""
     near, far = np.concatenate([i, j]), np.concatenate([j, i])
     order = np.argsort(near, kind="stable")
     return group_starts(near, n), order, far[order].astype(np.uint32)

@@ -72,7 +72,7 @@ class BodyTables:
         run_pass(calls.load_body(CellPoses(pose, rest), *self.tables, to))
 
     def energies(self, pose: Floats, rest: Floats) -> EnergyParts:
-        """Return the energies of facets, cells and walls in a pose; the normal one includes the dilatation."""
+        """Return the energies of facets, cells and walls in a pose [J]; the normal part includes the dilatation."""
         found = np.empty(4)
         run_pass(calls.measure_cell_energies(CellPoses(pose, rest), *self.tables, CellEnergies(found)))
         return EnergyParts(*found.tolist())
@@ -184,7 +184,7 @@ class CellsAtAnyPose(Interaction):
     def _gradients_at(self, pose: Floats) -> tuple[csr_array | None, bsr_array | None]:
         """Return the matrices S and T of `Stiffness` for the gradients of the dilatation, in the present pose.
 
-        The change of n × s of bent layers with the rotation of their cells is left out.
+        They neglect that n × s of bent layers, with the normal n and shares s, changes as their cells rotate.
         """
         cells = self.constants
         gradients = cells.gradients

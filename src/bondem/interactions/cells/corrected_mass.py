@@ -21,7 +21,7 @@ from bondem.specimen.lattice import Lattice
 
 
 def correction_factors(body: Lattice, G: PerElement, lame: PerElement, density: PerElement) -> PerElement:
-    """Return ρ β / V of each cell [kg/m⁶], (n,).
+    """Return the factors ρ β / V by which `corrected_mass` corrects the speed of pressure waves [kg/m⁶], (n,).
 
     Args:
         body: a lattice with facets and cells.

@@ -36,7 +36,7 @@ _PARALLEL = 0.5
 
 @dataclass(frozen=True, eq=False)
 class GradientConstants:
-    """Constants of both gradient terms of the module docstring, user's or internal order.
+    """Constants of the energy of gradients of the dilatation, between cells and across layers one cell thick.
 
     Attributes:
         springs: function that returns cells i and j of the facets with a spring, int32, and c [m³/Pa], (k,) each.
@@ -146,7 +146,7 @@ class GradientConstants:
         return moment, wall
 
     def coupling(self, weight: PerElement) -> csr_array | None:
-        """Return W L W, (n, n), with `weight` W = λ_p / V_p [Pa/m³] and the Laplacian L of the springs, or None."""
+        """Return W L W, (n, n), of `weight` W = λ_p / V_p [Pa/m³] and the Laplacian L of springs; None if none."""
         i, j, spring = self.springs()
         if not len(spring):
             return None
@@ -203,14 +203,14 @@ def _ranked(springs: Callable[[], Springs], rank: Ints) -> Springs:
 
 
 def gradient_stiffness(body: Lattice, G: PerElement, lame: PerElement) -> PerElement:
-    """Return κ = min(λ, 2 G) j of each cell [N], 0 for λ < 0, (n,), with the mean j of the body [m²]."""
+    """Return κ = min(λ, 2 G) j of each cell [N], 0 for λ < 0, (n,); j is Σ ∫ z² dV / Σ V of the body [m²]."""
     _, cells = body_of(body)
     spread = np.einsum("naa->", cells.inertia) / 6.0 / cells.volume.sum()
     return np.asarray(np.clip(lame, 0.0, _STIFFEST * G) * spread, dtype=float)
 
 
 def mean_square_span(body: Lattice) -> float:
-    """Return L̄² = Σ A L³ / Σ A L of a body [m²]; 0 for a single cell."""
+    """Return L̄² = Σ A L³ / Σ A L over facets of area A between centres L apart [m²]; 0 for a single cell."""
     facets, _ = body_of(body)
     weight = facets.area * facets.span
     return float((weight * facets.span**2).sum() / weight.sum()) if len(weight) else 0.0

@@ -20,10 +20,10 @@ _TORSION = 0.1406 / 6.0
 
 
 def resistance(S: Floats, normal: Floats, stiffness: Floats, rotation: str) -> Floats:
-    """Return H without twist at free surfaces [N·m], (m, 3, 3), of facets with second moments S [m⁴], (m, 3, 3).
+    """Return the resistance H of facets to relative rotations, without twist at free surfaces [N·m], (m, 3, 3).
 
     Args:
-        S: second moments of the facets.
+        S: second moments of the facets [m⁴], (m, 3, 3).
         normal: normals of the facets, (m, 3).
         stiffness: 2 G / L [Pa/m], (m,).
         rotation: "bending", "full" or "none".

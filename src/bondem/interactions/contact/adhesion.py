@@ -14,7 +14,7 @@ class Adhesion:
         F = F_c (g < 0),   F_c (1 - g / D) (0 <= g < D),   F_c = strength A
 
     with g the gap, D the reach and A = π min(Ri, Rj)² (at a wall π R²). The force adds to the spring and the
-    dashpots of the contact, and depends on the gap alone: it has a potential, a well of F_c D / 2 up to the gap 0.
+    dashpots of the contact, and depends on the gap alone. Its potential is a well of depth F_c D / 2 at the gap 0.
     Spheres without other forces rest at the overlap where the spring balances F_c, and F_c pulls them apart.
     Friction and rolling resistance have the force of the spring as their normal force. Pairs that a bond joins or
     has joined do not adhere, because broken surfaces do not heal.

@@ -167,7 +167,7 @@ class ContactLaws:
         return total
 
     def _pressed_by(self, where: np.ndarray) -> Mask:
-        """Return a mask of the elements whose kind has an entry in a mask of (kinds, others), (n,)."""
+        """Return a mask of the elements, (n,), whose kind has a True entry in its row of `where`, (kinds, others)."""
         return np.any(where, axis=1)[self.kind]
 
 

@@ -1,4 +1,4 @@
-"""Contact of spheres with each other and with walls: springs and dashpots, Coulomb friction.
+"""Contact of spheres with each other and with walls, by springs, dashpots and Coulomb friction.
 
     F_n = max(kn u + cn u', 0)        |F_t| <= μ F_n,  F_t = ks ξ + cs ξ' while it sticks
 
@@ -201,9 +201,9 @@ class LinearContact(ContactLaw):
             the rest length of the bond. False to measure all gaps from the spheres, with kn of this law.
         parallel: True if the contact also acts in parallel with intact bonds, with kn of this law before and after
             they break; gaps of bonded pairs are then those of any pair. For beams only.
-        rolling: coefficient μ_r of resistance to rolling [-], 0 for none. A spring of stiffness ks R̄² acts against
-            the rotation of one sphere on the other, up to the moment μ_r R̄ F_n and without a dashpot, with 1/R̄ =
-            1/Ri + 1/Rj (at a wall R̄ = R). This is type C of Ai et al., Powder Technology 206 (2011) 269–282.
+        rolling: coefficient μ_r of resistance to rolling [-], 0 for none. A spring of stiffness ks R̄² without
+            a dashpot acts against the rotation of one sphere on the other, up to the moment μ_r R̄ F_n. R̄ is
+            Ri Rj / (Ri + Rj), at a wall R. This is type C of Ai et al., Powder Technology 206 (2011) 269–282.
         twisting: coefficient μ_w of resistance to rotation about the normal of the contact, like μ_r [-].
         adhesion: attraction up to a gap, in addition to repulsion; None for none. For beams and loose spheres.
 

@@ -72,7 +72,7 @@ class ContactModel:
             layout: order of the elements.
             laws: laws of their contacts.
             walls: walls that they touch.
-            own: normal stiffness of the pairs of bonds [N/m], (m,), or None; see the attribute.
+            own: normal stiffness of pairs whose bond breaks [N/m], (m,); None to treat them like other pairs.
             radius: radii of the elements in contact, user's order, (n,).
         """
         n = len(laws.kind)
@@ -107,7 +107,7 @@ class ContactModel:
 
 
 def near(position: Floats, radius: Floats, period: Floats | None, skin: float) -> tuple[Ints, np.ndarray]:
-    """Return neighbours with gaps up to `skin` [m], in the form of `bondem.geometry.neighbours.neighbours`."""
+    """Return neighbours with gaps up to `skin` [m]: start of the list of each element, (n + 1,), and all lists."""
     return neighbours(*_boxed(position, radius, period), skin, threads=current_threads())
 
 
@@ -117,7 +117,7 @@ def grid_of(position: Floats, radius: Floats, period: Floats | None, skin: float
 
 
 def _boxed(position: Floats, radius: Floats, period: Floats | None) -> tuple[Floats, Floats, Floats, Floats]:
-    """Return spheres (n, 4), both corners of a box around their centres, and its periodic edges, zeros without."""
+    """Return spheres (n, 4), both corners of a box around their centres, and periodic edges, 0 if not periodic."""
     sphere = np.column_stack([position, radius])
     if period is None:
         lower, upper = sphere[:, :3].min(axis=0), sphere[:, :3].max(axis=0)

@@ -45,7 +45,7 @@ def new_wall_sources(radius: Floats, skin: float) -> WallSources:
 
 
 def found_pairs(grid: SphereGrid, sources: PairSources) -> FoundPairs:
-    """Return pairs of near spheres without bonds, and pairs of `wanted` bonds, with the memory of stored contacts."""
+    """Return pairs of near spheres without bonds, and of bonds in `sources.wanted`, with the memory of contacts."""
     room = 4 * len(grid.sphere) + int(sources.wanted.sum())
     while True:
         found = FoundPairs(
@@ -63,7 +63,7 @@ def found_pairs(grid: SphereGrid, sources: PairSources) -> FoundPairs:
 
 
 def found_walls(pose: Floats, walls: Walls, sources: WallSources) -> FoundWalls:
-    """Return the walls within the skin of each element, in order, with the memory of stored contacts."""
+    """Return the walls within the skin of each element, element by element, with the memory of stored contacts."""
     run_pass(calls.count_wall_contacts(Poses(pose), walls, sources))
     count = sources.start[-1]
     found = FoundWalls(

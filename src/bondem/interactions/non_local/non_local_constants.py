@@ -27,7 +27,7 @@ class NonLocalConstants:
         kt: A G / L [N/m], shape (m,).
         normal: normals from i to j [-], shape (m, 3).
         lever_i, lever_j: levers from the elements to the contact point [m], shape (m, 3).
-        volume: V of eq (1) [m³], shape (n,).
+        volume: V by which the stress of an element is divided [m³], shape (n,).
         nu: ν [-].
         limited: True if the extra shear force is limited.
     """
@@ -88,7 +88,7 @@ _Parts = tuple[PerBond, PerBond, PerBond3, PerBond3, PerBond3, PerElement]
 
 
 def _of_body(lattice: Lattice, law: NonLocal) -> _Parts:
-    """Return A, L, n, both levers and V of facets and cells."""
+    """Return area, span, normal and both levers of the facets, and volumes of the cells."""
     body = lattice.elements.require_cells(
         "NonLocal takes its areas from facets: connect particles with bd.connect(particles, method='laguerre'),"
         " or give areas='weighted' for a lattice of spheres"
@@ -103,7 +103,7 @@ def _of_body(lattice: Lattice, law: NonLocal) -> _Parts:
 
 
 def _of_spheres(lattice: Lattice, law: NonLocal) -> _Parts:
-    """Return A, L, n, both levers and V of spheres.
+    """Return area, length, direction and both levers of the bonds, and volumes of the spheres.
 
     The volume is Σ A l / 3 with l to the radical plane, and at least that of the sphere.
     """

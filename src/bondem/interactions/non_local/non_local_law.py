@@ -13,7 +13,7 @@ element of volume V is the symmetric part of
 
     σ = (1/V) Σ l ⊗ F,     l from its centre to the contact point         eq (1)
 
-The limiter keeps the length of t - kt δ_t⁻ at most |t|, and so each of its components at most |A τ|, in whatever
+The limiter keeps the length of t - kt δ_t⁻ at most |t|, and so each of its components at most |A τ|, for any
 axes. The paper does not print it; without it, only the lag of the law itself restrains the rotation of an element.
 """
 

@@ -68,7 +68,7 @@ class NonLocalStrain:
 
     @property
     def stress(self) -> Floats:
-        """Return σ of each element by eq (1), its symmetric part xx, yy, zz, xy, xz, yz [Pa], (n, 6)."""
+        """Return stresses, the symmetric part of Σ lever ⊗ force / volume: xx, yy, zz, xy, xz, yz [Pa], (n, 6)."""
         i, j = self.lattice.pairs.T
         c, force, n = self.constants, self.force, len(self.lattice.particles)
         found = row_sums(i, symmetric_products(c.lever_i, force), n)

@@ -79,7 +79,7 @@ def brazilian(
 ) -> BrazilianTest:
     """Compress a cylinder along x across a diameter along y between rigid platens, until the load has dropped.
 
-    The platens of a plain `bd.Cylinder` constrain the free facets in two strips of its side along y only. The stress
+    On a plain `bd.Cylinder` the platens constrain the free facets in two strips of the side, only along y. The stress
     across the diameter at the centre is then below that of a line load, by a factor of 0.983 at α = 5° and 0.932 at
     10°. The factor is the mean of cos β (1 - 4 sin² β) over the pressure ∝ 1 / √(sin² α - sin² β) under a smooth
     rigid stamp. This superposes chords after Timoshenko and Goodier §41; a uniform traction along y would give 0.989

@@ -219,7 +219,7 @@ class _Core:
         """Select the cells on the plate, and those under the piston.
 
         Raises:
-            InputError: one of both selections is empty.
+            InputError: no cell is on the plate, or none under the piston.
         """
         middle, regions = 0.5 * np.add(*body.particles.envelope.bounds), []
         for name, keep_core, radius in (("x_min", False, self.outside), ("x_max", True, self.inside)):

@@ -60,8 +60,8 @@ class BendingTest(PlottedState):
         load: load P at each row of the curve [N], shape (k,).
         deflection: deflection at each row of the curve [m], shape (k,).
         cracking: cracks and pieces, and the dissipated energy; `cracking.single` is True if one crack dissipated it.
-        cmod: opening of the notch mouth along x at each row of the curve [m], shape (k,): mean over the width, at the
-            edges of the notch in the bottom, which move and rotate with their cells. None for a beam without a notch.
+        cmod: opening of the notch mouth along x at each row of the curve [m], shape (k,), as the mean over the
+            width. The edges of the notch move and rotate with their cells. None for a beam without a notch.
     """
 
     peak: float
@@ -122,9 +122,10 @@ def three_point_bending(
     scatter are used, and cells do not yield.
 
     The deflection is the displacement of the middle of the section at mid-span (above a notch, of the ligament)
-    relative to mid-depth over the supports. It excludes the indentation by the rollers. E follows from P / (E b)
-    ((L/D)³/4 + (0.6 + 0.375 ν) L/D - 0.21) (Timoshenko and Goodier §40). The last terms are the shear of beam theory,
-    0.6 (1 + ν) L/D, less the local effect of the roller. This effect is 4 % of the total at L = 3 D and ν = 0.2.
+    relative to mid-depth over the supports. It excludes the indentation by the rollers. E follows from the
+    deflection P / (E b) ((L/D)³/4 + (0.6 + 0.375 ν) L/D - 0.21) at the depth D (Timoshenko and Goodier §40). The last
+    terms are the shear of beam theory, 0.6 (1 + ν) L/D, less the local effect of the roller. This effect is 4 % of
+    the total at L = 3 D and ν = 0.2.
 
     Bonded spheres have a run over time, between rigid rods along z that touch the outermost spheres; the one above
     mid-span moves. E uses the ν of the bond law, and `cmod` is None.
@@ -309,7 +310,7 @@ class _Beam:
         return 0.5 * (self.lower + self.upper)
 
     def compliance(self, nu: float) -> float:
-        """Deflection of a plain beam times E over the load [1/m]: bending, shear and local effect of the roller."""
+        """Compute E · deflection / load of a plain beam [1/m], by bending, shear and local effect of the roller."""
         slender = self.span / float(self.upper[1] - self.lower[1])
         return (0.25 * slender**3 + (0.6 + 0.375 * nu) * slender - 0.21) / self.width
 
@@ -325,7 +326,7 @@ class _Beam:
         return Face(face) & Index(chosen)
 
     def _places(self) -> dict[str, tuple[str, float, float]]:
-        """Face, x [m] and share of the load along y of each roller, by name."""
+        """Return face, x [m] and share of the load along y of each roller, by name."""
         x = float(self.middle[0])
         return {
             "top": ("y_max", x, -1.0), "left": ("y_min", x - 0.5 * self.span, 0.5),
@@ -333,7 +334,7 @@ class _Beam:
         }  # fmt: skip
 
     def rollers(self) -> tuple[Region, list[Load]]:
-        """Create the region of the upper strip and the loads of all three rollers, each through its line."""
+        """Create the region of the upper strip and the loads, whose resultants act on the lines of the rollers."""
         loads = [self._load(*place) for place in self._places().values()]
         return loads[0].region, loads
 

@@ -33,9 +33,9 @@ SCALE = np.where(ROW == COLUMN, 1.0, np.sqrt(2.0))
 
 @one_blas_thread
 def solved_balance(position: PerElement3, pairs: Pairs, branch: PerBond3, right: Floats, most: float) -> Floats:
-    """Return the symmetric tensors Y of the cells that solve N Y = `right`, with N as in the text of the module.
+    """Return the symmetric tensors Y that solve Σ sym((Y_p - Y_q) b ⊗ b) = `right` over the facets of each cell p.
 
-    Tensors are rows of six components times `SCALE`, (n, 6).
+    Tensors are rows xx, yy, zz, xy, xz, yz, (n, 6), with the last three times √2.
 
     Args:
         position: centres of the cells [m], (n, 3).
@@ -81,9 +81,9 @@ def _without_means(right: Floats, ends: Pairs) -> Floats:
 
 
 def _preconditioner(ends: Pairs, weight: PerBond, diagonal: Floats) -> LinearOperator:
-    """Return the inverse of the scalar Laplacian's diagonal (n,), plus that of the Laplacian of groups of cells.
+    """Return the preconditioner: the inverse of `diagonal`, (n,), plus that of a Laplacian of groups of cells.
 
-    `weight` of the scalar Laplacian is |b|² / 3 of each facet [m³], (m,).
+    The Laplacian has the `weight` |b|² / 3 of each facet [m³], (m,).
     """
     n = len(diagonal)
     inverse = np.divide(1.0, diagonal, out=np.zeros(n), where=diagonal > 0.0)[:, None]

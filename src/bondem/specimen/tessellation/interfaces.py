@@ -26,7 +26,7 @@ from bondem.specimen.tessellation.solids import SPLIT, polygon_measures, ranges,
 
 
 class Patches(NamedTuple):
-    """Convex polygons, each a face of a piece or part of one, in no order.
+    """Convex polygons, each a face of a piece or part of such a face, in no particular order.
 
     Attributes:
         piece: piece to which each patch belongs, shape (p,).

@@ -56,7 +56,7 @@ def joined(parts: Sequence[Solids]) -> Solids:
 
 
 def polygon_measures(corner: Ints, vertex: Floats) -> tuple[Floats, Floats, Floats]:
-    """Return area [m²], (f,), centroid [m], (f, 3), and second moments about it [m⁴], (f, 3, 3), of polygons."""
+    """Return area [m²], (f,), centroid [m], (f, 3), and second moments about it [m⁴], (f, 3, 3), of f polygons."""
     count = len(corner) - 1
     measures = PolygonMeasures(corner, vertex, np.empty(count), np.empty((count, 3)), np.empty((count, 3, 3)))
     run_pass(calls.measure_polygons(measures))
