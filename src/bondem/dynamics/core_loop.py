@@ -60,7 +60,7 @@ class CoreLoop:
         return_free_memory(self._m)
 
     def _make_lists(self) -> None:
-        """Compose the lists of passes of the present parts."""
+        """Compose the lists of passes that the core calls from the parts of the step."""
         self._compose = Composer(self._lasting)
         stages = ("present", "opening", "travel", "resume", "reopening", "guard")
         lists = {stage: self._list(stage) for stage in stages}
@@ -95,8 +95,8 @@ class CoreLoop:
         """Take steps, or record the present state, in one call of the core.
 
         Returns:
-            The reason for the end of the call, and the numbers of steps, of records, of bonds turned far, and of
-            unbroken bonds turned too far.
+            The reason for the end of the call; the numbers of steps and of records; and the two numbers of strongly
+            rotated bonds that `Loop.run` returns.
         """
         state, t, done = self.state, self._tables, np.zeros(4, dtype=np.int64)
         stale = records_present and state.stale
@@ -123,7 +123,7 @@ class CoreLoop:
         return records
 
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
-        """Take steps and return the values of `Loop.run`: records, two counts of turned bonds, and the verdict."""
+        """Take steps and return records, two numbers of strongly rotated bonds, and the verdict, as `Loop.run`."""
         if self.state.stale:
             self.record_present()
         records = np.zeros((steps // self._every + 1 if self._every else 0, self._width))

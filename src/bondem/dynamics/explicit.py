@@ -53,11 +53,11 @@ def integrate(
         plan: parameters of the run.
         state: initial state; it is changed in place.
         history: records so far.
-        sink: receiver of checkpoints and of the last state.
+        sink: receiver of checkpoints, of snapshots and of the last state.
         progress: function called repeatedly with the completed share, 0 … 1.
         loop_of: function that makes the loop from model, plan, state and dt; that of the CPU by default.
-        callback: function called with the state and its record, a history of one, with each record. It must not
-            change the state, and ends the run by returning True.
+        callback: function called at each record with the state and a history of this one record. It must not change
+            the state, and ends the run by returning True.
         remark: addition to the message of the result.
         halt: function called repeatedly; the run stops, with a checkpoint, if it returns a signal.
 

@@ -20,7 +20,7 @@ class RunProgress:
         step: number of steps done.
         steps: number of steps of the whole run.
         time: simulated time [s].
-        rate: steps per second of wall time.
+        rate: steps per second of wall time [1/s].
         broken: number of broken bonds or facets.
         error: largest error of the energy balance so far [J].
         energy: largest entry of the energy balance so far [J].
@@ -41,7 +41,7 @@ class RunProgress:
 
     @property
     def left(self) -> float:
-        """Wall time to the end of the run at this rate [s]; an event may end a test sooner."""
+        """Wall time to the end of the run at the present rate [s]; an event may end the run sooner."""
         return (self.steps - self.step) / self.rate
 
     @property
@@ -63,7 +63,7 @@ _listener: ContextVar[Callable[[RunProgress], None] | None] = ContextVar("listen
 
 @contextmanager
 def listening(listener: Callable[[RunProgress], None]) -> Iterator[None]:
-    """Send the progress of the runs of this context to `listener`."""
+    """Send the progress of the runs in a `with` block to `listener`."""
     token = _listener.set(listener)
     try:
         yield

@@ -24,12 +24,12 @@ def bonds(run: Translation, _: Given) -> int:
 
 
 def portions_of_elements(run: Translation, _: Given) -> int:
-    """Return the number of portions of elements."""
+    """Return the number of portions of elements, each of `ELEMENTS_OF_PORTION` elements."""
     return -(-run.span.n // ELEMENTS_OF_PORTION)
 
 
 def portions_of_bonds(run: Translation, _: Given) -> int:
-    """Return the number of portions of bonds or facets."""
+    """Return the number of portions of bonds or facets, each of `BONDS_OF_PORTION` bonds."""
     return -(-run.span.m // BONDS_OF_PORTION)
 
 

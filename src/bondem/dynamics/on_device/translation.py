@@ -28,7 +28,7 @@ class Translation:
         ledger: sums of energies for a record or for a check of the energy.
         rows: number of rows, one per element that is fixed, driven or loaded.
         postponed: elements that failures postpone, uint8, (n,), or (0,) where nothing fails.
-        further: True if loads act on elements in addition to those of bonds; their sums are in memory then.
+        further: True if loads act on elements in addition to those of bonds; the sums are then stored in memory.
 
     Attributes:
         blocks: division of the step into blocks.
@@ -87,7 +87,7 @@ class Translation:
 
 
 def new_row_order(row: Ints | Uint32s, rows: int) -> RowOrder:
-    """Return the loads or walls sorted by the row on which each acts, given these rows and their number."""
+    """Return the order of loads or walls by the row on which each acts, `row`, where `rows` is the number of rows."""
     return RowOrder(group_starts(row, rows), np.argsort(row, kind="stable").astype(np.int64))
 
 
@@ -115,8 +115,8 @@ _OF_RUN: Made = {
 class Launches:
     """Counterpart that launches kernels with the tables of the pass, and changes nothing else.
 
-    The class of a table selects it: among the tables of the pass, or else among those that only the device has. No
-    pass has two tables of one class.
+    Each kernel receives tables of the classes of its arguments: those of the pass or, for other classes, those that
+    only the device has. No pass has two tables of one class.
 
     Attributes:
         parts: kernels in their order, each with its number of indices and the tables to make for it.

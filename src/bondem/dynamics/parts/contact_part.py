@@ -200,7 +200,7 @@ class ContactTables:
         return passes
 
     def _keep(self) -> None:
-        """Write the memory of contacts into the state, and warn about contacts out of range."""
+        """Store the variables of contacts in the state, and warn about contacts out of range."""
         pairs, at_walls = self._pairs, self._at_walls
         chosen = None if self._face_pairs is None else self._face_pairs.chosen
         rolled = None if self._rolled is None else (self._rolled.rolled, self._rolled_walls.rolled)
