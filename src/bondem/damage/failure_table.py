@@ -128,7 +128,7 @@ def joint_of(law: Interaction) -> Joint:
 
 
 def _judged(joint: Joint, parts: tuple[FailurePart, ...], lattice: Lattice) -> tuple[Floats, PerBond, PerBond, str]:
-    """Return coefficients (m, 4) and both bounds (m,), and the kind of criteria; zeros for bonds without any."""
+    """Return coefficients (m, 4) and both bounds (m,), and the kind of criteria; zeros without a criterion."""
     m, kind = len(joint.length), ""
     coefficient, a, b = np.zeros((m, COEFFICIENTS)), np.zeros(m), np.zeros(m)
     for part in parts:

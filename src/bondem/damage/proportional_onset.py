@@ -18,14 +18,15 @@ from bondem.damage.stress_passes import new_stress_candidates
 def onset_factors(
     loaded: LoadedFacets, strengths: FacetStrengths, whole: Ints, below: float = math.inf, spread: float = math.inf
 ) -> PerBond:
-    """Return the load factors at which uncracked facets begin to crack, inf for those skipped, (c,).
+    """Return the load factors at which uncracked facets begin to crack, inf for skipped facets, (c,).
 
     Args:
         loaded: loads of facets and cells at a factor of 1.
         strengths: strengths of the facets.
         whole: numbers of the uncracked facets, (c,).
         below: largest factor of interest [-].
-        spread: largest factor over the least of `below` and all facets [-]; facets surely beyond it are skipped.
+        spread: largest factor of interest, over the smallest of `below` and the factors of all facets [-]; facets
+            with surely larger factors are skipped.
     """
     search = OnsetSearch(np.ascontiguousarray(whole, dtype=np.int64), below, spread, np.empty(len(whole)))
     run_pass(calls.find_onset_factors(loaded, strengths, search))

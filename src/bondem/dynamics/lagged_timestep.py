@@ -125,7 +125,7 @@ def _fastest_decay(model: Model, law: LaggedInteraction, kn: PerBond, beta: PerB
 def growth(model: Model, law: LaggedInteraction, dt: float, terms: DampingTerms) -> float:
     """Return the growth of small motions in trial steps of `dt` [s], the ratio of two values of Σ m v².
 
-    Both are the largest values in a quarter of the steps, the last and the second. The ratio is infinite if the motions
+    The values are the largest of the last and of the second quarter of the steps. The ratio is infinite if motions
     overflow. Local and bond damping act. The motions start from a fixed random field, and no element is constrained.
     """
     weight = np.repeat(np.column_stack([model.mass, model.inertia]), 3, axis=1)
