@@ -1,9 +1,9 @@
 """Coarse space of a lattice: clusters of elements (`Clumps`), each of which moves as a rigid body.
 
-Motions of clusters represent the slow bending and stretching of the whole, which an element and its neighbours do not
-determine. The stiffness of the lattice restricted to these motions is small enough to be eliminated. Together with
-the elements' own blocks it preconditions conjugate gradients (two-level additive Schwarz with a Nicolaides coarse
-space). The number of iterations then hardly grows with the lattice.
+Motions of clusters represent the slow bending and stretching of the lattice, which an element and its neighbours do
+not determine. The stiffness of the lattice restricted to these motions is small enough to be eliminated. Together
+with the elements' own blocks it preconditions conjugate gradients (two-level additive Schwarz with a Nicolaides
+coarse space). The number of iterations then hardly grows with the lattice.
 """
 
 import math

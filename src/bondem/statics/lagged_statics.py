@@ -114,7 +114,7 @@ class LaggedStatics:
 
 
 class Mixing:
-    """Input of the next iteration: by Anderson mixing of earlier inputs and outputs, or the last output."""
+    """Rule for the input of the next iteration: Anderson mixing of earlier inputs and outputs, or the last output."""
 
     def __init__(self, mixed: bool) -> None:
         self._most = _MEMORY if mixed else 0

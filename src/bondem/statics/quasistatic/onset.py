@@ -114,7 +114,7 @@ class StressOnset:
         return whole[near], factor[near]
 
     def along(self, found: Loaded, facets: Ints, traction: Floats) -> SofteningSearch:
-        """Return `softening_along` of facets for tractions as if they had full integrity [Pa], (c, 3)."""
+        """Return factors and directions of softening of facets, for tractions at full integrity [Pa], (c, 3)."""
         body = self._body
         loaded, left, across = body.facets(found), body.integrity[facets], body.across[facets]
         return softening_along(loaded, self._strengths, facets, traction, left, across)
@@ -133,7 +133,7 @@ class StressOnset:
     def across(self, found: Loaded, facets: Ints) -> Floats:
         """Return the directions of facets that crack beside a pressure, else zero, (c, 3); see `FacetOnset.across`.
 
-        A facet takes the direction of the crack of its two cells that has lost most, if it is within 45° of its own:
+        A facet takes the direction of the most damaged crack of its two cells if its own is within 45° of that:
         facets of one crack with different directions would block each other.
         """
         body = self._body

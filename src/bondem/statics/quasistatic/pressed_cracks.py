@@ -1,4 +1,4 @@
-"""Cracks with a pressure along them, which must not fall as they open."""
+"""Cracks with a pressure parallel to their faces, which must not fall as the cracks open."""
 
 import numpy as np
 
@@ -20,7 +20,7 @@ _LIMIT = 0.2
 def _stresses(body: DamagedBody, found: Loaded, facets: Ints) -> tuple[Floats, Floats]:
     """Return the largest tension, and the largest pressure beside it, in the mean of both cells [Pa], (c,) each.
 
-    Both are for a factor of 1, and 0 of facets that slide rather than open.
+    Both are for a factor of 1, and 0 for facets that slide rather than open.
     """
     mean = 0.5 * (found.tensor[body.i[facets]] + found.tensor[body.j[facets]])
     principal = principal_stresses(mean[:, NINE].reshape(-1, 3, 3))
@@ -36,7 +36,7 @@ def pressed_along(body: DamagedBody, found: Loaded, facets: Ints) -> Mask:
 
 
 class LostPressure:
-    """Pressure along cracks that lose it, and strength of all cracks, summed over their softening steps [N]."""
+    """Pressure parallel to cracks that lose it, and strength of all cracks, summed over their softening steps [N]."""
 
     def __init__(self, body: DamagedBody, strength: Floats) -> None:
         self._body, self._strength, self._pressure, self._size = body, strength, 0.0, 0.0
