@@ -56,7 +56,7 @@ class Reference:
 
 @dataclass(frozen=True, kw_only=True)
 class Study:
-    """Contents of a study file, the input of `bondem run`.
+    """Contents of a study file, the input of `bondem run`; contents that conflict raise StudyError.
 
     Attributes:
         name: title of the report.
