@@ -67,7 +67,7 @@ class CoreLoop:
         self._lists = StepPasses(**lists, forces=self._list(*FORCES), record=self._compose([]))
 
     def _begin(self) -> None:
-        """Call the passes of the stage "begin" once, at the time of the state."""
+        """Call the passes that prepare a run, those of the stage "begin", at the time of the state."""
         first = composed(self._parts, "begin")
         if not first:
             return
@@ -83,7 +83,7 @@ class CoreLoop:
         return self._compose(composed(self._parts, *stages))
 
     def _renew(self) -> bool:
-        """Search for contacts again and renew the lists; return False if the centre of an element is not finite."""
+        """Search for contacts again and renew the lists of passes; return False if a centre is not finite."""
         parts = [part if part.renewed is None else part.renewed() for part in self._parts]
         self._parts = [part for part in parts if part is not None]
         self._make_lists()
@@ -143,7 +143,7 @@ class CoreLoop:
 def noticeable(model: Model, dt: float) -> float:
     """Return the energy below which checks of the energy ignore changes [J].
 
-    This is the energy of negligible motion plus the most that adhesion may release.
+    This is the energy of negligible motion plus the largest energy that adhesion may release.
     """
     rest = 0.5 * float(model.mass.sum()) * (_STILL * model.lattice.particles.mean_radius / dt) ** 2
     return rest + model.contact_laws.released(model.contact_radius)

@@ -88,7 +88,7 @@ class DeviceLoop:
         return launches_of(composed(self._parts, *stages), self._run)
 
     def _recording(self, rows: HistoryRows) -> list[Launch]:
-        """Return the launches that write the next row of the history."""
+        """Return the kernel launches that write the next row of the history."""
         passes = [one for part in self._parts for one in part.record(rows)]
         return [*launches_of(passes, self._run), (kernels.count_record(self._run.span), 1)]
 
@@ -187,7 +187,7 @@ class DeviceLoop:
         return int(span.clock[_STEP])
 
     def _renew(self, step: int) -> bool:
-        """Search for contacts again at a step and renew the lists; return False if a centre is not finite."""
+        """Search for contacts again at a step and renew the launches; return False if a centre is not finite."""
         self._set_time(step)
         self._fetch()
         before = lists_of_contacts(composed(self._parts, "travel", *FORCES))
@@ -215,7 +215,7 @@ class DeviceLoop:
         return int(found[GuardNumber.WIDE]), int(found[GuardNumber.LOST]), int(found[GuardNumber.ENDING])
 
     def _set_clock(self) -> None:
-        """Set the clock of the device to the step of the state, and its counts of records and events to zero."""
+        """Set the step number on the device to that of the state, and the counts of records and events to zero."""
         clock = self._run.span.clock
         clock[:] = 0
         clock[_STEP] = self.state.step
@@ -236,7 +236,7 @@ class DeviceLoop:
 
 
 class _Records:
-    """Rows of the history that one call of `run` fills, with the launches that write a row."""
+    """Rows of the history that one call of `DeviceLoop.run` fills, with the kernel launches that write a row."""
 
     def __init__(self, loop: DeviceLoop, rows: HistoryRows) -> None:
         self._loop, self._rows = loop, rows

@@ -38,7 +38,7 @@ class EnergyCheck:
             model: model of the run.
             state: initial state.
             dt: time step [s].
-            limits: shares of the scale at which the check warns and stops the run; infinity for never [-].
+            limits: shares of the largest energy at which the check warns and stops the run; infinity for never [-].
             first: first record of the run, (1, columns).
         """
         self._limits, self._first = limits, first[:, :HistoryColumn.COUNT]

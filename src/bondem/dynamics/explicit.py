@@ -180,7 +180,7 @@ def integrate(
 
 
 def _fractured(state: State) -> str:
-    """Return the dissipation of broken facets over the fracture energy of their area, for the message of a run."""
+    """Return a text on the dissipation of broken facets over the fracture energy of their area; "" for none."""
     ratios = ", ".join(f"{one.ratio:.3g}" for one in fracture_energies(state) if one.ratio == one.ratio)
     return ratios and f"; broken area dissipated {ratios} G_f"
 
@@ -188,7 +188,7 @@ def _fractured(state: State) -> str:
 def _progress(before: RunProgress | None, state: State, total: int, rate: float, since: History) -> RunProgress:
     """Return the progress at the present step, with a smoothed rate and the worst error of the energy balance.
 
-    `since` begins with the first record.
+    `since` consists of the first record of the run and those of the last call of the core.
     """
     error = energy = 0.0
     if before is not None:

@@ -31,7 +31,7 @@ _BEYOND = 1e30
 def lagged_limits(
     model: Model, law: LaggedInteraction, scheme: Scheme, terms: DampingTerms, springs: float, *, matters: float
 ) -> tuple[float, float]:
-    """Return the critical step of a law that lags, and its value without the dashpots of bonds [s].
+    """Return the critical step of a law whose stress lags by one step, and its value without dashpots of bonds [s].
 
     The critical step is the smaller of two. One is that of springs and contacts with the dashpots of contacts. The
     other is the largest share of the step of springs and contacts at which lagged trial steps, with dashpots of
@@ -48,7 +48,7 @@ def lagged_limits(
             stable, the critical step is returned twice.
 
     Warns:
-        StepWarning: Lagged steps are unstable at any share; the least share is returned.
+        StepWarning: Trial steps are unstable at all tried shares of the step; the least share is used.
     """
     highest, bound = _of_springs(model, law, scheme, terms, springs)
     if springs == 0.0:

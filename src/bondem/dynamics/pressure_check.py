@@ -22,7 +22,7 @@ class PressureCheck:
         self._pressed = [one.region.select(model.lattice) for one in dead]
 
     def examine(self, state: State) -> None:
-        """Issue a warning if elements have turned since the reference.
+        """Issue a warning if elements have rotated too far from the reference configuration.
 
         Warns:
             TurnedPressureWarning: A tenth of the elements under a pressure have turned by 0.1 rad; issued once.

@@ -36,7 +36,7 @@ class RunProgress:
 
     @property
     def balance(self) -> float | None:
-        """Relative error of the energy balance [-]; None without any energy yet."""
+        """Relative error of the energy balance [-]; None while all energies are zero."""
         return self.error / self.energy if self.energy > 0.0 else None
 
     @property
@@ -77,7 +77,7 @@ def has_listener() -> bool:
 
 
 def send(progress: RunProgress) -> None:
-    """Send progress to the listener of this context, if any, and show it beside the running stage."""
+    """Send progress to the listener of this context, if any, and to the display of the running stage."""
     _progress.note(progress.words if progress.step < progress.steps else "")
     listener = _listener.get()
     if listener is not None:

@@ -49,12 +49,12 @@ def one_thread(_: Translation, __: Given) -> int:
 
 
 def length_of(kind: type[_T], column: Callable[[_T], np.ndarray]) -> Count:
-    """Return the `Count` of a launch over the rows of a column of a table of the pass."""
+    """Return a function for the number of threads of a launch: the length of a column of a table of the pass."""
     return lambda _, given: len(column(given[kind]))
 
 
 def elements_where(kind: type[_T], column: Callable[[_T], np.ndarray]) -> Count:
-    """Return the `Count` of a launch over elements, which is 0 if a column of a table of the pass is empty."""
+    """Return a function for the number of threads of a launch: that of elements, or 0 if a column is empty."""
     return lambda run, given: run.span.n if len(column(given[kind])) else 0
 
 

@@ -136,7 +136,7 @@ class Launches:
 
 
 def tables_of(one: KernelOf) -> list[type]:
-    """Return the classes of the tables of a pass over an index."""
+    """Return the classes of the tables that a kernel takes."""
     return [kind for name, kind in get_annotations(one).items() if name != "return"]
 
 
@@ -144,7 +144,7 @@ def over(one: KernelOf, count: Count, made: Made | None = None) -> Launches:
     """Return the counterpart of a pass that is one launch.
 
     Args:
-        one: pass over an index.
+        one: kernel, which each thread calls with an index.
         count: number of indices.
         made: tables that only a device has, in addition to those of every run.
     """
@@ -160,8 +160,8 @@ def gathered_or_summed(gathered: KernelOf, summed: KernelOf, count: Count) -> La
     """Return the counterpart of a pass that reads sums of loads.
 
     Args:
-        gathered: pass over an index that adds up the loads of the bonds of its element.
-        summed: pass over an index for runs with further loads on elements, whose sums are in memory.
+        gathered: kernel that adds up the loads of the bonds of its element.
+        summed: kernel for runs with further loads on elements, whose sums are in memory.
         count: number of indices.
     """
     return in_order(
