@@ -30,7 +30,8 @@ class FailureTable:
     """Breakage criteria of the bonds, internal order.
 
     Attributes:
-        kind: name of the criterion (`BondCriterion.kind`).
+        kind: name of the criterion (`BondCriterion.kind`); "principal" or "law" for bonds that mean stresses or their
+            law break.
         coefficient: coefficients of the criterion for each bond, shape (m, 4).
         station: place of the moment that may break a bond, as the distance from i over its length [-]; -1 for the end
             with the larger moment, (m,).

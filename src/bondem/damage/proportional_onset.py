@@ -39,7 +39,7 @@ def softening_along(
 ) -> SofteningSearch:
     """Compute the load factors at which cracked facets soften further, along each direction.
 
-    Directions are the principal ones of the stress of both cells; a material plane has its own.
+    The directions are the principal directions of the stress of both cells; for material planes they have no meaning.
 
     Args:
         loaded: loads of facets and cells at a factor of 1.
