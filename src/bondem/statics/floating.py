@@ -15,7 +15,7 @@ def refuse_floating(model: Model, position: Floats, prescribed: Mask) -> None:
     """Raise an error if a piece of a scene is free to move rigidly; bodies that bonds join are one piece.
 
     Args:
-        model: model of the scene; nothing is checked for one of a single body.
+        model: model of the scene; nothing is checked for a single body.
         position: centres [m], internal order, (n, 3).
         prescribed: mask of the degrees of freedom that are fixed or driven, internal order, (n, 6).
 

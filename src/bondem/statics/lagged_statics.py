@@ -36,7 +36,7 @@ _BEYOND = 1e6
 
 @dataclass(frozen=True, eq=False)
 class Settled:
-    """Equilibrium of a law that lags, user's order.
+    """Equilibrium of a law whose stresses lag by one iteration, user's order.
 
     Attributes:
         strain: deformation of all bonds, with their forces.

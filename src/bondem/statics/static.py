@@ -222,7 +222,7 @@ class Statics:
 
 
 def _of_lagged(model: Model, system: System, statics: LaggedStatics, load: Floats, motion: Floats) -> StaticResult:
-    """Return the equilibrium of a law that lags under loads and prescribed motions, internal order, (6 n,) each."""
+    """Return the equilibrium of a law with lagged stresses under loads and motions, internal order, (6 n,) each."""
     order, rank = model.layout.order, model.layout.rank
     n = len(order)
     found = statics.settle(load.reshape(n, 6)[rank], motion=motion.reshape(n, 6)[rank])

@@ -18,7 +18,7 @@ _LIMIT = 0.2
 
 
 def _stresses(body: DamagedBody, found: Loaded, facets: Ints) -> tuple[Floats, Floats]:
-    """Return the largest tension, and the largest pressure beside it, in the mean of both cells [Pa], (c,) each.
+    """Return the largest principal tension and pressure of the mean stress of both cells [Pa], (c,) each.
 
     Both are for a factor of 1, and 0 for facets that slide rather than open.
     """
@@ -30,7 +30,7 @@ def _stresses(body: DamagedBody, found: Loaded, facets: Ints) -> tuple[Floats, F
 
 
 def pressed_along(body: DamagedBody, found: Loaded, facets: Ints) -> Mask:
-    """Return the mask of facets that open beside a pressure along their crack, (c,)."""
+    """Return a mask of the facets that open under a pressure parallel to their crack, (c,)."""
     tension, pressure = _stresses(body, found, facets)
     return pressure > _PRESSED * tension
 

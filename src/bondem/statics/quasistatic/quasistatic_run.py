@@ -173,7 +173,7 @@ def _followed(
     model: Model, drive: Region, pairs: Mapping[str, tuple[Region, Region]], limits: tuple[float, float, float, int],
     progress: Callable[[float], None] | None, halt: Halt,
 ) -> QuasistaticResult:  # fmt: skip
-    """Follow a path to its end, or until a signal; `limits` are ripple, together, until and most."""
+    """Follow a path to its end, or until an interrupt; `limits` are ripple, together, until and most."""
     band, close, share, limit = limits
     body, equilibrium, onset = _begin(model)
     reading, gauge = Reading(body, drive), PointGauges(model, pairs)
