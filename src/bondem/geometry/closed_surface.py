@@ -82,7 +82,7 @@ def _merged(vertices: Floats, triangles: Ints, tolerance: float) -> tuple[Floats
 
 
 def _once(triangles: Ints) -> np.ndarray:
-    """Return a mask that keeps one of each set of equal triangles, or none if as many face either way."""
+    """Return a mask that keeps one of each set of equal triangles, or none of them if equally many face each way."""
     corners = np.sort(triangles, axis=1)
     _, number, count = np.unique(corners, axis=0, return_inverse=True, return_counts=True)
     if not len(triangles) or count.max() == 1:
