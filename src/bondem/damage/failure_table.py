@@ -30,8 +30,7 @@ class FailureTable:
     """Breakage criteria of the bonds, internal order.
 
     Attributes:
-        kind: name of the criterion (`BondCriterion.kind`); "principal" or "law" for bonds that mean stresses or their
-            law break.
+        kind: name of the criterion (`BondCriterion.kind`), or "principal" or "law" (see `of_law`).
         coefficient: coefficients of the criterion for each bond, shape (m, 4).
         station: place of the moment that may break a bond, as the distance from i over its length [-]; -1 for the end
             with the larger moment, (m,).

@@ -25,8 +25,7 @@ def onset_factors(
         strengths: strengths of the facets.
         whole: numbers of the uncracked facets, (c,).
         below: largest factor of interest [-].
-        spread: largest factor of interest, over the smallest of `below` and the factors of all facets [-]; facets
-            with surely larger factors are skipped.
+        spread: largest factor of interest, over the smallest of `below` and the factors of all facets [-].
     """
     search = OnsetSearch(np.ascontiguousarray(whole, dtype=np.int64), below, spread, np.empty(len(whole)))
     run_pass(calls.find_onset_factors(loaded, strengths, search))

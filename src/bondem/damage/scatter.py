@@ -61,8 +61,7 @@ class Weibull:
     ) -> PerBond:
         """Return the strength of each bond over s₀ [-], user's order, (m,).
 
-        Arguments are the volumes of bonds [m³], (m,), and their places [m], (m, 3), the edges of a periodic cell [m],
-        (3,), and the volume of the whole body [m³].
+        Volumes are in m³, (m,) for bonds, places, (m, 3), and periodic edges, (3,), in m, as in `Criterion.factors`.
 
         Raises:
             InputError: Strengths are correlated, and no places are given.
@@ -107,8 +106,7 @@ class Normal:
     ) -> PerBond:
         """Return the strength of each bond over s₀ [-], user's order, (m,).
 
-        Arguments are the volumes of bonds [m³], (m,), and their places [m], (m, 3), the edges of a periodic cell [m],
-        (3,), and the volume of the whole body [m³].
+        Volumes are in m³, (m,) for bonds, places, (m, 3), and periodic edges, (3,), in m, as in `Criterion.factors`.
 
         Raises:
             InputError: Strengths are correlated, and no places are given.
