@@ -77,7 +77,7 @@ class BeamSoftening:
 
 
 def _check_lengths(joint: Joint, criterion: BondCriterion, at_contact: bool) -> None:
-    """Reject bonds that snap back, because they store more than their fracture energy at their strength.
+    """Raise InputError for bonds that snap back, because they store more than their fracture energy at failure.
 
     In tension such bonds are longer than 2 E G_f / f_t². In shear they store Q² / 2 ks > G_II A. The medians over the
     bonds are compared.

@@ -19,7 +19,7 @@ def breakage(
     uniform: UniformBeams | None,
     dashpots: Dashpots | None,
 ) -> Part:
-    """Return the part by which beams break at once, with their dashpots if given."""
+    """Return the part of a step by which beams break at once, with their dashpots if given."""
     moving, candidates, postponed = shared.moving, damage.candidates, damage.postponed
     per_length = np.zeros(0) if uniform is None else uniform.per_length
     integrity = BeamIntegrity(beams.integrity, per_length)
@@ -41,7 +41,7 @@ def facet_breakage(
     release: FacetRelease,
     dashed: tuple[tuple[Dashpots, Beams], ...],
 ) -> Part:
-    """Return the part by which facets break at once; `dashed` are dashpots with the beams that they act on."""
+    """Return the part of a step by which facets break at once; `dashed` are dashpots with the beams they act on."""
     moving, candidates, postponed = shared.moving, damage.candidates, damage.postponed
     by_kind = steps.JUDGE_FACETS_BY[damage.table.kind]
     judge = by_kind(moving, facets, release, damage.strengths, candidates, postponed)

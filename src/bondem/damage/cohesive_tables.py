@@ -20,7 +20,7 @@ BEGAN = 5
 
 
 def new_cohesive_cracks(state: FailingState, listed: np.ndarray, slide: float) -> CohesiveCracks:
-    """Return the cracks of a state as tables for all facets, whose memory is touched only as facets crack.
+    """Return the cracks of a state as tables for all facets, whose memory is used only as facets crack.
 
     `slide` is the slip over √A from which faces of a material plane no longer face each other [-].
     """
@@ -73,7 +73,7 @@ def keep_cracks(cracks: CohesiveCracks, stored: FacetForces, state: FailingState
 
 
 def new_crack_lists(n: int, m: int) -> CrackLists:
-    """Return empty lists of cracks for n cells and m facets, whose memory is touched only as facets crack."""
+    """Return empty lists of cracks for n cells and m facets, whose memory is used only as facets crack."""
     places = m + _BEHIND
     portions, halves = places // _PORTION + 1, 2 * places + 2
     numbers, shorts = np.zeros(places, np.int64), np.zeros(places, np.uint32)

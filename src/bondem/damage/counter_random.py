@@ -10,7 +10,7 @@ _GOLDEN = np.uint64(0x9E3779B97F4A7C15)
 def uniform_by_counter(seed: int, many: int) -> Floats:
     """Return uniform numbers in (0, 1) for the counters 0 … many - 1, (many,).
 
-    They are the upper 53 bits of splitmix64 (Steele, Lea and Flood 2014), started at the mixed seed.
+    The numbers are the upper 53 bits of splitmix64 (Steele, Lea and Flood 2014), started from a hash of the seed.
     """
     with np.errstate(over="ignore"):
         start = _mixed(np.array([seed % 2**64], dtype=np.uint64) + _GOLDEN)

@@ -1,4 +1,4 @@
-"""Columns of cracked facets in a state."""
+"""Columns of the table of cracked facets in a state."""
 
 # FACET: number of the facet. ONSET: strength [Pa], 0 where a cell had lost its cohesion. AXES: e_1, e_2, e_3 as a
 # unit quaternion in the frame of cell i, w < 0 where e_3 = -e_1 × e_2. LEFT: s_1, s_2, s_3 and the grip γ on traction

@@ -111,7 +111,7 @@ class CrackingBody:
     def straining(self) -> tuple[Passes, Passes, Passes]:
         """Return the passes by which strains that change in time act on cracks.
 
-        These change the levers, compute the power of each strain as a run begins, and compute it in each step.
+        The three lists change levers, and compute the power of each strain as a run begins and in each step.
         """
         body, stretch = self.body, []
         for strains in body.strains:

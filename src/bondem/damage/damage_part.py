@@ -137,10 +137,10 @@ class Joints:
 
     @classmethod
     def of_cracks(cls, apart: PerBond, state: FailingState, cracks: CrackJoints) -> "Joints":
-        """Return the facets of a body with cracks as joints, which last as long as their faces face each other.
+        """Return the facets of a body with cracks as joints, which last until the faces of a facet part.
 
         Args:
-            apart: distance of the centres at which the cells of each facet touch without it [m], (m,).
+            apart: distance of the centres at which the cells of each facet touch once it has failed [m], (m,).
             state: state with the present cracks.
             cracks: cracked facets of the run.
         """

@@ -30,7 +30,7 @@ class FailureTable:
     """Breakage criteria of the bonds, internal order.
 
     Attributes:
-        kind: name of the criterion (`BondCriterion.kind`).
+        kind: name of the criterion (`BondCriterion.kind`), or "principal" or "law" (see `of_law`).
         coefficient: coefficients of the criterion for each bond, shape (m, 4).
         station: place of the moment that may break a bond, as the distance from i over its length [-]; -1 for the end
             with the larger moment, (m,).
@@ -128,7 +128,7 @@ def joint_of(law: Interaction) -> Joint:
 
 
 def _judged(joint: Joint, parts: tuple[FailurePart, ...], lattice: Lattice) -> tuple[Floats, PerBond, PerBond, str]:
-    """Return coefficients (m, 4) and both bounds (m,), and the kind of criteria; zeros for bonds without any."""
+    """Return coefficients (m, 4) and both bounds (m,), and the kind of criteria; zeros without a criterion."""
     m, kind = len(joint.length), ""
     coefficient, a, b = np.zeros((m, COEFFICIENTS)), np.zeros(m), np.zeros(m)
     for part in parts:

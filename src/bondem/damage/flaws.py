@@ -1,4 +1,4 @@
-"""Strengths set by random flaws: equal near each flaw, with the least strength of a body by the weakest link.
+"""Strengths set by random flaws: equal near each flaw, with the strength of a body set by its weakest flaw.
 
 Flaws of a strength below s are a Poisson process of density (s/s₀)^m / V₀. A body of volume V has none with
 probability exp(-(V/V₀) (s/s₀)^m), which is Weibull's distribution for every shape. A flaw sets the strength of all

@@ -18,14 +18,14 @@ from bondem.damage.stress_passes import new_stress_candidates
 def onset_factors(
     loaded: LoadedFacets, strengths: FacetStrengths, whole: Ints, below: float = math.inf, spread: float = math.inf
 ) -> PerBond:
-    """Return the load factors at which uncracked facets begin to crack, inf for those skipped, (c,).
+    """Return the load factors at which uncracked facets begin to crack, inf for skipped facets, (c,).
 
     Args:
         loaded: loads of facets and cells at a factor of 1.
         strengths: strengths of the facets.
         whole: numbers of the uncracked facets, (c,).
         below: largest factor of interest [-].
-        spread: largest factor over the least of `below` and all facets [-]; facets surely beyond it are skipped.
+        spread: largest factor of interest, over the smallest of `below` and the factors of all facets [-].
     """
     search = OnsetSearch(np.ascontiguousarray(whole, dtype=np.int64), below, spread, np.empty(len(whole)))
     run_pass(calls.find_onset_factors(loaded, strengths, search))
@@ -38,7 +38,7 @@ def softening_along(
 ) -> SofteningSearch:
     """Compute the load factors at which cracked facets soften further, along each direction.
 
-    Directions are the principal ones of the stress of both cells; a material plane has its own.
+    The directions are the principal directions of the stress of both cells; for material planes they have no meaning.
 
     Args:
         loaded: loads of facets and cells at a factor of 1.

@@ -31,7 +31,7 @@ class Weibull:
     With a correlation length l, the body contains flaws at random places, of which (s/s₀)^m / V₀ per volume have a
     strength below s. Each sets the strength of all bonds within l (`bondem.damage.flaws`). The smallest strength of a
     body of volume V then has the mean Γ(1 + 1/m) s₀ (V₀/V)^(1/m), for every shape, size of elements and l. A brittle
-    body of cells is as strong as that if l is at least two cells, and stronger with m = 5. Without a correlation
+    body of cells has this strength if l is at least two cells, or a larger one with m = 5. Without a correlation
     length strengths are independent and V is the volume of the bond, its area times its length; a bar of such bonds
     is stronger than its weakest link.
 
@@ -59,7 +59,9 @@ class Weibull:
     def factors(
         self, volume: PerBond, place: PerBond3 | None = None, period: Floats | None = None, body: float | None = None
     ) -> PerBond:
-        """Return the strength of each bond over s₀ [-], user's order, (m,), for the arguments of `Criterion.factors`.
+        """Return the strength of each bond over s₀ [-], user's order, (m,).
+
+        Volumes are in m³, (m,) for bonds, places, (m, 3), and periodic edges, (3,), in m, as in `Criterion.factors`.
 
         Raises:
             InputError: Strengths are correlated, and no places are given.
@@ -102,7 +104,9 @@ class Normal:
     def factors(
         self, volume: PerBond, place: PerBond3 | None = None, period: Floats | None = None, body: float | None = None
     ) -> PerBond:
-        """Return the strength of each bond over s₀ [-], user's order, (m,), for the arguments of `Criterion.factors`.
+        """Return the strength of each bond over s₀ [-], user's order, (m,).
+
+        Volumes are in m³, (m,) for bonds, places, (m, 3), and periodic edges, (3,), in m, as in `Criterion.factors`.
 
         Raises:
             InputError: Strengths are correlated, and no places are given.

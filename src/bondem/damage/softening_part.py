@@ -65,7 +65,7 @@ class SofteningTables:
 def softening(
     tables: SofteningTables, damage: DamageTables, state: FailingState, shared: StepTables, beams: Beams
 ) -> Part:
-    """Return the part by which beams soften and break."""
+    """Return the part of a step by which beams soften and break."""
     moving, bounds, soft, candidates = shared.moving, tables.bounds, tables.soft, damage.candidates
 
     def keep() -> None:

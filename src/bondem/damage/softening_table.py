@@ -218,8 +218,8 @@ class SofteningTable:
 def require_short(span: PerBond, E: PerBond, softening: Softening) -> None:
     """Reject elements that snap back, because they release more energy than their crack absorbs at first.
 
-    They stretch more at their strength than up to the opening at which the first line of the softening curve would
-    reach zero.
+    Such elements stretch more at their strength than up to the opening at which the first line of the softening curve
+    would reach zero.
 
     Args:
         span: lengths across the facets of a material [m], (c,).

@@ -18,7 +18,7 @@ from bondem._types import Floats
 
 
 def new_stress_candidates(m: int) -> StressCandidates:
-    """Return an empty table of candidates among m bonds, whose memory is touched only as it is written."""
+    """Return an empty table of candidates among m bonds, whose memory is used only as candidates are written."""
     portions = -(-m // BONDS_OF_PORTION)
     return StressCandidates(
         np.empty(m, dtype=np.int64), np.empty((m, 3, 3)), np.empty(m), np.zeros(portions, dtype=np.int64),

@@ -37,10 +37,10 @@ class ListedContacts(NamedTuple):
 
 
 class ContactCheck:
-    """Check that warns once of overlaps beyond the law, and once of motion beyond the step.
+    """Check that warns once of overlaps beyond the range of the contact law, and once of too much motion per step.
 
-    The loop calls `examine` after each call of the core. A call ends after its steps, or when the neighbour list is
-    out of date, every few steps for fast elements.
+    The loop calls `examine` after each call of the core, which takes several steps and ends early if the neighbour
+    list is out of date.
     """
 
     def __init__(self, contacts: ContactModel, dt: float) -> None:
@@ -54,12 +54,12 @@ class ContactCheck:
 
         Args:
             c: contacts to check.
-            motion: motion of the elements, velocities in the first three columns.
+            motion: motion of the elements, (n, 6), with velocities [m/s] in the first three columns.
             time: present time [s].
 
         Warns:
-            ContactWarning: An overlap exceeds the range of the law, or an element moves too far per step; each given
-                once.
+            ContactWarning: An overlap exceeds the range of the law, or an element moves too far per step; each
+                warning is issued once.
         """
         if not self._deep and c.deepest > self._deepest:
             self._deep = True
@@ -109,7 +109,7 @@ class SinkingCheck:
         """Warn if elements of a state would have to touch.
 
         Warns:
-            ContactWarning: Faces of a joint have slid off each other, or elements overlap; given once.
+            ContactWarning: Faces of a joint have slid off each other, or elements overlap; issued once.
         """
         if self._warned:
             return
@@ -153,7 +153,7 @@ class SinkingCheck:
         )  # fmt: skip
 
     def _slid(self, state: State) -> int:
-        """Return the number of facets of material planes whose faces have parted by a slip, not by a gap."""
+        """Return the number of facets of material planes whose faces have separated by slip and not by a gap."""
         layout = self._model.layout
         parted = state.cracks[state.cracks[:, STATUS] == CrackStatus.PARTED, FACET].astype(np.int64)
         if not len(parted):

@@ -60,14 +60,14 @@ class CoreLoop:
         return_free_memory(self._m)
 
     def _make_lists(self) -> None:
-        """Compose the lists of passes of the present parts."""
+        """Compose the lists of passes that the core calls from the parts of the step."""
         self._compose = Composer(self._lasting)
         stages = ("present", "opening", "travel", "resume", "reopening", "guard")
         lists = {stage: self._list(stage) for stage in stages}
         self._lists = StepPasses(**lists, forces=self._list(*FORCES), record=self._compose([]))
 
     def _begin(self) -> None:
-        """Call the passes of the stage "begin" once, at the time of the state."""
+        """Call the passes that prepare a run, those of the stage "begin", at the time of the state."""
         first = composed(self._parts, "begin")
         if not first:
             return
@@ -83,7 +83,7 @@ class CoreLoop:
         return self._compose(composed(self._parts, *stages))
 
     def _renew(self) -> bool:
-        """Search for contacts again and renew the lists; return False if the centre of an element is not finite."""
+        """Search for contacts again and renew the lists of passes; return False if a centre is not finite."""
         parts = [part if part.renewed is None else part.renewed() for part in self._parts]
         self._parts = [part for part in parts if part is not None]
         self._make_lists()
@@ -95,8 +95,8 @@ class CoreLoop:
         """Take steps, or record the present state, in one call of the core.
 
         Returns:
-            The reason for the end of the call, and the numbers of steps, of records, of bonds turned far, and of
-            unbroken bonds turned too far.
+            The reason for the end of the call; the numbers of steps and of records; and the two numbers of strongly
+            rotated bonds that `Loop.run` returns.
         """
         state, t, done = self.state, self._tables, np.zeros(4, dtype=np.int64)
         stale = records_present and state.stale
@@ -123,7 +123,7 @@ class CoreLoop:
         return records
 
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
-        """Take steps and return the values of `Loop.run`: records, two counts of turned bonds, and the verdict."""
+        """Take steps and return records, two numbers of strongly rotated bonds, and the verdict, as `Loop.run`."""
         if self.state.stale:
             self.record_present()
         records = np.zeros((steps // self._every + 1 if self._every else 0, self._width))
@@ -143,7 +143,7 @@ class CoreLoop:
 def noticeable(model: Model, dt: float) -> float:
     """Return the energy below which checks of the energy ignore changes [J].
 
-    This is the energy of negligible motion plus the most that adhesion may release.
+    This is the energy of negligible motion plus the largest energy that adhesion may release.
     """
     rest = 0.5 * float(model.mass.sum()) * (_STILL * model.lattice.particles.mean_radius / dt) ** 2
     return rest + model.contact_laws.released(model.contact_radius)

@@ -9,9 +9,9 @@ from bondem.errors import InputError
 
 @dataclass(frozen=True)
 class LocalDamping:
-    """Local damping: each component of force and torque is reduced against the motion, F_i - γ |F_i| sign(v_i).
+    """Local damping: each component F_i of the net force and torque becomes F_i - γ |F_i| sign(v_i).
 
-    It vanishes in equilibrium and where the net force vanishes, and does not depend on the mass; it has no
+    The damping vanishes in equilibrium and where the net force vanishes, and does not depend on the mass; it has no
     counterpart in a real material. A free oscillation keeps √((1 - γ) / (1 + γ)) of its amplitude per half period.
     Reference: Chen et al. (2022) eqs (11), (12), where the printed F U/U stands for F.
 
@@ -27,7 +27,7 @@ class LocalDamping:
 
 @dataclass(frozen=True)
 class MassDamping:
-    """Mass damping: every element is slowed in proportion to its motion, -α m v, -α I ω (Rayleigh's α).
+    """Mass damping: a force -α m v and a moment -α I ω act on each element (Rayleigh's α).
 
     All modes decay as exp(-α t / 2), slow modes within fewer periods. Rigid motion decays as exp(-α t): momentum is
     not conserved. The damping does not lower the time step.
@@ -48,9 +48,10 @@ class BondDamping:
 
         c = 2 η √(k m̄) + β k for k = kn, ks,    c = 2 η √(k Ī) + β k for k = kb, kt
 
-    with m̄ = mi mj / (mi + mj), Ī likewise. The motion is that at the contact point. The damping conserves momentum
-    and angular momentum and does not affect rigid motion. η is the share of the critical damping of a pair; β damps a
-    mode of frequency ω by the share β ω / 2 (Rayleigh's β). Both lower the critical time step.
+    with m̄ = mi mj / (mi + mj) and Ī = Ii Ij / (Ii + Ij). The motion is that at the contact point. The damping
+    conserves momentum and angular momentum and does not affect rigid motion. η is the share of the critical damping
+    of a pair. β damps a mode of angular frequency ω by the share β ω / 2 of its critical damping (Rayleigh's β). Both
+    lower the critical time step.
 
     Reference: Chen et al. (2022) eqs (9), (10), each component with its own k.
 

@@ -26,7 +26,7 @@ def bond_dashpots(model: Model, terms: DampingTerms) -> Floats:
 
 @one_blas_thread
 def fastest_decay(model: Model, terms: DampingTerms) -> float:
-    """Return an upper bound of the largest eigenvalue of M⁻¹ C of all dashpots of bonds at rest [1/s], 0 without any.
+    """Return an upper bound of the largest eigenvalue of M⁻¹ C of the dashpots of bonds [1/s], 0 without dashpots.
 
     The largest c / k times ω²_max is a bound, too. For a share of the critical damping, however, c / k grows as 1 /
     √k, so that the smallest facet would determine the bound, although it transmits hardly any force.

@@ -1,9 +1,9 @@
-"""Loop over the steps of a run on a device, which carries out whole steps.
+"""Loop over the steps of a run on a device such as a GPU.
 
 The parts of a step compose its lists of passes as for the CPU, and `bondem.dynamics.on_device` translates them.
-The device also forms the records. They are copied to the host once per call, together with the state. All launches
-between two pauses are the same for every step, because the number of the step is on the device: they are recorded
-once, as graphs of 1, 2, 4 … 64 steps.
+The device also forms the records. They are copied to the host once per call, together with the state. Between two
+records or checks, all steps have the same launches, because the number of the step is stored on the device. These
+launches are recorded once, as graphs of 1, 2, 4 … 64 steps.
 """
 
 from collections.abc import Callable, Sequence
@@ -61,7 +61,7 @@ class DeviceLoop:
             _run(self._tables.prepared([self._tick(first=True), *self._launches("present"), *begins]))
 
     def _compose(self) -> None:
-        """Prepare the launches of the present parts."""
+        """Prepare the kernel launches of a step from its parts."""
         run, late = self._run, self._late
         self._graphs: dict[int, Callable[[], None]] = {}
         present, forces = self._launches("present"), self._launches(*FORCES)
@@ -88,7 +88,7 @@ class DeviceLoop:
         return launches_of(composed(self._parts, *stages), self._run)
 
     def _recording(self, rows: HistoryRows) -> list[Launch]:
-        """Return the launches that write the next row of the history."""
+        """Return the kernel launches that write the next row of the history."""
         passes = [one for part in self._parts for one in part.record(rows)]
         return [*launches_of(passes, self._run), (kernels.count_record(self._run.span), 1)]
 
@@ -114,7 +114,7 @@ class DeviceLoop:
         return found
 
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
-        """Take steps and return the values of `Loop.run`."""
+        """Take steps and return records, two numbers of strongly rotated bonds, and the verdict, as `Loop.run`."""
         if self.state.stale:
             self.record_present()
         state, every = self.state, self._every
@@ -144,7 +144,7 @@ class DeviceLoop:
         return records.finished(taken), wide, lost, sick
 
     def _advance(self, now: int, goal: int, records: "_Records") -> tuple[int, bool]:
-        """Take steps up to `goal`; return the number of the last one, and False if a centre is not finite."""
+        """Take steps to step `goal`; return the number of the last step, and False if a centre is not finite."""
         while now < goal:
             taken = self._enqueue(goal - now)
             stopped = self._stopped() if self._listed else None
@@ -187,7 +187,7 @@ class DeviceLoop:
         return int(span.clock[_STEP])
 
     def _renew(self, step: int) -> bool:
-        """Search for contacts again at a step and renew the lists; return False if a centre is not finite."""
+        """Search for contacts again at a step and renew the launches; return False if a centre is not finite."""
         self._set_time(step)
         self._fetch()
         before = lists_of_contacts(composed(self._parts, "travel", *FORCES))
@@ -205,7 +205,7 @@ class DeviceLoop:
         self.state.time = self._scheme.origin + step * self._scheme.dt
 
     def _guard(self) -> tuple[int, int, int]:
-        """Return the number of bonds turned far, the number turned too far, and the verdict on the energy.
+        """Return two numbers of strongly rotated bonds, as `Loop.run`, and the verdict on the energy.
 
         The verdict is FINE, NOT_FINITE or RUNAWAY.
         """
@@ -215,7 +215,7 @@ class DeviceLoop:
         return int(found[GuardNumber.WIDE]), int(found[GuardNumber.LOST]), int(found[GuardNumber.ENDING])
 
     def _set_clock(self) -> None:
-        """Set the clock of the device to the step of the state, and its counts of records and events to zero."""
+        """Set the step number on the device to that of the state, and the counts of records and events to zero."""
         clock = self._run.span.clock
         clock[:] = 0
         clock[_STEP] = self.state.step
@@ -236,14 +236,14 @@ class DeviceLoop:
 
 
 class _Records:
-    """Rows of the history that one call of `run` fills, with the launches that write a row."""
+    """Rows of the history that one call of `DeviceLoop.run` fills, with the kernel launches that write a row."""
 
     def __init__(self, loop: DeviceLoop, rows: HistoryRows) -> None:
         self._loop, self._rows = loop, rows
         self.prepare()
 
     def prepare(self) -> None:
-        """Prepare the launches by which the present parts write a row."""
+        """Prepare the launches by which the parts of the step write a row."""
         self.row = self._loop._tables.prepared(self._loop._recording(self._rows))
 
     def finished(self, steps: Sequence[int]) -> np.ndarray:

@@ -27,8 +27,8 @@ _SWING = 0.25
 class EnergyCheck:
     """Check that compares the error of the energy balance with the energies of a run, record by record.
 
-    The scale is the largest energy so far: stored energies, and work and losses since the first record. The outcome
-    depends on the records alone, so that a resumed run is checked like an uninterrupted one.
+    Errors are relative to the largest energy so far: stored energies, and work and losses since the first record.
+    The outcome depends on the records alone, so that a resumed run is checked like an uninterrupted one.
     """
 
     def __init__(self, model: Model, state: State, dt: float, limits: tuple[float, float], first: Floats) -> None:
@@ -38,7 +38,7 @@ class EnergyCheck:
             model: model of the run.
             state: initial state.
             dt: time step [s].
-            limits: shares of the scale at which the check warns and stops the run; infinity for never [-].
+            limits: shares of the largest energy at which the check warns and stops the run; infinity for never [-].
             first: first record of the run, (1, columns).
         """
         self._limits, self._first = limits, first[:, :HistoryColumn.COUNT]
@@ -55,7 +55,7 @@ class EnergyCheck:
         The text is empty for a balance within this limit.
 
         Warns:
-            ImbalanceWarning: The balance is beyond the first limit, but not the second; given once.
+            ImbalanceWarning: The balance is beyond the first limit, but not the second; issued once.
         """
         if not len(records):
             return ""

@@ -53,11 +53,11 @@ def integrate(
         plan: parameters of the run.
         state: initial state; it is changed in place.
         history: records so far.
-        sink: receiver of checkpoints and of the last state.
+        sink: receiver of checkpoints, of snapshots and of the last state.
         progress: function called repeatedly with the completed share, 0 … 1.
         loop_of: function that makes the loop from model, plan, state and dt; that of the CPU by default.
-        callback: function called with the state and its record, a history of one, with each record. It must not
-            change the state, and ends the run by returning True.
+        callback: function called at each record with the state and a history of this one record. It must not change
+            the state, and ends the run by returning True.
         remark: addition to the message of the result.
         halt: function called repeatedly; the run stops, with a checkpoint, if it returns a signal.
 
@@ -180,7 +180,7 @@ def integrate(
 
 
 def _fractured(state: State) -> str:
-    """Return the dissipation of broken facets over the fracture energy of their area, for the message of a run."""
+    """Return a text on the dissipation of broken facets over the fracture energy of their area; "" for none."""
     ratios = ", ".join(f"{one.ratio:.3g}" for one in fracture_energies(state) if one.ratio == one.ratio)
     return ratios and f"; broken area dissipated {ratios} G_f"
 
@@ -188,7 +188,7 @@ def _fractured(state: State) -> str:
 def _progress(before: RunProgress | None, state: State, total: int, rate: float, since: History) -> RunProgress:
     """Return the progress at the present step, with a smoothed rate and the worst error of the energy balance.
 
-    `since` begins with the first record.
+    `since` consists of the first record of the run and those of the last call of the core.
     """
     error = energy = 0.0
     if before is not None:

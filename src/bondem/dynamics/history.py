@@ -65,8 +65,8 @@ class History:
         - "non-local work": work of the extra forces of the non-local law, which have no potential;
         - "fracture": energy that bonds and facets released as they broke or softened; with a fracture energy, at most
           G_f times the area of each;
-        - "crushing": energy that they released beyond that limit, and all energy released by facets of cells without
-          cohesion;
+        - "crushing": energy that bonds and facets released beyond that limit, and all energy released by facets of
+          cells without cohesion;
         - "plastic": energy that cells dissipated as they yielded;
         - "balance": kinetic + elastic + loss + friction + non-local work + fracture + crushing + plastic - work, less
           its value in the first record. It should be zero.
@@ -113,7 +113,7 @@ class History:
     def to_xarray(self) -> Any:
         """Return the records as an xarray.Dataset over time [s].
 
-        It holds the energies [J], and gauges with the dimension "component".
+        The dataset contains the energies [J], and gauges with the dimension "component".
 
         Raises:
             MissingDependencyError: xarray is not installed.

@@ -31,7 +31,7 @@ _BEYOND = 1e30
 def lagged_limits(
     model: Model, law: LaggedInteraction, scheme: Scheme, terms: DampingTerms, springs: float, *, matters: float
 ) -> tuple[float, float]:
-    """Return the critical step of a law that lags, and its value without the dashpots of bonds [s].
+    """Return the critical step of a law whose stress lags by one step, and its value without dashpots of bonds [s].
 
     The critical step is the smaller of two. One is that of springs and contacts with the dashpots of contacts. The
     other is the largest share of the step of springs and contacts at which lagged trial steps, with dashpots of
@@ -48,7 +48,7 @@ def lagged_limits(
             stable, the critical step is returned twice.
 
     Warns:
-        StepWarning: Lagged steps are unstable at any share; the least share is returned.
+        StepWarning: Trial steps are unstable at all tried shares of the step; the least share is used.
     """
     highest, bound = _of_springs(model, law, scheme, terms, springs)
     if springs == 0.0:
@@ -68,7 +68,7 @@ def lagged_limits(
 
 
 def warn_undamped(model: Model, terms: DampingTerms) -> None:
-    """Issue a warning for a body that nothing holds or damps: as it turns, the lag adds energy at any time step.
+    """Issue a warning for a free undamped body, to which the lag of the stress adds energy as the body rotates.
 
     Warns:
         StepWarning: No element is fixed or driven, and neither local nor bond damping acts.
@@ -104,7 +104,7 @@ def _of_springs(
 
 
 def damped_limit(scheme: Scheme, omega: float, decay: float) -> float:
-    """Return the critical step of motions of at most the frequency ω [rad/s] and the decay λ of M⁻¹ C [1/s]."""
+    """Return the critical step [s] for an angular frequency ω [rad/s] and an eigenvalue `decay` of M⁻¹ C [1/s]."""
     zeta = 0.5 * decay / omega
     return scheme.critical / omega * (math.sqrt(1.0 + zeta * zeta) - zeta)
 
@@ -123,9 +123,9 @@ def _fastest_decay(model: Model, law: LaggedInteraction, kn: PerBond, beta: PerB
 
 
 def growth(model: Model, law: LaggedInteraction, dt: float, terms: DampingTerms) -> float:
-    """Return the growth of small motions in trial steps [-], the ratio of two values of Σ m v².
+    """Return the growth of small motions in trial steps of `dt` [s], the ratio of two values of Σ m v².
 
-    They are the largest ones in the last and in the second quarter of the steps. The ratio is infinite if the motions
+    The values are the largest of the last and of the second quarter of the steps. The ratio is infinite if motions
     overflow. Local and bond damping act. The motions start from a fixed random field, and no element is constrained.
     """
     weight = np.repeat(np.column_stack([model.mass, model.inertia]), 3, axis=1)

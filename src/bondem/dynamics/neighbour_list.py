@@ -28,7 +28,7 @@ class FoundContacts:
     Attributes:
         pairs: pairs of elements.
         whole: distance at which pairs touch as spheres [m], (c,).
-        least: distance at which each pair touches [m], (c,): `whole`, or the smaller one at which its faces parted.
+        least: distance at which each pair touches [m], (c,): `whole`, or a smaller one at which faces parted.
         faces: faces by which pairs touch, as one number, 0 for none, (c,).
         own: normal stiffness of the pairs of bonds, or 0 [N/m], (c,).
         of_bond: place of the pair of each bond in the list, or -1, (m,).
@@ -55,7 +55,7 @@ class FoundContacts:
 
 
 class ContactSearch:
-    """Search for the contacts of a run, with a skin that grows where lists do not last."""
+    """Search for the contacts of a run, with a list that includes larger gaps if lists are soon out of date."""
 
     def __init__(
         self, model: Model, contacts: ContactModel, state: State, joints: tuple[PerBond, PerBond],
@@ -67,7 +67,8 @@ class ContactSearch:
             model: model of the elements.
             contacts: contacts of the model.
             state: state with the pose of the elements.
-            joints: `Joints.integrity` and `Joints.apart` of the damage pipeline; passes write both arrays.
+            joints: integrity of each bond, above 0 while the bond joins its elements, and distance of centres at
+                which its elements touch after failure [m]; passes write both arrays.
             outer: reach of the faces of each cell [m], (n,): two cells can touch by faces only if their centres are
                 closer than the sum of both. None if cells do not touch by faces.
         """
@@ -126,9 +127,9 @@ class ContactSearch:
         )  # fmt: skip
 
     def _listed(self, position: Floats, skin: float) -> np.ndarray:
-        """Return a mask of the bonds whose pairs are listed, (m,): breakable ones, and broken ones with near ends.
+        """Return a mask of the bonds whose pairs are listed, (m,): breakable bonds, and broken bonds with near ends.
 
-        If contacts act in parallel with bonds, these are all bonds with near ends.
+        If contacts act in parallel with bonds, all bonds with near ends are listed.
         """
         layout, size = self._state.layout, self._size
         broken = (self._joined[: len(layout.i)] <= 0.0) | self._contacts.laws.parallel
@@ -153,13 +154,13 @@ class ContactSearch:
         self, pairs: ContactPairs, walls: WallContacts, whole: Floats, faces: Floats | None,
         rolled: tuple[Floats, Floats] | None,
     ) -> None:  # fmt: skip
-        """Write the memory of pairs, and of elements that touch walls, into the state.
+        """Store the variables of contacts, of pairs and with walls, in the state.
 
         Args:
             pairs: the list of pairs.
             walls: contacts with walls.
             whole: distance at which pairs touch as spheres [m], (c,).
-            faces: faces by which pairs touch, (c,), or None where none do.
+            faces: faces by which pairs touch, (c,), or None if pairs do not touch by faces.
             rolled: rotations that pairs and contacts with walls store [m], (c, 3) and (b, 3), or None.
         """
         state, at_wall = self._state, walls.touch == TouchState.TOUCHING
@@ -184,7 +185,7 @@ class ContactSearch:
 
 
 def _recalled(pairs: FoundPairs, whole: Floats) -> Floats:
-    """Set the kind of contact of pairs from their memory; return the distances at which pairs touch [m], (c,)."""
+    """Set the kind of contact of pairs from stored variables; return the distances at which pairs touch [m], (c,)."""
     kind, start = pairs.memory[:, KIND], pairs.memory[:, START]
     stored = pairs.touch == TouchState.TOUCHING
     pairs.touch[stored & ((kind > 0.0) | (kind == BETWEEN))] = TouchState.FACING

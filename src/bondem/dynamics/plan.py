@@ -149,7 +149,7 @@ class ExplicitResult(Solution, PlottedState):
 
     @property
     def fracture_energy(self) -> tuple[FractureEnergy, ...]:
-        """Energy dissipated per broken area and its ratio to the fracture energy, for each criterion."""
+        """Energy dissipated per broken area [J/m²] and its ratio to the fracture energy [-], for each criterion."""
         return fracture_energies(self.state)
 
     @property
@@ -219,8 +219,8 @@ def settled(model: Model, plan: Plan) -> Plan:
     """Return the plan with its time step: the given one after a check, or a chosen one.
 
     Raises:
-        UnstableStepError: dt is not positive, or exceeds the critical step; or the lattice has no stiffness to choose
-            by.
+        UnstableStepError: dt is not positive, or exceeds the critical step; or the lattice has no stiffness from
+            which to choose a step.
     """
     step = choose_step(model, plan.scheme, plan.dt, safety=plan.safety, damping=plan.damping)
     return replace(plan, dt=step.dt)

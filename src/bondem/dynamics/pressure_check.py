@@ -15,17 +15,17 @@ _TURN = 0.1
 
 
 class PressureCheck:
-    """Check of the rotation of elements under pressures that do not follow, chunk by chunk of a run."""
+    """Check of the rotation of elements under pressures that keep their direction."""
 
     def __init__(self, model: Model) -> None:
         dead = (one for one in model.boundary if isinstance(one, Pressure) and not one.follows)
         self._pressed = [one.region.select(model.lattice) for one in dead]
 
     def examine(self, state: State) -> None:
-        """Issue a warning if elements have turned since the reference.
+        """Issue a warning if elements have rotated too far from the reference configuration.
 
         Warns:
-            TurnedPressureWarning: A tenth of the elements under a pressure have turned by 0.1 rad; given once.
+            TurnedPressureWarning: A tenth of the elements under a pressure have turned by 0.1 rad; issued once.
         """
         turns = [2.0 * np.arccos(np.minimum(np.abs(state.orientation[on, 0]), 1.0)) for on in self._pressed]
         if not turns or max(np.quantile(one, 0.9) for one in turns) < _TURN:

@@ -20,7 +20,7 @@ class RunProgress:
         step: number of steps done.
         steps: number of steps of the whole run.
         time: simulated time [s].
-        rate: steps per second of wall time.
+        rate: steps per second of wall time [1/s].
         broken: number of broken bonds or facets.
         error: largest error of the energy balance so far [J].
         energy: largest entry of the energy balance so far [J].
@@ -36,12 +36,12 @@ class RunProgress:
 
     @property
     def balance(self) -> float | None:
-        """Relative error of the energy balance [-]; None without any energy yet."""
+        """Relative error of the energy balance [-]; None while all energies are zero."""
         return self.error / self.energy if self.energy > 0.0 else None
 
     @property
     def left(self) -> float:
-        """Wall time to the end of the run at this rate [s]; an event may end a test sooner."""
+        """Wall time to the end of the run at the present rate [s]; an event may end the run sooner."""
         return (self.steps - self.step) / self.rate
 
     @property
@@ -63,7 +63,7 @@ _listener: ContextVar[Callable[[RunProgress], None] | None] = ContextVar("listen
 
 @contextmanager
 def listening(listener: Callable[[RunProgress], None]) -> Iterator[None]:
-    """Send the progress of the runs of this context to `listener`."""
+    """Send the progress of the runs in a `with` block to `listener`."""
     token = _listener.set(listener)
     try:
         yield
@@ -77,7 +77,7 @@ def has_listener() -> bool:
 
 
 def send(progress: RunProgress) -> None:
-    """Send progress to the listener of this context, if any, and show it beside the running stage."""
+    """Send progress to the listener of this context, if any, and to the display of the running stage."""
     _progress.note(progress.words if progress.step < progress.steps else "")
     listener = _listener.get()
     if listener is not None:

@@ -39,7 +39,7 @@ class Quasistatic:
 
     @property
     def faults(self) -> tuple[str, ...]:
-        """Measures beyond their limits, in words; empty for a quasi-static run, and for one not meant to be."""
+        """Measures beyond their limits, in words; empty for a quasi-static run, and if `meant` is empty."""
         if not self.meant:
             return ()
         found = [

@@ -66,7 +66,7 @@ def begin(model: Model, state: State | None) -> State:
 
 
 def check_gauges(model: Model, plan: Plan) -> None:
-    """Raise InputError for a force gauge that can only record zero: nothing is fixed, driven or loaded there."""
+    """Raise InputError for a force gauge in whose region no element is fixed, driven or loaded."""
     row_of = model.constraints.row_of
     for name, gauge in plan.gauges.items():
         if not isinstance(gauge, Gauge) or gauge.quantity != "force":
@@ -79,7 +79,7 @@ def check_gauges(model: Model, plan: Plan) -> None:
 
 
 def _refuse_jumps(model: Model, state: State, before: Sequence[object]) -> None:
-    """Reject prescribed displacements that do not begin at their elements, unless they continue from `before`."""
+    """Raise InputError if a condition or a wall, unless in `before`, begins with a jump of the displacement."""
     position = state.pose[:, :3] - state.rest
     shift = np.concatenate([position, rotation_vector(state.pose[:, 4:])], axis=1)
     slack = np.where(shift.any(axis=0), _ROUNDING, 0.0)
@@ -118,7 +118,7 @@ def _angle(orientation: Floats, axis: Triple, near: float) -> float:
 
 
 def _refuse_wall_jumps(supports: Supports, state: State, *, at_rest: bool) -> None:
-    """Reject jumps of walls that hold cells; in a state `at_rest` these walls have not moved yet."""
+    """Raise InputError if walls that fix cells would jump; in a state `at_rest` these walls have not moved yet."""
     extent = float(np.ptp(state.rest, axis=0).max()) if state.time > 0.0 else 0.0
     for s, (schedule, rate) in enumerate(zip(supports.fixed.drives, supports.fixed.rate, strict=True)):
         moved = supports.fixed.drive == s

@@ -21,11 +21,11 @@ def goes_on(model: Model, state: State) -> bool:
 
 
 def stage_walls(model: Model, state: State) -> Floats:
-    """Return the initial places [m] and orientations of walls that hold facets of cells, as `State.grips`, (g, 7).
+    """Return the initial places [m] and orientations of walls that fix facets of cells, as `State.grips`, (g, 7).
 
-    A wall that held a facet along an axis continues from its place, even if another condition moves it now. Any other
-    wall begins at its facet. The facet then initially carries the loads on it that have been removed, or nothing. If
-    a wall resists the rotation of its facet more than before, the moment on the cell does not jump.
+    A wall that fixed a facet along an axis continues from its place, even if another condition moves it now. Other
+    walls begin at their facets, which then initially transmit the loads on them that were removed, if any. If a wall
+    resists the rotation of its facet more than before, the moment on the cell does not jump.
 
     Args:
         model: model of the new stage.
@@ -64,7 +64,7 @@ def _same_motion(supports: Supports, before: Supports, mine: np.ndarray, theirs:
 
 
 def _origins(supports: Supports, before: Supports, mine: np.ndarray, theirs: np.ndarray, state: State) -> Floats:
-    """Return the orientations from which rotations of cells count, of the facets that both models hold, (k, 4)."""
+    """Return the orientations from which walls measure rotations of cells, of facets that both models fix, (k, 4)."""
     now, origin = state.orientation[supports.cell[mine]], state.grips[theirs, 3:]
     was = before.flatness(state.grips[:, 3:])[theirs]
     more = supports.flatness(state.orientation[supports.cell])[mine]
@@ -78,8 +78,8 @@ def _origins(supports: Supports, before: Supports, mine: np.ndarray, theirs: np.
 def _of_facets(model: Model, state: State, fresh: Floats) -> Floats:
     """Return displacements of facets that were free [m], (g, 3): motion of the rigid cell, and opening by its stress.
 
-    `fresh` is 1 along the axes along which walls begin to hold them, (g, 3). Loads that continue there act on the
-    cell itself from now on, and do not open the facet: its stress becomes that without these loads.
+    `fresh` is 1 along the axes along which walls begin to fix the facets, (g, 3). Loads that continue to act on these
+    facets act on the cell itself from now on. They open no facet, and their part of the stress of the cell vanishes.
     """
     supports, constants, q = model.interaction.supports, model.cell_constants, state.orientation
     facet, area = supports.fixed.facet, body_of(model.lattice)[1].free.area[:, None]

@@ -40,14 +40,16 @@ def critical_step(
     The step is also stable for contacts that form later, because every element is assumed to have as many contacts as
     possible. Local damping multiplies a decelerating force by 1 + γ, and so the effective stiffness and dashpots.
     Dashpots multiply the step by √(1 + ζ²) - ζ, with 2 ζ ω the largest eigenvalue of M⁻¹ C. Mass damping and
-    absorbing boundaries do not change it. That of a law that lags follows from trials
-    (`bondem.dynamics.lagged_timestep`).
+    absorbing boundaries do not change it. The step of a law whose stress lags by one step follows from trial steps.
 
     Args:
         model: model that will move.
         scheme: time integration scheme.
         damping: damping of elements and bonds.
         integrity: present integrity of the bonds (`State.integrity`), (m,); None for intact bonds.
+
+    Raises:
+        InputError: A value of `damping` is not damping, or one kind is given twice.
     """
     return _limits(model, scheme, DampingTerms.of(damping), integrity)[0]
 
@@ -55,7 +57,7 @@ def critical_step(
 def _limits(
     model: Model, scheme: Scheme, terms: DampingTerms, integrity: PerBond | None = None
 ) -> tuple[float, float]:
-    """Return `critical_step`, and its value without the dashpots of bonds [s]."""
+    """Return the critical time step, and its value without the dashpots of bonds [s]."""
     raised = math.sqrt(1.0 + terms.gamma)
     bonds, decay = highest_frequency(model, integrity=integrity), 0.0
     for slip in long_slips(model):
@@ -103,7 +105,7 @@ def _decay_bound(model: Model, kn: PerBond, beta: PerBond, soft: PerBond) -> flo
 
     The square of the velocity of one end against the other at a contact is at most 2 Σ (1/m + b²/I) (m v² + I ω²)
     over both ends, with their levers b. The sum of 2 c (1/m + b²/I) over the contacts of an element is therefore a
-    bound: no motion loses more over twice its energy. The smallest facet would determine the largest c / k.
+    bound of the dissipated power over twice the kinetic energy. The smallest facet would determine the largest c / k.
     """
     layout, radius = model.layout, model.contact_radius[model.layout.order]
     mass, inertia = model.mass[layout.order], model.inertia[layout.order]
@@ -147,7 +149,7 @@ def choose_step(
 
     Warns:
         StepWarning: The given dt is above 0.9 of the critical step, or dashpots of bonds make the default step more
-            than ten times smaller.
+            than ten times smaller, or nothing damps a free body whose stress lags.
     """
     terms = DampingTerms.of(damping)
     critical, free = _limits(model, scheme, terms)

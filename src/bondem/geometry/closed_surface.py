@@ -82,7 +82,7 @@ def _merged(vertices: Floats, triangles: Ints, tolerance: float) -> tuple[Floats
 
 
 def _once(triangles: Ints) -> np.ndarray:
-    """Return a mask that keeps one of each set of equal triangles, or none if as many face either way."""
+    """Return a mask that keeps one of each set of equal triangles, or none of them if equally many face each way."""
     corners = np.sort(triangles, axis=1)
     _, number, count = np.unique(corners, axis=0, return_inverse=True, return_counts=True)
     if not len(triangles) or count.max() == 1:
@@ -102,7 +102,7 @@ def _once(triangles: Ints) -> np.ndarray:
 
 
 def _edges(triangles: Ints) -> tuple[Ints, Ints]:
-    """Count the triangles at each edge, and the excess of those that run along it over those against it."""
+    """Return, for each edge, the number of its triangles, and of those along the edge less those against it."""
     edge = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2)
     way = np.where(edge[:, 0] < edge[:, 1], 1, -1)
     _, number, count = np.unique(np.sort(edge, axis=1), axis=0, return_inverse=True, return_counts=True)
@@ -168,7 +168,7 @@ def _inside_out(name: str, vertices: Floats, triangles: Ints, part: Ints, volume
 def _refuse_intersecting(name: str, corner: Floats) -> None:
     """Raise InputError for a surface that intersects itself, so that some triangles (t, 3, 3) do not bound the body.
 
-    At a point of a triangle that does, the winding number of all others is the mean of inside and outside, ½.
+    At a point of a triangle that bounds the body, the winding number of all others is ½, between inside and outside.
     """
     points, own = _samples(corner, 4 * len(corner))
     points = 0.97 * points + 0.03 * corner[own].mean(axis=1)  # off the edges

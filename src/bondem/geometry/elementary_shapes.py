@@ -37,7 +37,7 @@ def _edges(owner: str, size: object) -> tuple[float, float, float]:
 
 @dataclass(frozen=True)
 class Cylinder(Shape):
-    """A circular cylinder with axis y = z = 0 and x in [0, length].
+    """A circular cylinder with axis y = z = 0 and x in [0, length]; lengths that are not positive raise InputError.
 
     Attributes:
         radius: radius [m].
@@ -138,7 +138,7 @@ class Box(_Sized):
     """A box with one corner at the origin and the opposite corner at `size`.
 
     Attributes:
-        size: edge lengths [m], (3,).
+        size: edge lengths [m], (3,); values that are not positive raise InputError.
     """
 
     size: Triple
@@ -153,7 +153,7 @@ class Cell(_Sized):
     """A periodic box from the origin to `size`, without walls and faces, for properties of the bulk.
 
     Attributes:
-        size: edge lengths [m], (3,).
+        size: edge lengths [m], (3,); values that are not positive raise InputError.
     """
 
     size: Triple
@@ -176,7 +176,7 @@ class Ball(Shape):
     """A ball centred at the origin.
 
     Attributes:
-        radius: radius [m].
+        radius: radius [m]; a value that is not positive raises InputError.
     """
 
     radius: float

@@ -42,7 +42,7 @@ class Moments:
 def moments(shape: Shape) -> Moments:
     """Compute volume, centre and second moments of a shape.
 
-    They are exact for cylinder, box, ball and triangulated surface, also if moved or rotated. Intersections of
+    The moments are exact for cylinder, box, ball and triangulated surface, also if moved or rotated. Intersections of
     shapes, which cuts and unions subtract, are measured by refinement, to about 1e-3.
 
     Args:

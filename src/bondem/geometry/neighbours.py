@@ -19,8 +19,8 @@ def neighbours(
     Args:
         sphere: centres and radii [m], shape (n, 4): x, y, z, R.
         lower, upper: corners of the box that contains the centres [m], (3,).
-        period: periodic edge lengths [m], (3,), 0 where an axis is not periodic. A periodic edge exceeds four largest
-            radii plus two skins.
+        period: periodic edge lengths [m], (3,), 0 where an axis is not periodic. A periodic edge must exceed four
+            times the largest radius plus two skins.
         skin: largest gap [m].
         threads: number of threads.
 

@@ -232,7 +232,7 @@ class Overlap(_Walls):
 
     Attributes:
         first: first shape.
-        second: second shape.
+        second: second shape; shapes that do not intersect raise InputError.
         name: name of the walls of the second shape; they join a face of the first shape that has this name.
     """
 
@@ -313,7 +313,7 @@ class Cut(_Walls):
 class Joined(_Pair):
     """The union of two shapes.
 
-    Let the parts overlap by two element diameters, because depths are approximate where the parts meet. Faces named
+    The parts should overlap by two element diameters, as depths are approximate where the parts meet. Faces named
     "x_min" … "z_max" are only those in a side of the box around both parts. All other faces keep their names, and
     faces of both parts with the same name form one face.
 

@@ -30,7 +30,7 @@ class Walled(ABC):
         """Lower and upper corner of a box around the shape [m], each (3,)."""
 
     def placed_bounds(self, turn: Floats, by: Vector) -> tuple[Vector, Vector]:
-        """Return corners of a box around the shape rotated about the origin by `turn` (3, 3), then moved [m]."""
+        """Return corners of a box around the shape rotated about the origin by `turn`, (3, 3), and moved by `by`."""
         lower, upper = self.bounds
         middle, reach = turn @ (0.5 * (lower + upper)) + by, np.abs(turn) @ (0.5 * (upper - lower))
         return middle - reach, middle + reach

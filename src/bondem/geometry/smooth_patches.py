@@ -2,7 +2,7 @@
 
 Neighbouring triangles belong to one patch if the angle between their normals is below a limit. A plane that passes
 smoothly into a rounding, as beside a fillet, is a patch of its own if it is at least four times as large as each flat
-piece beside it. A very thin triangle, whose normal is a rounding error, joins the one beyond its longest side.
+piece beside it. A very thin triangle, whose normal is a rounding error, joins the triangle beyond its longest side.
 """
 
 from dataclasses import dataclass, replace
@@ -85,7 +85,7 @@ def smooth_patches(vertices: Floats, triangles: Ints, sharp: float) -> tuple[Pat
 
 
 def patch(name: str, chosen: Ints, corner: Floats, area: Floats) -> Patch:
-    """Make a patch of triangles `chosen` (k,); corners (t, 3, 3) [m] and area vectors (t, 3) [m²] are of all."""
+    """Make a patch of triangles `chosen`, (k,), from corners (t, 3, 3) [m] and area vectors (t, 3) [m²] of all."""
     size = np.linalg.norm(area[chosen], axis=1)
     whole = float(size.sum())
     centre = size @ corner[chosen].mean(axis=1) / whole if whole > 0.0 else corner[chosen].mean(axis=(0, 1))

@@ -21,7 +21,7 @@ class CellSection:
     """Polygons of the intersection of a plane with cells.
 
     Attributes:
-        outline: corners in the plane, one array (k, 2) per cell.
+        outline: corners in the plane [m], one array (k, 2) per cell.
         cell: cell of each polygon.
     """
 
@@ -95,7 +95,7 @@ def _following(start: np.ndarray) -> np.ndarray:
 
 
 def outlined(solid: Polyhedra) -> Mask:
-    """Return True for corners that start a true edge, False between two strips of a curved surface, (v,)."""
+    """Return a mask of the corners that begin an edge, (v,), and not a line between strips of a curved surface."""
     following, size = _following(solid.start), np.diff(solid.start)
     owner, wall = np.repeat(solid.cell, size), np.repeat(solid.neighbour < 0, size)
     grid = np.rint((solid.vertex + solid.vertex[following]) / (1e-6 * np.ptp(solid.vertex, axis=0).max()))

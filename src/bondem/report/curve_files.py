@@ -36,7 +36,7 @@ def write_curves(findings: Findings, out: Path) -> dict[str, list[str]]:
 
 
 def _of_specimen(one: Examined) -> dict[str, _Columns]:
-    """Collect the layering at walls and the radial distribution of centres; empty for cells."""
+    """Return columns of the layering at walls and of the radial distribution of centres by file; none for cells."""
     found: dict[str, _Columns] = {}
     for face, layers in one.layering.items():
         found[f"layering_{face}"] = {
@@ -49,7 +49,7 @@ def _of_specimen(one: Examined) -> dict[str, _Columns]:
 
 
 def _of_calibration(findings: Findings) -> dict[str, _Columns]:
-    """Collect the calibration curve, and stress and strains of each packing in tension."""
+    """Return columns of the calibration curve, and of stress and strains of each packing in tension, by file."""
     found: dict[str, _Columns] = {}
     if findings.fit is not None:
         trials = sorted(findings.chart or findings.fit.table, key=lambda one: one.value)

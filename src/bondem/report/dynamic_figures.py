@@ -48,9 +48,9 @@ def draw_modes(path: Path, specimen: Examined) -> None:
 
 
 def _mode(specimen: Examined, kind: str, column: int) -> tuple[str, Floats, Floats]:
-    """Return title, exaggerated shape, (n, 6), and colours, (n, 3), of the mode with the largest share of mass.
+    """Return title, exaggerated shape, (n, 6), and colours, (n, 3), of the mode with the largest effective mass.
 
-    Bending is along z, upwards.
+    A bending mode deflects upwards, along z.
     """
     frequencies, lattice = specimen.frequencies, specimen.lattice
     assert frequencies is not None

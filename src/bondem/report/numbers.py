@@ -46,7 +46,7 @@ def between(low: float, high: float, unit: str) -> str:
 
 
 def off_between(interval: Sequence[float] | None, target: float) -> str:
-    """Format an interval as signed percentages off a target: "−0.4 to +1.1 %"; a dash without one."""
+    """Format an interval as signed percentages off a target: "−0.4 to +1.1 %"; a dash for None."""
     if interval is None:
         return "–"
     low, high = (signed(100.0 * (one / target - 1.0), 2) for one in interval)
@@ -54,12 +54,12 @@ def off_between(interval: Sequence[float] | None, target: float) -> str:
 
 
 def area(value: float) -> str:
-    """Format an area in mm²."""
+    """Format an area, given in m², in mm²."""
     return f"{_significant(1e6 * value, 4)} mm²"
 
 
 def many(count: int, what: str) -> str:
-    """Format a count: "1 piece", "2 pieces"."""
+    """Format a count with its noun: "1 piece", "2 pieces"."""
     return f"{count} {what}" if count == 1 else f"{count} {what}s"
 
 

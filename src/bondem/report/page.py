@@ -148,7 +148,7 @@ def draw_twice(path: Path, draw: Callable[[Path], None]) -> None:
 
 
 def drawings_of(findings: Findings) -> dict[str, Callable[[Path], None]]:
-    """Return functions that draw the figures for which a study has data, of the first packing."""
+    """Return functions that draw the figures for which a study has data, by the name of the figure."""
     first = findings.specimens[0]
     broken, of_spheres = broken_in(first), first.quality is not None
     compared = any(row["error"] is not None for row in findings.results["tests"].values())
@@ -177,7 +177,7 @@ def drawings_of(findings: Findings) -> dict[str, Callable[[Path], None]]:
 
 @cache
 def templates() -> Environment:
-    """Template environment of the pages, in which undefined names raise errors; a template is compiled once."""
+    """Return the template environment of the pages, in which undefined names raise errors; made once."""
     environment = Environment(
         loader=PackageLoader("bondem.report"), autoescape=select_autoescape(), undefined=StrictUndefined,
         trim_blocks=True, lstrip_blocks=True,

@@ -33,7 +33,7 @@ class QualityRow:
 
 
 def quality_rows(specimens: Sequence[Examined]) -> list[QualityRow]:
-    """Return the rows of the table for all packings of spheres; empty for cells."""
+    """Return the rows of the table of quality for all packings of spheres; empty for cells."""
     known = [one.quality for one in specimens if one.quality is not None]
     return [] if not known else [
         _row(known, name, measure, write, LIMITS.get(limit), meaning)

@@ -63,7 +63,7 @@ def draw_contacts(path: Path, lattice: Lattice) -> None:
 
 
 def draw_geode(path: Path, quality: Fabric) -> None:
-    """Draw the density of bond directions over an isotropic one on 320 faces of a sphere: two views, a histogram."""
+    """Draw the density of bond directions over an isotropic density, in two views of a sphere and a histogram."""
     sphere = direction_sphere()
     density = quality.face_density
     spread = max(0.05, float(np.abs(density - 1.0).max()))

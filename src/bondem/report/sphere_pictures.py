@@ -15,9 +15,9 @@ def draw_spheres(
     ax: Axes, lattice: Lattice, colour: Floats, *, view: View, moved: Floats | None = None, shown: Mask | None = None,
     scale: float = 1e3,
 ) -> None:  # fmt: skip
-    """Draw elements as spheres, except those that have flown away.
+    """Draw elements as spheres, without elements far from the specimen.
 
-    Their displacement differs from the median by more than half the largest extent of the specimen.
+    These have displacements that differ from the median by more than half the largest extent of the specimen.
 
     Args:
         ax: axes to draw on.

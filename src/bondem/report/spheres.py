@@ -144,7 +144,7 @@ def _shaded(depth: Floats, owner: Ints, centre: Floats, size: Floats, colour: Fl
 
 
 def _blurred(field: Floats, reach: float) -> Floats:
-    """Gaussian blur over `reach` pixels, on means of blocks of at most a quarter of it."""
+    """Blur a field over `reach` pixels by a Gaussian, on means of blocks of at most a quarter of `reach`."""
     block = max(1, int(0.25 * reach))
     rows, columns = field.shape
     padded = np.pad(field, ((0, -rows % block), (0, -columns % block)))

@@ -40,7 +40,7 @@ def draw_free_parameter(path: Path, findings: Findings) -> None:
 
 
 def draw_tension(path: Path, findings: Findings) -> None:
-    """Draw stress over strain of every packing, and the displacements of the first one with the fitted field."""
+    """Draw stress over strain of every packing, and the displacements of the first packing with the fitted field."""
     with sheet(path, 8.2, 3.0, 1, 3, width_ratios=(1.15, 1.2, 1)) as (_, (left, middle, right)):
         _draw_stress_strain(left, findings)
         _draw_displacement(middle, findings.specimens[0], "x")

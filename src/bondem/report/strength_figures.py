@@ -63,13 +63,13 @@ def draw_curves(path: Path, findings: Findings) -> None:
 
 
 def enveloping(load: Floats) -> Mask:
-    """Return True for the points on the envelope of a path: no earlier point, or no later one, has a larger load."""
+    """Return a mask of points on the envelope of a path, (k,): no earlier, or no later, point has a larger load."""
     rising, falling = np.maximum.accumulate(load), np.maximum.accumulate(load[::-1])[::-1]
     return load >= np.minimum(rising, falling)
 
 
 def draw_broken(path: Path, specimen: Examined) -> None:
-    """Draw the broken specimen with exaggerated motion, its cells coloured by damage or slip."""
+    """Draw the broken specimen with exaggerated motion, its elements coloured by damage or slip."""
     names = broken_in(specimen)
     with panels(path, len(names), (4.1, 3.6)) as (figure, axes):
         for ax, name in zip(axes, names, strict=True):
@@ -83,7 +83,7 @@ def draw_failed(figure: Figure, ax: Axes, body: Lattice, curves: Mapping[str, Fl
         figure: figure for the colour bar.
         ax: axes to draw on.
         body: lattice of cells or of bonded spheres.
-        curves: arrays "displacement" [m], "orientation", "damage" and "slip" of the cells, and "piece" for fragments.
+        curves: arrays "displacement" [m], "orientation", "damage" and "slip" of elements, and "piece" for fragments.
         style: style of the figure.
     """
     view = view_of(style)
@@ -111,7 +111,7 @@ def magnified(reach: float) -> str:
 
 
 def view_of(style: TestFigure) -> View:
-    """Direction of view of the figures of a test."""
+    """Return the direction of view of the figures of a test."""
     return View(azimuth=style.azimuth, elevation=style.elevation)
 
 
@@ -139,7 +139,7 @@ def broken_in(specimen: Examined) -> list[str]:
 def panels(
     path: Path, count: int, size: tuple[float, float], *, margin: tuple[float, float] = (0.0, 0.0)
 ) -> Iterator[tuple[Figure, list[Axes]]]:
-    """Create a figure of panels, up to three in a row, or one for phones, and save it at the end of the block.
+    """Yield a figure of panels, up to three in a row, or one for phones, and save it at the end of the block.
 
     Args:
         path: PNG to write.

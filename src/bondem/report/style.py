@@ -95,7 +95,7 @@ def legend_columns(wide: int, phone: int = 1) -> int:
 def sheet(
     path: Path, width: float, height: float, rows: int = 1, columns: int = 1, **options: Any
 ) -> Iterator[tuple[Figure, Any]]:
-    """Create a figure in the common style and save it to `path` at the end of the block, without global state.
+    """Yield a figure in the common style and its axes, and save the figure to `path` at the end of the block.
 
     Within `narrow()` a wider figure is 4.2 inches wide, with its panels in one column; the array of axes keeps its
     shape.

@@ -9,7 +9,7 @@ from bondem.report.style import BLUE, GREY, INK, ORANGE, legend_columns, sheet
 
 
 def draw_errors(path: Path, findings: Findings) -> None:
-    """Draw the errors of tests: of each packing, mean and scatter, against Timoshenko theory, and published ones."""
+    """Draw the errors of tests: each packing, mean, scatter, the error against Timoshenko, and published errors."""
     tests = findings.results["tests"]
     names = [name for name, row in tests.items() if row["error"] is not None]
     place = np.arange(len(names))[::-1]

@@ -20,7 +20,7 @@ _PIXELS, _NAMED, _ROOM = 1000, 60, 5.0
 
 
 def draw_patches(ax: Axes, surface: Surface, view: View) -> str:
-    """Draw a surface in the colours of its patches, with their names where they are seen.
+    """Draw a surface in the colours of its patches, with their names where they are visible.
 
     Patches are the parts that the file of the surface names, or else the numbered smooth parts.
 

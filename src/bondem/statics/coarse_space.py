@@ -1,9 +1,9 @@
 """Coarse space of a lattice: clusters of elements (`Clumps`), each of which moves as a rigid body.
 
-Motions of clusters represent the slow bending and stretching of the whole, which an element and its neighbours do not
-determine. The stiffness of the lattice restricted to these motions is small enough to be eliminated. Together with
-the elements' own blocks it preconditions conjugate gradients (two-level additive Schwarz with a Nicolaides coarse
-space). The number of iterations then hardly grows with the lattice.
+Motions of clusters represent the slow bending and stretching of the lattice, which an element and its neighbours do
+not determine. The stiffness of the lattice restricted to these motions is small enough to be eliminated. Together
+with the elements' own blocks it preconditions conjugate gradients (two-level additive Schwarz with a Nicolaides
+coarse space). The number of iterations then hardly grows with the lattice.
 """
 
 import math
@@ -47,8 +47,8 @@ def parted(clump: Ints, position: PerElement3, i: Ints, j: Ints, lost: PerBond) 
     """Return clusters that do not reach across cracks, (n,), which more than halves the iterations on a cracked body.
 
     Elements without a connection by bonds of at least half their stiffness are put into different clusters. A cluster
-    that is still connected, but has bonds that have lost stiffness, is cut. The plane passes through their mean
-    position, and its normal is their main direction.
+    that is still connected, but has bonds that have lost stiffness, is cut by a plane through the mean position of
+    these bonds, normal to their main direction.
 
     Args:
         clump: number of the cluster of each element, (n,).
@@ -87,7 +87,7 @@ def clump_motions(position: PerElement3, clump: Ints) -> Floats:
 
 
 def symmetric_factors(matrix: csc_array) -> SuperLU:
-    """Return the factors of a symmetric matrix, without a search for pivots; RuntimeError if it is singular."""
+    """Return the factors of a symmetric matrix, without a search for pivots; raise RuntimeError if it is singular."""
     return splu(matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
 
 

@@ -12,10 +12,10 @@ _LOOSE = 1e-12
 
 
 def refuse_floating(model: Model, position: Floats, prescribed: Mask) -> None:
-    """Raise an error unless conditions hold every piece of a scene; bodies that bonds join are one piece.
+    """Raise an error if a piece of a scene is free to move rigidly; bodies that bonds join are one piece.
 
     Args:
-        model: model of the scene; nothing is checked for one of a single body.
+        model: model of the scene; nothing is checked for a single body.
         position: centres [m], internal order, (n, 3).
         prescribed: mask of the degrees of freedom that are fixed or driven, internal order, (n, 6).
 

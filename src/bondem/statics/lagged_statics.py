@@ -36,7 +36,7 @@ _BEYOND = 1e6
 
 @dataclass(frozen=True, eq=False)
 class Settled:
-    """Equilibrium of a law that lags, user's order.
+    """Equilibrium of a law whose stresses lag by one iteration, user's order.
 
     Attributes:
         strain: deformation of all bonds, with their forces.
@@ -114,7 +114,7 @@ class LaggedStatics:
 
 
 class Mixing:
-    """Input of the next iteration: by Anderson mixing of earlier inputs and outputs, or the last output."""
+    """Rule for the input of the next iteration: Anderson mixing of earlier inputs and outputs, or the last output."""
 
     def __init__(self, mixed: bool) -> None:
         self._most = _MEMORY if mixed else 0

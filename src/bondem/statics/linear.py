@@ -138,7 +138,7 @@ def normalising(product: Floats) -> Floats:
 
 
 def rigid_motions(position: Floats, periodic: bool) -> Floats:
-    """Return translations along and rotations about the axes through the centroid as (u, θ), shape (n, 6, 6 or 3)."""
+    """Return the rigid motions (u, θ) of elements, (n, 6, 6); only translations, (n, 6, 3), of a periodic lattice."""
     motions = clump_motions(position, np.zeros(len(position), dtype=np.int64))
     return motions[:, :, :3] if periodic else motions
 
@@ -199,7 +199,7 @@ class Elimination:
         self._iteration = Iteration(system) if singular else None
 
     def solve(self, load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> tuple[Floats, int]:
-        """Return the solution by elimination, as `Solver.solve`; `guess` and `rtol` only count for a mechanism."""
+        """Return the solution by elimination, as `Solver.solve`; `guess` and `rtol` only count if K is singular."""
         if self._iteration is not None:
             return self._iteration.solve(load, guess=guess, rtol=rtol)
         right = self._scale * load[self._live]
@@ -257,7 +257,7 @@ class Iteration:
         return solution, rounds
 
     def approximate(self, residual: Floats) -> Floats:
-        """Return approximately (Sᵀ K S)⁻¹ r for residuals r in scaled unknowns, (6 n,) or (6 n, k)."""
+        """Return an approximation of (Sᵀ K S)⁻¹ r for residuals r in scaled unknowns, (6 n,) or (6 n, k)."""
         z = residual + self.coarse(residual)
         # the clusters hardly resist rigid motion of the whole: rounding errors along it in a residual would grow a
         # billionfold, and iterations on a free specimen would stall or diverge near 1e-10
@@ -301,7 +301,7 @@ def element_roots(matrix: Stiffness, free: Mask) -> tuple[Floats, Floats]:
 
 
 def _weak(turning: Floats) -> Mask:
-    """Return a mask of the rotations of elements whose stiffness is a rounding error of another one's, (n, 3)."""
+    """Return a mask of the rotations of elements with negligible stiffness relative to another rotation, (n, 3)."""
     return turning <= 1e-12 * turning.max(axis=1, keepdims=True)
 
 
@@ -316,7 +316,7 @@ class Matrix(Protocol):
 def conjugate_gradients(
     matrix: Matrix, precondition: Callable[[Floats], Floats], residual: Floats, stop: float, *, energy: float = 0.0
 ) -> tuple[Floats, int]:
-    """Return x with |residual - K x| <= stop, and the number of iterations; ConvergenceError if there is none.
+    """Return x with |residual - K x| <= stop, and the number of iterations; raise ConvergenceError on failure.
 
     The iteration also ends at r·z <= `energy`, with the remaining residual r and its preconditioned form z: r·z is
     about twice the energy of the error.

@@ -86,14 +86,14 @@ def solve_modes(
 ) -> ModesResult:
     """Compute the lowest natural frequencies and modes, without damping.
 
-    Fixed and driven elements are held. Rigid motions that the supports permit are left out, and so are rattlers.
+    Fixed and driven elements are at rest. Rigid motions that the supports permit are left out, and so are rattlers.
     Absorbing boundaries have no effect. Loads and strains act only through the stresses of `prestress`: tension makes
     a string stiffer across, and pressure makes a column softer.
 
     Args:
         model: the vibrating model.
         count: number of modes.
-        prestress: equilibrium about which the specimen vibrates; the specimen must be held. Give
+        prestress: equilibrium about which the specimen vibrates, without free rigid motions. Give
             `bd.solve_static(model)`, with nonlinear=True for large motions, or a state at rest. None means the
             reference configuration; False means the same without a warning about loads that have no effect.
 
@@ -165,7 +165,7 @@ def mass_matrix(model: Model, system: System) -> csr_array | None:
 
 
 def _of_corrected_mass(system: System, M: csr_array, mass: Floats, count: int) -> tuple[Floats, Floats, int]:
-    """Compute modes for a mass matrix that is not diagonal, by shift and invert about zero."""
+    """Return ω² (count,), modes (6 n, count) and rounds of iteration for a mass matrix that is not diagonal."""
     live = np.flatnonzero(system.free)
     rigid = system.loose @ normalising(system.loose.T @ (mass[:, None] * system.loose))
     solve, rounds = solver(system).solve, [0]
@@ -259,7 +259,7 @@ def _block_gradients(system: System, mass: Floats, count: int) -> tuple[Floats, 
 def _iterated(
     iteration: Iteration, M: Any, rigid: Floats, S: Floats, *, count: int, width: int
 ) -> tuple[Floats, Floats, int, bool]:
-    """Return squares and vectors of a block, its number of rounds, and True if the first `count` have converged."""
+    """Return ω² and vectors of a block, its number of rounds, and True if the first `count` have converged."""
     K = cast(Any, iteration.scaled)  # types of sparse products take a type checker a minute in this loop
     M_rigid, KS, MS = M @ rigid, K @ S, M @ S
     last, square, X = 0, np.zeros(0), S

@@ -39,7 +39,7 @@ class Bent:
         state: state with the poses.
         motion: displacements and rotation vectors [m, rad], shape (n, 6).
         force: resistance of the bonds to displacements and spins, K u for small ones [N, N·m], (n, 6).
-        walls: loads on cells by walls that hold their facets [N, N·m], (n, 6).
+        walls: loads on cells by walls that fix their facets [N, N·m], (n, 6).
         rounds: number of iterations of Newton's method, over all steps of the load.
         residual: unbalanced force at the end, over that of loads and supports [-].
     """
@@ -144,7 +144,7 @@ def _solved(
 ) -> Floats:
     """Return the change by Newton's method, (6 n,), with forces of moments that rotate with their regions.
 
-    These add three columns per moment to the tangent, which are not symmetric: K - G B is solved by K (Woodbury).
+    The forces add an unsymmetric matrix of rank three per moment to the tangent: K - G B is solved by K (Woodbury).
     """
     if not couples:
         return solver(tangent).solve(right, rtol=1e-8)[0]

@@ -39,7 +39,7 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
     is critical for the present frequency of the specimen. `solve_static` is much faster if K can be stored.
 
     Args:
-        model: model to solve, of either formulation; its supports must hold the specimen.
+        model: model to solve, of either formulation; its supports must prevent all rigid motions.
         tolerance: unbalanced force over the sum of applied and supporting force at which to stop [-]. These are roots
             of sums of squares, with torques divided by the mean radius.
         most: largest number of steps.
@@ -125,7 +125,7 @@ def relaxed(
 def masses(model: Model) -> tuple[PerElement, PerElement]:
     """Return masses and moments of inertia of the elements for relaxation in steps of 1, internal order, (n,) each.
 
-    They are proportional to the translational and rotational stiffness at the element, so that all elements by
+    Both are proportional to the translational and rotational stiffness at the element, so that all elements by
     themselves move at one frequency. Their size follows from the highest frequency of the lattice.
     """
     layout, bonds = model.layout, model.bonds

@@ -41,7 +41,7 @@ class StaticResult(Solution, Plotted):
         displacement: displacements of the centres [m], shape (n, 3).
         rotation: rotation vectors [rad], shape (n, 3).
         reaction: force and moment of the supports on each element [N, N·m], shape (n, 6); 0 for free elements.
-        energy: elastic energy of the bonds.
+        energy: elastic energy of the bonds [J].
         model: model that is in equilibrium.
         nonlinear: True if rotations may be large.
     """
@@ -55,7 +55,7 @@ class StaticResult(Solution, Plotted):
 
     @property
     def state(self) -> State:
-        """State at rest in this equilibrium; its model holds all conditions at the end of their schedules."""
+        """State at rest in this equilibrium; conditions of its model are constant at the end of their schedules."""
         return in_equilibrium(self.model, self)
 
     @cached_property
@@ -209,6 +209,7 @@ class Statics:
 
         Raises:
             InputError: The loads drive a rigid motion that the supports permit.
+            ConvergenceError: No bond resists the load.
         """
         order, rank = self.model.layout.order, self.model.layout.rank
         load = load[order].ravel()
@@ -221,7 +222,7 @@ class Statics:
 
 
 def _of_lagged(model: Model, system: System, statics: LaggedStatics, load: Floats, motion: Floats) -> StaticResult:
-    """Return the equilibrium of a law that lags under loads and prescribed motions, internal order, (6 n,) each."""
+    """Return the equilibrium of a law with lagged stresses under loads and motions, internal order, (6 n,) each."""
     order, rank = model.layout.order, model.layout.rank
     n = len(order)
     found = statics.settle(load.reshape(n, 6)[rank], motion=motion.reshape(n, 6)[rank])
@@ -246,7 +247,7 @@ def _residual(system: System, unbalanced: Floats, load: Floats) -> float:
 def _check_balance(system: System, load: Floats, model: Model | None = None) -> None:
     """Raise InputError if a load (6 n,) [N, N·m] drives a rigid motion that the supports permit.
 
-    `model` is the one of whose loads it is the sum, or None.
+    `model` is the model whose conditions cause this load, or None for another load.
     """
     forces = load.reshape(-1, 6) / np.repeat([1.0, system.length], 3)
     driving, scale = np.abs(system.loose.T @ load).max(initial=0.0), float(np.linalg.norm(forces))

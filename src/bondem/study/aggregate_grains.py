@@ -71,11 +71,11 @@ class AggregatePlan:
         return aggregates(shape, self.sieve, fraction=self.fraction, gap=self._gap(shape, count), seed=seed)
 
     def laws(self, matrix: CellBond, balls: Aggregates) -> AnyLaw:
-        """Assign the cell laws of matrix and aggregates by region, the matrix first."""
+        """Return the cell laws of matrix and aggregates by region, the matrix first."""
         return {Everything(): matrix, balls: replace(matrix, E=self.E, nu=self.nu)}
 
     def criteria(self, matrix: Criterion, balls: Aggregates) -> FailureAssignment:
-        """Assign the failure criteria of matrix, aggregates and interface by region, the matrix first."""
+        """Return the failure criteria of matrix, aggregates and interface by region, the matrix first."""
         own, between = self.failure or matrix, self.interface or matrix
         return {Everything(): matrix, balls: own, (balls, balls.matrix): between}
 

@@ -65,7 +65,7 @@ class BondPlan:
     def of_material(
         self, material: Material, lattices: tuple[Lattice, ...], on_stage: Callable[[str, float], None]
     ) -> Bonding:
-        """Calibrate the law to E, ν and ρ of a material on some packings; `on_stage` gets stage and share."""
+        """Calibrate the law to E, ν and ρ of a material on packings; `on_stage` is called with stage and share."""
         on_stage("calibrate", 0.0)
         fit = calibrate(lattices, material, law=self.law, nu_mu=self.nu_mu, radius_rule=self.radius_rule)
         on_stage("calibrate", 1.0)

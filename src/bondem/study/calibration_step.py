@@ -31,7 +31,7 @@ SHAPES: dict[str, Shape] = {"cell": Cell((10e-3, 10e-3, 10e-3)), "cylinder": Cyl
 
 @dataclass(frozen=True, kw_only=True)
 class CalibrationPlan:
-    """Plan of a calibration from packing to bond parameters.
+    """Plan of a calibration from packing to bond parameters; an invalid value raises InputError.
 
     Attributes:
         material: target material.

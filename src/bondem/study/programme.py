@@ -46,7 +46,7 @@ class Series:
 
 @dataclass(frozen=True, kw_only=True)
 class Programme:
-    """Test programme: specimens of one material and the tests of each.
+    """Test programme: specimens of one material and the tests of each; equal names raise StudyError.
 
     Attributes:
         name: title of the report.

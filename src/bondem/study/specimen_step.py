@@ -42,7 +42,7 @@ class SpecimenPlan:
     target: Mapping[str, Any] = field(default_factory=dict)
 
     def particles(self, seed: int, progress: Callable[[float], None], around: Aggregates | None = None) -> Particles:
-        """Pack the shape with a seed; with aggregates, the cells end on their surfaces."""
+        """Pack the shape with a seed; cells end on the surfaces of the aggregates `around`, if given."""
         return pack(
             self.shape, count=self.count, sizes=self.sizes, method=self.method, seed=seed, progress=progress,
             around=around, **self.target,

@@ -20,7 +20,7 @@ from bondem.specimen.lattice import Lattice
 
 @dataclass(frozen=True, kw_only=True)
 class StrengthPlan:
-    """Plan of a calibration of the strengths of cells by tests of cylinders.
+    """Plan of a calibration of the strengths of cells by tests of cylinders; an invalid value raises InputError.
 
     Attributes:
         E: Young's modulus [Pa].

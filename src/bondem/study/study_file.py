@@ -56,7 +56,7 @@ class Reference:
 
 @dataclass(frozen=True, kw_only=True)
 class Study:
-    """Contents of a study file, the input of `bondem run`.
+    """Contents of a study file, the input of `bondem run`; contents that conflict raise StudyError.
 
     Attributes:
         name: title of the report.
@@ -200,7 +200,7 @@ def source_of(path: Path) -> tuple[str, str]:
 
 
 def read_toml(path: Path, parse: Callable[[dict[str, Any]], Read]) -> Read:
-    """Apply a function to the TOML document of a file; StudyErrors of the function get the line of their key.
+    """Apply a function to the TOML document of a file; its StudyErrors then state the line of their key.
 
     Raises:
         StudyError: no such file, not TOML, or an error of the function.

@@ -40,8 +40,8 @@ struct SofteningSearch {
     Array<const Index, 1> facet;  // (listed,)
     Array<const double, 2> traction;  // as if they were whole [Pa], (listed, 3)
     Array<const double, 1> integrity;  // [-], (listed,)
+    Array<const double, 2> across;  // direction in which a facet softens alone, zero for all directions [-], (listed, 3)
     // load factor where the integrity along each of three directions falls below `integrity`, inf for never
-    Array<const double, 2> across;  // direction in which a facet softens alone, zero for all directions [-], (c, 3)
     Array<double, 2> factor;  // (listed, 3)
     // for each direction [Pa]: traction as of a whole facet, at onset of softening, at zero integrity (0 if brittle)
     Array<double, 3> line;  // (listed, 3, 3)

@@ -1,1 +1,1 @@
-"""Steps on a device: kernel launches that correspond to the passes of a step, its counterparts."""
+"""Steps on a device: kernel launches that correspond to the passes of a step, called their counterparts."""

@@ -57,7 +57,7 @@ Postponement = tuple[Candidates, Postponed]
 
 
 def resuming(late: Postponement) -> dict[str, Counterpart]:
-    """Return counterparts that act on postponed elements only, by the names of the passes."""
+    """Return the counterparts for elements whose motion a failure has postponed, by the names of the passes."""
     _, postponed = late
     late_ones: Made = {Postponed: lambda *_: postponed}
     return {

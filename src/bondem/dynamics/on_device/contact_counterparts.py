@@ -28,7 +28,7 @@ from bondem.interactions.step_part import Passes
 
 
 def earlier_pairs(run: Translation, pairs: ContactPairs) -> EarlierPairs:
-    """Return, for each element, the pairs of the list in which it is `first`."""
+    """Return, for each element, the pairs of the neighbour list of which this element is the first."""
 
     def make() -> EarlierPairs:
         order = new_row_order(pairs.first, run.span.n)
@@ -95,7 +95,7 @@ COUNTERPARTS: dict[str, Counterpart] = {
 
 
 def deepest_overlaps(run: Translation, passes: Passes) -> list[Launch]:
-    """Return the launch that measures the deepest overlap of each portion of elements; none without contacts."""
+    """Return the launch that measures the deepest overlap of each portion of elements; no launch without contacts."""
     named = dict(passes)
     pressed = named.get("press_pairs", named.get("press_pairs_and_faces"))
     if pressed is None:

@@ -24,12 +24,12 @@ def bonds(run: Translation, _: Given) -> int:
 
 
 def portions_of_elements(run: Translation, _: Given) -> int:
-    """Return the number of threads that add up terms of elements."""
+    """Return the number of portions of elements: each thread adds up the terms of `TERMS_OF_THREAD`."""
     return -(-run.span.n // TERMS_OF_THREAD)
 
 
 def portions_of_bonds(run: Translation, _: Given) -> int:
-    """Return the number of threads that add up terms of bonds or facets."""
+    """Return the number of portions of bonds or facets: each thread adds up the terms of `TERMS_OF_THREAD`."""
     return -(-run.span.m // TERMS_OF_THREAD)
 
 
@@ -49,12 +49,12 @@ def one_thread(_: Translation, __: Given) -> int:
 
 
 def length_of(kind: type[_T], column: Callable[[_T], np.ndarray]) -> Count:
-    """Return the `Count` of a launch over the rows of a column of a table of the pass."""
+    """Return a function for the number of threads of a launch: the length of a column of a table of the pass."""
     return lambda _, given: len(column(given[kind]))
 
 
 def elements_where(kind: type[_T], column: Callable[[_T], np.ndarray]) -> Count:
-    """Return the `Count` of a launch over elements, which is 0 if a column of a table of the pass is empty."""
+    """Return a function for the number of threads of a launch: that of elements, or 0 if a column is empty."""
     return lambda run, given: run.span.n if len(column(given[kind])) else 0
 
 

@@ -40,7 +40,7 @@ def _link(
     run.scratch += [lists.next, lists.flag, lists.waking]
 
     def order() -> None:
-        """Write the order in which cracks began."""
+        """Write the order in which cracks began to the table of cracks."""
         facet = np.flatnonzero(cracks.listed[:m])
         cracks.order[: len(facet)] = facet[np.argsort(cracks.history[facet, BEGAN], kind="stable")]
         cracks.size[CrackNumber.CRACKS] = len(facet)

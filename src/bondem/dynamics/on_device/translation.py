@@ -28,7 +28,7 @@ class Translation:
         ledger: sums of energies for a record or for a check of the energy.
         rows: number of rows, one per element that is fixed, driven or loaded.
         postponed: elements that failures postpone, uint8, (n,), or (0,) where nothing fails.
-        further: True if loads act on elements in addition to those of bonds; their sums are in memory then.
+        further: True if loads act on elements in addition to those of bonds; the sums are then stored in memory.
 
     Attributes:
         blocks: division of the step into blocks.
@@ -87,7 +87,7 @@ class Translation:
 
 
 def new_row_order(row: Ints | Uint32s, rows: int) -> RowOrder:
-    """Return the loads or walls sorted by the row on which each acts, given these rows and their number."""
+    """Return the order of loads or walls by the row on which each acts, `row`, where `rows` is the number of rows."""
     return RowOrder(group_starts(row, rows), np.argsort(row, kind="stable").astype(np.int64))
 
 
@@ -115,8 +115,8 @@ _OF_RUN: Made = {
 class Launches:
     """Counterpart that launches kernels with the tables of the pass, and changes nothing else.
 
-    The class of a table selects it: among the tables of the pass, or else among those that only the device has. No
-    pass has two tables of one class.
+    Each kernel receives tables of the classes of its arguments: those of the pass or, for other classes, those that
+    only the device has. No pass has two tables of one class.
 
     Attributes:
         parts: kernels in their order, each with its number of indices and the tables to make for it.
@@ -136,7 +136,7 @@ class Launches:
 
 
 def tables_of(one: KernelOf) -> list[type]:
-    """Return the classes of the tables of a pass over an index."""
+    """Return the classes of the tables that a kernel takes."""
     return [kind for name, kind in get_annotations(one).items() if name != "return"]
 
 
@@ -144,7 +144,7 @@ def over(one: KernelOf, count: Count, made: Made | None = None) -> Launches:
     """Return the counterpart of a pass that is one launch.
 
     Args:
-        one: pass over an index.
+        one: kernel, which each thread calls with an index.
         count: number of indices.
         made: tables that only a device has, in addition to those of every run.
     """
@@ -160,8 +160,8 @@ def gathered_or_summed(gathered: KernelOf, summed: KernelOf, count: Count) -> La
     """Return the counterpart of a pass that reads sums of loads.
 
     Args:
-        gathered: pass over an index that adds up the loads of the bonds of its element.
-        summed: pass over an index for runs with further loads on elements, whose sums are in memory.
+        gathered: kernel that adds up the loads of the bonds of its element.
+        summed: kernel for runs with further loads on elements, whose sums are in memory.
         count: number of indices.
     """
     return in_order(

@@ -19,7 +19,7 @@ from bondem.model.state import State
 def beams(
     _: Interaction, model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, __: float
 ) -> BondParts:
-    """Return the parts of a step for beams, and the beams as joints of their elements.
+    """Return the parts of a step for beams, and the beams as joints, whose elements do not touch before failure.
 
     The parts are the forces, with dashpots if given, and breakage or softening if beams can fail.
     """

@@ -23,7 +23,7 @@ from bondem.model.state import State
 def body_of_cells(
     law: CellInteraction, model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, dt: float
 ) -> BondParts:
-    """Return the parts of a time step dt [s] that compute a body of cells and its cracks; facets are joints."""
+    """Return the parts of a step of `dt` [s] for a body of cells and its cracks, and facets as joints of cells."""
     layout, table = model.layout, model.softening
     constants = law.constants.stretched(state.eigenstrain, layout)
     if table is not None:  # cracks change the integrity that facets have here
@@ -48,7 +48,7 @@ def body_of_cells(
 
 
 def _pressed_moments(model: Model) -> Floats:
-    """Return symmetric b⊗F per load and cell [J], (l, n, 6), of forces F on free facets at arms b; internal order."""
+    """Return the symmetric part of b⊗F per load and cell [J], (l, n, 6), of forces F at arms b; internal order."""
     _, cells = body_of(model.lattice)
     free, found = cells.free, []
     for condition in model.boundary:

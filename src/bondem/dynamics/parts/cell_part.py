@@ -84,7 +84,7 @@ def cells(
             records the energy of dilatation, which depends on their stresses.
         damage: tables of facets that break at once, or None.
         stretch: passes to call after stress-free strains have changed levers.
-        powers: passes that compute ∂U/∂factor of these strains at cracks, when a run begins.
+        powers: passes that compute the derivative of the energy at cracks by the factors of these strains.
     """
     moving, blocks, rows, ledger = shared.moving, shared.blocks, shared.rows, shared.ledger
     walls, walled = body.walls, len(body.walls.cell) > 0
@@ -143,7 +143,7 @@ def _of_gradients(shared: SharedTables, body: BodyOfCells) -> tuple[Passes, Pass
 def _changing(
     shared: SharedTables, body: BodyOfCells, stretch: Sequence[StepEntry], powers: Sequence[StepEntry]
 ) -> tuple[Passes, Passes, Passes]:
-    """Return passes of changing tractions, strains and walls: at `present`, before the walls act, and after."""
+    """Return passes of changing tractions, strains and walls: at stage "present", before the walls act, and after."""
     moving, timeline, rows, walls = shared.moving, shared.timeline, shared.rows, body.walls
     present: Passes = []
     beside: Passes = []

@@ -106,7 +106,7 @@ class ContactTables:
         keep_wall_places(self._walls, found.position, self._turning)
 
     def part(self) -> Part:
-        """Return the part of contacts with their present list."""
+        """Return the part of a step for the contacts of the present neighbour list."""
         s, law, walls, faces = self._shared, self._law, self._walls, self._face_pairs
         walled = len(walls.body) > 0
         travel = [steps.measure_travel(s.moving, self._travel), steps.check_travel(self._travel, walls, s.ledger)]
@@ -200,7 +200,7 @@ class ContactTables:
         return passes
 
     def _keep(self) -> None:
-        """Write the memory of contacts into the state, and warn about contacts out of range."""
+        """Store the variables of contacts in the state, and warn about contacts out of range."""
         pairs, at_walls = self._pairs, self._at_walls
         chosen = None if self._face_pairs is None else self._face_pairs.chosen
         rolled = None if self._rolled is None else (self._rolled.rolled, self._rolled_walls.rolled)
@@ -220,7 +220,7 @@ class ContactTables:
         return row["velocity"] + np.cross(row["spin"], arm)
 
     def _renewed(self) -> Part | None:
-        """Return the part with a new list, or None if a centre is not a number."""
+        """Return the part of a step for a new neighbour list, or None if a centre is not finite."""
         found = self._search.find(self._state.step)
         if found is None:
             return None

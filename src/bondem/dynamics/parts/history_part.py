@@ -7,7 +7,7 @@ from bondem.interactions.step_part import Part, Passes
 
 
 def history(shared: SharedTables, gauges: Gauges, kinetic: Passes) -> Part:
-    """Return the part that checks the energy and writes it with the gauges; it must follow all other parts.
+    """Return the part that checks the energy and writes energies and gauges; it must follow all other parts.
 
     `kinetic` are the passes that correct the kinetic energies of elements.
     """

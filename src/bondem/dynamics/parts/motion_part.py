@@ -13,7 +13,7 @@ from bondem.model.model import Model
 
 
 def motion(shared: SharedTables, dashpots: Dashpots | None, resistance: Resistance | None) -> Part:
-    """Return the part that sums forces and moves elements, with dashpots and resistance if given."""
+    """Return the part that sums forces and moves elements, with dashpots of bonds and other damping if given."""
     moving, blocks, rows = shared.moving, shared.blocks, shared.rows
     opening: Passes = [steps.open_elements_and_rows(moving, rows) if shared.owned else steps.open_elements(moving)]
     gather: Passes = [steps.collect_sums(blocks)]

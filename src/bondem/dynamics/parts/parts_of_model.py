@@ -63,7 +63,7 @@ def parts_in_one_block(model: Model, plan: Plan, state: State, dt: float) -> tup
 def _of_law(
     law: SteppingInteraction, model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, _: float
 ) -> BondParts:
-    """Return the parts of bonds whose law provides its own passes, with its breakage."""
+    """Return the parts of bonds whose law provides its own passes, and of their breakage."""
     damage = DamageTables.of(model.breaking, state, shared.blocks, len(with_twins(model.layout.i)))
 
     def failing(judge: Passes, remove: Passes, integrity: PerBond) -> Part:

@@ -18,7 +18,7 @@ class SharedTables:
 
     Attributes:
         moving: motion of the elements.
-        rows: rows of the boundary.
+        rows: one row per element that is fixed, driven or loaded.
         blocks: division of a step into domains and blocks, and sums of forces.
         ledger: sums of energies for a record or for a check of the energy.
         timeline: schedules of the boundary as functions of time.

@@ -44,7 +44,7 @@ class Loaded:
         opening: traction of cracked facets as if they had full integrity [Pa], (c, 3).
         opened: size of the pulling part of `opening`, |F⁺| / A [Pa], (c,).
         turned: mask of the halves of cracked facets that have to be closed or opened now, (c, 2).
-        wall: force of the walls on the facets that they hold [N], (g, 3).
+        wall: force of the walls on the facets that they fix [N], (g, 3).
         stress: λ θ of each cell [Pa], (n,).
     """
 
@@ -250,7 +250,7 @@ class DamagedBody:
         return np.where(self.in_one[facets, None], self.across[facets], self.weakened.normal[facets])
 
     def _apart(self, facets: Ints) -> Floats:
-        """Return the share of the loss that both halves keep along `_along`; -1 where they lose only that, (2, c)."""
+        """Return the share of lost stiffness regained along `_along`, (2, c): 1 if closed, less 1 if `in_one`."""
         return (self.closed[facets] - self.in_one[facets, None].astype(float)).T
 
     def _weigh(self, facets: Ints, sign: float) -> None:
@@ -292,7 +292,7 @@ class DamagedBody:
 
 
 def _add_moments(moment: Floats, owner: Ints, arm: Floats, force: Floats) -> None:
-    """Add sym b⊗f to V σ of the owners, (n, 6)."""
+    """Add the symmetric parts of b⊗f, of arms b and forces f (c, 3), to V σ of the cells `owner`, (n, 6)."""
     for column, (a, b) in enumerate(_XX):
         part = arm[:, a] * force[:, b] if a == b else 0.5 * (arm[:, a] * force[:, b] + arm[:, b] * force[:, a])
         moment[:, column] += np.bincount(owner, part, len(moment))

@@ -13,7 +13,7 @@ from bondem.specimen.ordering import Layout
 class FacetMatrix:
     """Matrix K = B + Fᵀ W F of `Stiffness`, plain and scaled, in which single facets can change.
 
-    The scaled matrix is Sᵀ K S with a block S per element. Changes apply to both.
+    F u is V θ of the cells. The scaled matrix is Sᵀ K S with a block S per element. Changes apply to both.
 
     Attributes:
         plain: K.

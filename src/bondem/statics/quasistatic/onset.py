@@ -55,11 +55,11 @@ class FacetOnset(Protocol):
         ...
 
     def across(self, found: Loaded, facets: Ints) -> Floats:
-        """Return unit vectors along which facets that begin to fail soften alone, zero for all directions, (c, 3)."""
+        """Return the only direction in which each facet that begins to fail softens, zero if in all, (c, 3)."""
         ...
 
     def beside(self, found: Loaded, facets: Ints, traction: Floats) -> PerBond:
-        """Return the load factors at which facets that soften in one direction crack across another one [-], (c,).
+        """Return the load factors at which facets that soften in one direction crack in another one [-], (c,).
 
         The arguments are those of `again`.
         """
@@ -99,8 +99,8 @@ class StressOnset:
     """Onset of facets by the stress of their cells, and of those of material planes by their own traction.
 
     A facet of the material begins to crack if three conditions hold (`bd.Rankine`): σ1(σ*) reaches the strength, the
-    facet is in tension or shear, and its opening along a principal direction is enough for softening. A facet beside
-    a pressure along its crack softens in one direction alone, so that the pressure stays (`pressed_cracks`).
+    facet is in tension or shear, and its opening along a principal direction is enough for softening. A facet under
+    a pressure along its crack softens in one direction alone, so that the pressure remains (`pressed_cracks`).
     """
 
     def __init__(self, body: DamagedBody, table: SofteningTable) -> None:
@@ -114,7 +114,7 @@ class StressOnset:
         return whole[near], factor[near]
 
     def along(self, found: Loaded, facets: Ints, traction: Floats) -> SofteningSearch:
-        """Return `softening_along` of facets for tractions as if they had full integrity [Pa], (c, 3)."""
+        """Return factors and directions of softening of facets, for tractions at full integrity [Pa], (c, 3)."""
         body = self._body
         loaded, left, across = body.facets(found), body.integrity[facets], body.across[facets]
         return softening_along(loaded, self._strengths, facets, traction, left, across)
@@ -131,9 +131,9 @@ class StressOnset:
         return np.minimum(opened.factor.min(axis=1), opened.ended)
 
     def across(self, found: Loaded, facets: Ints) -> Floats:
-        """Return the directions of facets that crack beside a pressure, else zero, (c, 3); see `FacetOnset.across`.
+        """Return the direction of softening of facets under a pressure along their crack, else zero, (c, 3).
 
-        A facet takes the direction of the crack of its two cells that has lost most, if it is within 45° of its own:
+        A facet takes the direction of the most damaged crack of its two cells if its own is within 45° of that:
         facets of one crack with different directions would block each other.
         """
         body = self._body
@@ -152,7 +152,7 @@ class StressOnset:
         return np.where(pressed[:, None], own, 0.0)
 
     def beside(self, found: Loaded, facets: Ints, traction: Floats) -> PerBond:
-        """Return the load factors at which facets crack across another direction, (c,); see `FacetOnset.beside`."""
+        """Return the load factors at which facets crack in another direction, (c,); see `FacetOnset.beside`."""
         across = self._body.across[facets]
         rest = traction - (traction * across).sum(axis=1)[:, None] * across
         opened = softening_along(self._body.facets(found), self._strengths, facets, rest, np.ones(len(facets)))

@@ -1,4 +1,4 @@
-"""Cracks with a pressure along them, which must not fall as they open."""
+"""Cracks with a pressure parallel to their faces, which must not fall as the cracks open."""
 
 import numpy as np
 
@@ -18,9 +18,9 @@ _LIMIT = 0.2
 
 
 def _stresses(body: DamagedBody, found: Loaded, facets: Ints) -> tuple[Floats, Floats]:
-    """Return the largest tension, and the largest pressure beside it, in the mean of both cells [Pa], (c,) each.
+    """Return the largest principal tension and pressure of the mean stress of both cells [Pa], (c,) each.
 
-    Both are for a factor of 1, and 0 of facets that slide rather than open.
+    Both are for a factor of 1, and 0 for facets that slide rather than open.
     """
     mean = 0.5 * (found.tensor[body.i[facets]] + found.tensor[body.j[facets]])
     principal = principal_stresses(mean[:, NINE].reshape(-1, 3, 3))
@@ -30,13 +30,13 @@ def _stresses(body: DamagedBody, found: Loaded, facets: Ints) -> tuple[Floats, F
 
 
 def pressed_along(body: DamagedBody, found: Loaded, facets: Ints) -> Mask:
-    """Return the mask of facets that open beside a pressure along their crack, (c,)."""
+    """Return a mask of the facets that open under a pressure parallel to their crack, (c,)."""
     tension, pressure = _stresses(body, found, facets)
     return pressure > _PRESSED * tension
 
 
 class LostPressure:
-    """Pressure along cracks that lose it, and strength of all cracks, summed over their softening steps [N]."""
+    """Pressure parallel to cracks that lose it, and strength of all cracks, summed over their softening steps [N]."""
 
     def __init__(self, body: DamagedBody, strength: Floats) -> None:
         self._body, self._strength, self._pressure, self._size = body, strength, 0.0, 0.0

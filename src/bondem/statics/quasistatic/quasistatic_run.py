@@ -66,7 +66,7 @@ class QuasistaticResult(PlottedState):
         motion: displacements of the elements at the last event [m], (n, 3).
         state: equilibrium at the last event, before its facets fail; for a body that has parted, with the integrities
             after the event. For `bd.fragments`, `bd.cracks` and figures, and to continue in `bd.solve_explicit`.
-            Conditions of its `model` are held at the last factor.
+            Conditions of its `model` are constant at the last factor.
         solutions: number of equilibria that were computed: one per event, and more where cracks close or open.
         iterations: total number of iterations.
     """
@@ -145,7 +145,7 @@ def solve_quasistatic(
     Raises:
         InputError: The model has no cells, another criterion, cells that yield, contacts or prestress, or nothing is
             driven at `drive`.
-        ConvergenceError: The supports do not hold the body.
+        ConvergenceError: The body does not resist the load, for example without sufficient supports.
         RunInterrupted: Ctrl-C was pressed; its `.result` is the path so far.
 
     Warns:
@@ -173,7 +173,7 @@ def _followed(
     model: Model, drive: Region, pairs: Mapping[str, tuple[Region, Region]], limits: tuple[float, float, float, int],
     progress: Callable[[float], None] | None, halt: Halt,
 ) -> QuasistaticResult:  # fmt: skip
-    """Follow a path to its end, or until a signal; `limits` are ripple, together, until and most."""
+    """Follow a path to its end, or until an interrupt; `limits` are ripple, together, until and most."""
     band, close, share, limit = limits
     body, equilibrium, onset = _begin(model)
     reading, gauge = Reading(body, drive), PointGauges(model, pairs)
@@ -226,7 +226,7 @@ def _followed(
 
 
 def _balance(body: DamagedBody, equilibrium: Equilibrium, motion: Floats, size: float) -> tuple[Floats, Loaded]:
-    """Return the equilibrium with pressing halves closed, and its loads; `size` is the last `body.size`, or 0."""
+    """Return the equilibrium, with facets in compression closed, and loads; `size` is the last `body.size` or 0."""
     def rest() -> tuple[Floats, Loaded]:
         found = body.motion + equilibrium.solve(body.right - body.pull, motion - body.motion, size)
         return found, body.loaded(found)
@@ -243,7 +243,7 @@ def _balance(body: DamagedBody, equilibrium: Equilibrium, motion: Floats, size: 
 
 
 def _is_residual(body: DamagedBody, found: Loaded, motion: Floats, worked: float) -> bool:
-    """Return True if the residual stiffness of broken facets holds the body; `worked` is load · displacement [J]."""
+    """Return True if broken facets store more than half of the energy; `worked` is load · displacement [J]."""
     return body.residual_energy(found) > _RESIDUAL * 0.5 * max(abs(worked), abs(float(body.right @ motion)))
 
 

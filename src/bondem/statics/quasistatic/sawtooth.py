@@ -15,7 +15,7 @@ class SofteningLine:
     """Traction of a softening facet: the larger of two straight lines in its opening (`core/laws/softening.hpp`).
 
     T = |F⁺| / A is the traction that the facet would have with full integrity, which is proportional to its gap. The
-    facet carries s T.
+    facet of integrity s carries s T.
 
     Attributes:
         onset: traction from which the facet softens [Pa].
