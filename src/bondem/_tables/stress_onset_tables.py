@@ -47,10 +47,10 @@ class SofteningSearch(NamedTuple):
     facet: Ints  #: (listed,)
     traction: Floats  #: as if they were whole [Pa], (listed, 3)
     integrity: Floats  #: [-], (listed,)
-    #: load factor where the integrity along each of three directions falls below `integrity`, inf for never
-    #: direction in which a facet softens alone, zero for all directions [-], (c, 3)
-    across: Floats
-    factor: Floats  #: (listed, 3)
+    across: Floats  #: direction in which a facet softens alone, zero for all directions [-], (listed, 3)
+    #: load factor where the integrity along each of three directions falls below `integrity`, inf for never,
+    #: (listed, 3)
+    factor: Floats
     #: for each direction [Pa]: traction as of a whole facet, at onset of softening, at zero integrity (0 if
     #: brittle), (listed, 3, 3)
     line: Floats
