@@ -82,7 +82,7 @@ def aggregates(shape: Shape, sieve: Sieve, *, fraction: float, gap: float, seed:
 
 
 def radii_with_room(shape: Shape, sieve: Sieve, fraction: float, gap: float) -> Floats:
-    """Return the radii of the balls of `aggregates`, ascending [m], (k,).
+    """Return the radii of balls of a grading curve for a volume fraction and a gap [m], ascending [m], (k,).
 
     Raises:
         InputError: There are no balls or too many, or they do not fit into the shape with their gaps.
@@ -110,7 +110,7 @@ def _part(radius: Floats, shape: Shape) -> float:
 
 
 def least_count(shape: Shape, radius: float) -> int:
-    """Return the least number of cells by which a shape resolves balls of `radius` [m]."""
+    """Return the least number of equal cells in a shape that are small enough for balls of `radius` [m]."""
     return math.ceil(shape.volume * (_LEAST / radius) ** 3)
 
 
@@ -148,7 +148,7 @@ def around_balls(
 
 
 def _layers(shape: Shape, centre: PerElement3, radius: Floats, h: float, random: np.random.Generator) -> PerElement3:
-    """Return the centres of both layers of all balls [m], (k, 3)."""
+    """Return the centres of cells inside and outside the surfaces of all balls [m], (k, 3)."""
     inner, outer, whose = [], [], []
     for k, (at, R) in enumerate(zip(centre, radius, strict=True)):
         n = max(_DIRECTIONS, round(4.0 * math.pi * (R / h) ** 2))

@@ -56,7 +56,7 @@ def separated(
     Args:
         shape: shape to fill.
         relative_radius: radii up to a common factor, (n,).
-        limit: result of `parting` for these radii.
+        limit: relative radius above which spheres count as large, from `parting`.
         random: random generator.
         on_step: function called repeatedly with the number of steps.
 

@@ -92,7 +92,7 @@ class Sieve(SizeLaw):
 
     Args:
         diameters: sieve openings [m or any other unit, because the packing sets the scale], ascending.
-        mass_passing: share of the mass that passes each sieve [-], from 0 to 1; descending lists raise InputError.
+        mass_passing: share of the mass that passes each sieve [-], rising from 0 to 1. Other lists raise InputError.
     """
 
     diameters: tuple[float, ...]
