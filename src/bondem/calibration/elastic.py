@@ -59,7 +59,7 @@ class Calibration:
         density: density of the elements, ρ_μ [kg/m³].
         material: target of the calibration.
         parameter: name of the parameter calibrated for ν, which the law declares free.
-        table: all evaluations, in ascending order of the parameter.
+        table: all evaluations of the law, in ascending order of the parameter.
         responses: E and ν of each calibrating lattice with the calibrated law.
         slopes: derivatives of ln E and ν of each lattice with respect to the parameter.
         reason: reason for the recommended law; empty for a chosen law.
@@ -242,7 +242,7 @@ def calibrate(
     to `labtests.uniaxial_compression` between smooth platens and `labtests.direct_tension`, within 4 %, by
     `calibrate_strength`. Two packings or more give intervals: `.strength.interval("tension")` of a parameter, and
     `.strength.strengths("ucs")` of the strength of a new packing. Where bonds cannot have both strengths, `.failure`
-    raises an error that states the nearest ones.
+    raises an error that states the nearest strengths.
 
     Args:
         lattice: the specimen, or several packings of it.
@@ -335,7 +335,7 @@ def calibrate(
 
 
 def _require_slender(lattice: Lattice) -> None:
-    """Reject specimens whose E and ν a tension test along x does not measure; periodic cells need none.
+    """Reject specimens whose E and ν a tension test along x does not measure; accept all periodic cells.
 
     Raises:
         InputError: the specimen is too short, or has no faces x_min and x_max.

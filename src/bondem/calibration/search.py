@@ -108,7 +108,7 @@ def _rising(points: list[_Point]) -> float:
 
 
 def _beyond(here: _Point, points: list[_Point], ends: tuple[float, float]) -> bool:
-    """Return True if the target lies beyond the end that was tried last."""
+    """Return True if the target lies beyond the end of the range at which the point `here` lies."""
     outward = 1.0 if here.x == ends[1] else -1.0
     return here.miss * _rising(points) * outward < 0.0
 

@@ -31,7 +31,7 @@ class StrengthCalibration:
 
     Attributes:
         reached: True if all targets were met within their tolerances.
-        message: reason for the end, in one line.
+        message: outcome, strengths of the best run and, if a target was missed, the reason, in one line.
         runs: all runs, in order; the first one uses the start values.
         best: number of the best run, counted from 1.
         names: names of the parameters.
