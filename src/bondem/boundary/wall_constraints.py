@@ -85,7 +85,7 @@ class FixedFacets:
         return cls(facet, axes[facet], tuple(drives), drive[facet], tuple(rate), friction[facet], across[facet])
 
     def flat(self, normal: Floats) -> Ints:
-        """Return the facets fixed mainly along their normal; `normal` (k, 3) are those of all of `cells.free`."""
+        """Return the facets fixed mainly along their normal; `normal` (k, 3) are the normals of `cells.free`."""
         return self.facet[((self.axes * normal[self.facet]) ** 2).sum(axis=1) > 0.5]
 
     def same(self, other: "FixedFacets") -> bool:
@@ -204,7 +204,9 @@ class Supports:
         return np.concatenate([fixed, turned]).reshape(-1, motion.shape[-1])
 
     def blocks(self, lever: Floats | None = None) -> tuple[Floats, Floats]:
-        """Return what half facets add to 6 × 6 diagonal blocks of stiffness, (g, 6, 6), and to V θ of cells, (g, 6).
+        """Return the contributions of half facets to diagonal blocks of stiffness, (g, 6, 6), and to V θ, (g, 6).
+
+        Multiplied by the motion of its cell [m, rad], a row (6,) is the contribution to the volume change V θ [m³].
 
         Args:
             lever: levers as rotated by the cells [m], (g, 3); None for those of the reference.
@@ -221,7 +223,7 @@ class Supports:
         Args:
             layout: order of the elements.
             row_of: row of the boundary of each element, internal order.
-            base: origins of the motions of the walls, (g, 7); the reference if None, or if not of g facets.
+            base: origins of the motions of the walls, (g, 7); the reference if None or of another number of rows.
         """
         if base is not None and len(base) == len(self.cell):
             return self.taken(base)._table(layout, row_of, base)
@@ -243,7 +245,7 @@ class Supports:
 
 
 def reference_base(count: int) -> Floats:
-    """Return the origins of the motions of `count` walls that are measured from the reference, (g, 7)."""
+    """Return the origins of the motions of `count` walls that are measured from the reference, (count, 7)."""
     base = np.zeros((count, BASE))
     base[:, 3] = 1.0
     return base

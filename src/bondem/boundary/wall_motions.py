@@ -134,7 +134,8 @@ class Free:
 
     Its centre is the `point` of a plane or a cylinder, or the `centre` of a sphere. With `inertia` it also turns
     about its centre, after Euler's equations (Dullweber, Leimkuhler and McLachlan, J. Chem. Phys. 107, 1997,
-    5840-5851: symplectic, of second order in the step). Dashpots of its contacts take the reduced mass of both.
+    5840-5851: symplectic, of second order in the step). Dashpots at its contacts are
+    those for the reduced mass of body and element.
 
     The energy balance counts the work of the body on the elements as "work", and not the kinetic energy of the body;
     `bd.WallGauge(..., "velocity")` and `"angular_velocity"` record its motion. In a later stage the body continues

@@ -78,7 +78,7 @@ class CylinderWall:
         radius: radius [m].
         point: a point of its axis [m], (3,).
         axis: direction of any length, (3,).
-        outside: True for elements outside of it (a rod), False for elements inside (a vessel).
+        outside: True for elements outside the cylinder (a rod), False for elements inside (a vessel).
         motion: motion of the wall; None for a fixed wall. A servo changes the radius.
         friction: μ against the elements [-]; None for that of the contact law.
 
@@ -117,7 +117,7 @@ class SphereWall:
     Attributes:
         radius: radius [m].
         centre: centre [m], (3,).
-        inside: True for elements inside of it.
+        inside: True for elements inside the sphere, False for elements outside.
         motion: motion of the wall; None for a fixed wall. A servo changes the radius.
         friction: μ against the elements [-]; None for that of the contact law.
 
