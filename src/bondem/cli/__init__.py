@@ -67,12 +67,12 @@ def bondem(context: click.Context) -> None:
 
 
 def main() -> None:
-    """Run the command line and leave with its exit status."""
+    """Run the command line and end the process with its exit status."""
     leave_with(bondem)
 
 
 def leave_with(command: click.Command) -> NoReturn:
-    """Run a command and leave with its exit status; print each warning and error as one line."""
+    """Run a command and end the process with its exit status; print each warning and error as one line."""
     accept_all_characters()
     with warnings.catch_warnings():
         warnings.showwarning = _warn
