@@ -55,7 +55,7 @@ def stress_fields(model: Model, result: SmallMotion | State) -> dict[str, Floats
 
 
 def lambda_theta(model: Model, result: SmallMotion | State) -> PerElement:
-    """Return λ θ of each element [Pa], (n,); zeros if the law does not act on facets."""
+    """Return λ θ of each cell, Lamé's λ times its dilatation [Pa], (n,); zeros if the law does not act on facets."""
     return stress_fields(model, result).get("lambda_theta", np.zeros(len(model.lattice.particles)))
 
 
