@@ -27,7 +27,7 @@ Kind = TypeVar("Kind")
 
 
 def shown(value: object) -> str:
-    """Format a value for a message as one line of at most 80 characters; of objects of bondem the first line."""
+    """Format a value for a message as one line of at most 80 characters; objects of bondem by their first line."""
     if isinstance(value, np.generic):
         value = value.item()
     if isinstance(value, np.ndarray) and value.ndim:

@@ -2,7 +2,7 @@
 
 `core/` contains the C++ sources; installing bondem compiles them (`_core_build.py`). This module loads the library
 for this CPU: the highest level of instructions that the CPU offers, or the one that BONDEM_ISA names ("v2", "v3",
-"v4"). In a source tree whose sources have changed since, it compiles them again first. BONDEM_CORE names another
+"v4"). In a source tree with sources newer than the library, it compiles them first. BONDEM_CORE names another
 library, such as one with sanitizers.
 
 A pass takes tables, named tuples of arrays and numbers. The C++ headers declare them, `bondem._tables` is written
@@ -86,7 +86,7 @@ def _level(target: Platform) -> str:
     """Return the level of instructions to use: the highest of this CPU, or the one that BONDEM_ISA names.
 
     Raises:
-        InputError: BONDEM_ISA names no level, or one that this CPU does not offer.
+        InputError: BONDEM_ISA names no level, or a level that this CPU does not offer.
     """
     levels = target.levels
     if len(levels) == 1:

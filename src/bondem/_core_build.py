@@ -1,4 +1,4 @@
-"""Compile the core: one library for each level of instructions, by the compiler that the package `ziglang` contains.
+"""Compilation of the core to one library per level of instructions, by the compiler in the package `ziglang`.
 
 `BONDEM_CXX` names another clang++, as required by distributions with their own compiler.
 

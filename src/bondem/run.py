@@ -93,10 +93,10 @@ def solve_explicit(
             a checkpoint, from which `resume` continues; a second signal stops it at once.
         resume: True to continue the run in the file `out`, if the file has the same model, options and initial state.
             A repeated call then completes a killed run, or returns the result of a complete one. A file of another
-            run raises an error, and so does a `callback`. False to replace a run file; other files raise one too.
+            run or a `callback` raises an error. False to replace a run file; files of other kinds raise an error.
         progress: function called repeatedly with the completed share, 0 … 1.
-        callback: function called as callback(state, record) with each record, a `History` of one. It must not change
-            the state, and ends the run by returning True.
+        callback: function called as callback(state, record) at each record, with a `History` of this record. It must
+            not change the state, and ends the run by returning True.
 
     Returns:
         Status, state, history, dt, steps and a message. A run that became unstable has the status UNSTABLE and its
