@@ -29,8 +29,8 @@
 // strength, with b = ⟨T_b - ⟨-t·n⟩⟩, or |t_s| + t_n tan φ beyond its cohesion c. Its fracture energies count per area
 // of the facet: the last opening in an inclined direction, |t|² = q T², is smaller by the factor q.
 //
-// Sources: decisions 0019, 0028 and 0045. Cracks that keep their directions, several at a point at right angles to
-// each other, are those of the fixed smeared crack models (de Borst and Nauta 1985); Jirásek and Zimmermann (1998)
+// Sources: 0019, 0028 and 0045 of docs/decisions. Cracks that keep their directions, several at a point at right
+// angles, are those of the fixed smeared crack models (de Borst and Nauta 1985); Jirásek and Zimmermann (1998)
 // compare them with cracks that rotate with the principal axes.
 #pragma once
 #include "principal.hpp"

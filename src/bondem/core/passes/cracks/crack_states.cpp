@@ -131,7 +131,7 @@ void soften_cracks(const Range &range, const Moving &all, const ElasticFacets &f
 }
 BONDEM_PASS(soften_cracks, of_cracks, "ends pose pose.stress tensor; adds half")
 
-// Sums the forces of the cracks of each cell, and finds how far their faces slip by them.
+// Sums the forces of the cracks of each cell, and finds the slip of their faces under these forces.
 void sum_cracks(const Range &range, const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
     const bool changes = range.clock.dt > 0.0;
     over_places(range, lists.size(list_count::cells), [&](Index first, Index last, Index) {

@@ -173,8 +173,8 @@ Descent next_step(const Relaxing &relaxing, double longest) {
 
 }  // namespace
 
-// Minimises the overlap energy, as far as the neighbour lists are valid. Returns its ending; after `out_of_date` make
-// new lists and call again.
+// Minimises the overlap energy, as far as the neighbour lists are valid. Returns the outcome; after `out_of_date`
+// make new lists and call again.
 Index relax_spheres(Index threads, const Spheres &spheres, const PackingWalls &walls, const Near &near,
                     const Relaxing &relaxing) {
     const Index n = spheres.sphere.size(), blocks = relaxing.part.size();

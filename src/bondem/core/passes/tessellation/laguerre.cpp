@@ -223,7 +223,7 @@ CellEnd shape(const Bins &centres, Index i, double half, double largest, const C
 }  // namespace
 
 // Cuts the cells of the chosen elements out of boxes about their centres: faces go to the pile, with the element
-// behind each face as its tag. Returns its ending, with the element in done[1]. After `lists_full` (found, offset,
+// behind each face as its tag. Returns the outcome, with the element in done[1]. After `lists_full` (found, offset,
 // order) or `pile_full` make room and call again: it continues with cell done[0].
 Index make_cells(Index, const Bins &centres, const CellRequest &request, const CellRoom &room, const PolygonBuffer &pile) {
     const Stack faces{pile};
