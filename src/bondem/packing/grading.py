@@ -151,7 +151,7 @@ def sites(shape: Shape, size: SizesAt) -> Sites:
 
     Args:
         shape: shape to be filled.
-        size: sizes of cells at points (k, 3) [m], (k,); they change by no more than the distance.
+        size: sizes of cells at points (k, 3) [m], (k,); sizes at two points differ by no more than their distance.
 
     Raises:
         InputError: The shape would hold more than `MOST_CELLS` cells.

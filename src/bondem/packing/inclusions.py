@@ -43,8 +43,8 @@ def aggregates(shape: Shape, sieve: Sieve, *, fraction: float, gap: float, seed:
     Args:
         shape: shape of the body, not periodic.
         sieve: grading curve, with diameters in metres.
-        fraction: volume of the balls over that of the shape, above 0 and below 0.6 [-]. Of a wide grading curve, few
-            balls occupy less, as they lack its largest sizes: 12 % less for 50 balls of 2 to 16 mm.
+        fraction: volume of the balls over that of the shape, above 0 and below 0.6 [-]. Few balls of a wide grading
+            curve occupy less, because the largest sizes are missing: 12 % less for 50 balls of 2 to 16 mm.
         gap: least gap between two balls, above 0 and accurate to 10 % [m]; half of it remains between balls and
             walls. For cells of volume h³ give at least 1.2 h.
         seed: number that selects one of the random arrangements [-].

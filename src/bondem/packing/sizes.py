@@ -1,7 +1,7 @@
 """Size laws: distributions of the radii of a packing.
 
-The radii are the quantiles of the law at the middles of `count` equal shares, shuffled. They follow the law for any
-number of spheres, without the scatter of random draws.
+The radii are the quantiles of the law at the middles of `count` equal shares, shuffled. These radii follow the law
+for any number of spheres, without the scatter of random draws.
 """
 
 from abc import ABC, abstractmethod
