@@ -234,15 +234,15 @@ def calibrate(
 
     In linear elasticity ν does not depend on E_μ, and E is proportional to E_μ. The free parameter of the law (r̃ of
     beams, a factor on the shear stiffness of others: `law.free`) is solved for ν. One division then gives E_μ. The
-    root is found by Newton's method with derivatives of the adjoint problem. It starts from the calibration curve of
-    the law, so that two or three evaluations suffice. Moduli are those of `labtests.static_tension` along x, or of
-    `bulk_moduli` for periodic cells. Over several lattices, the means are calibrated.
+    root is found by Newton's method with derivatives of the adjoint problem. The start is taken from the calibration
+    curve of the law, so that two or three evaluations suffice. Moduli are those of `labtests.static_tension` along x,
+    or of `bulk_moduli` for periodic cells. Over several lattices, the means are calibrated.
 
-    With `ucs` and `tension` the tensile strength and the cohesion of bonds of a `bd.MohrCoulomb` are then calibrated
-    to `labtests.uniaxial_compression` between smooth platens and `labtests.direct_tension`, within 4 %, by
-    `calibrate_strength`. Two packings or more give intervals: `.strength.interval("tension")` of a parameter, and
-    `.strength.strengths("ucs")` of the strength of a new packing. Where bonds cannot have both strengths, `.failure`
-    raises an error that states the nearest strengths.
+    With `ucs` and `tension`, `calibrate_strength` then calibrates the tensile strength and the cohesion of
+    `bd.MohrCoulomb` bonds, within 4 %. The tests are `labtests.uniaxial_compression` between smooth platens and
+    `labtests.direct_tension`. Two packings or more give intervals: `.strength.interval("tension")` of a parameter,
+    and `.strength.strengths("ucs")` of the strength of a new packing. Where bonds cannot have both strengths,
+    `.failure` raises an error that states the nearest strengths.
 
     Args:
         lattice: the specimen, or several packings of it.

@@ -31,8 +31,8 @@ class Search:
     ) -> float:
         """Find the parameter value at which ν is within `tolerance` of the target.
 
-        Newton's method is applied to the logarithm of the value. From the second step on it uses the cubic through
-        two values and their slopes, limited to the known bracket. Two or three evaluations usually suffice.
+        Newton's method is applied to the logarithm of the value. From the second step on the method uses the cubic
+        through two values and their slopes, limited to the known bracket. Two or three evaluations usually suffice.
 
         Args:
             measure: function of the value that returns ν and its derivative.
