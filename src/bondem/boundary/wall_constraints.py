@@ -192,8 +192,9 @@ class Supports:
     def constraint(self, motion: Floats) -> Floats:
         """Return the constrained motions for motions (n, 6, k) of the elements [m], (6 g, k).
 
-        These are the displacements of the facets along fixed axes, and their rotations times √(H/k). A facet whose
-        normal is fixed stays in the plane of its wall, so that it resists rotation even if it is the only one.
+        The constrained motions are the displacements of the facets along fixed axes, and their rotations times
+        √(H/k). A facet whose normal is fixed stays in the plane of its wall, so that it resists rotation even if it
+        is the only fixed facet.
         """
         own = motion[self.cell]
         moved = own[:, :3] + np.cross(own[:, 3:], self.lever[:, :, None], axis=1)
@@ -204,9 +205,9 @@ class Supports:
         return np.concatenate([fixed, turned]).reshape(-1, motion.shape[-1])
 
     def blocks(self, lever: Floats | None = None) -> tuple[Floats, Floats]:
-        """Return the contributions of half facets to diagonal blocks of stiffness, (g, 6, 6), and to V θ, (g, 6).
+        """Return contributions of half facets to diagonal blocks of stiffness, (g, 6, 6), and to dilatation, (g, 6).
 
-        Multiplied by the motion of its cell [m, rad], a row (6,) is the contribution to the volume change V θ [m³].
+        A row (6,) times the motion of its cell [m, rad] is the contribution to the volume change V θ [m³].
 
         Args:
             lever: levers as rotated by the cells [m], (g, 3); None for those of the reference.

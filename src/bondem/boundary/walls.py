@@ -62,7 +62,7 @@ class PlaneWall:
     def row(self) -> Floats:
         """Row of the table of walls that the compiled core reads, (9,).
 
-        It holds the point [m], the normal, the outer radius [m], the kind of the wall and the inner radius [m].
+        The row has the point [m], the normal, the outer radius [m], the kind of the wall and the inner radius [m].
         """
         if self.outer is None and not self.inner:
             return np.array([*self.point, *self.normal, 0.0, WallKind.PLANE_WALL, 0.0])
@@ -104,7 +104,7 @@ class CylinderWall:
     def row(self) -> Floats:
         """Row of the table of walls that the compiled core reads, (9,).
 
-        It holds a point of the axis [m], the axis, the radius [m], the kind of the wall and a zero.
+        The row consists of a point of the axis [m], the axis, the radius [m], the kind of the wall and a zero.
         """
         kind = WallKind.CYLINDER_AMONG if self.outside else WallKind.CYLINDER_AROUND
         return np.array([*self.point, *self.axis, self.radius, kind, 0.0])
@@ -141,7 +141,7 @@ class SphereWall:
     def row(self) -> Floats:
         """Row of the table of walls that the compiled core reads, (9,).
 
-        It holds the centre [m], three zeros, the radius [m], the kind of the wall and a zero.
+        The row consists of the centre [m], three zeros, the radius [m], the kind of the wall and a zero.
         """
         kind = WallKind.SPHERE_AROUND if self.inside else WallKind.SPHERE_AMONG
         return np.array([*self.centre, 0.0, 0.0, 0.0, self.radius, kind, 0.0])
