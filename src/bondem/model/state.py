@@ -169,10 +169,10 @@ class State(StateMotion):
     def begin(self, model: Origin) -> None:
         """Make this state the initial state of a new run of `model`.
 
-        The model has the same elements and bonds, under these or other conditions. Time, motion and bonds continue;
-        steps, work and losses are counted from here. Boundary conditions, contacts and walls may differ. A wall that
-        existed before stays at its current place; a new wall is where it is defined. The stiffness of bonds of the
-        total formulation may differ too, because their forces follow from the poses.
+        The model has the same elements and bonds, under the same or other conditions. Time, motion and bonds
+        continue; steps, work and losses are counted from here. Boundary conditions, contacts and walls may differ. A
+        wall that existed before stays at its current place; a new wall is where it is defined. The stiffness of bonds
+        of the total formulation may differ too, because their forces follow from the poses.
 
         Raises:
             InputError: The state is of other elements, masses or bonds, or has damage unknown to the criterion.
