@@ -1,4 +1,4 @@
-"""Checks of input values. Each returns the value in the required form, or raises an error of one line.
+"""Checks of input values. Each check returns the value in the required form, or raises an error of one line.
 
 `owner` is the class or function that was called and `name` the argument, for the message.
 """

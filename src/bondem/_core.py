@@ -7,7 +7,7 @@ library, such as one with sanitizers.
 
 A pass takes tables, named tuples of arrays and numbers. The C++ headers declare them, `bondem._tables` is written
 from these headers, and `bondem._passes` has a function for each pass of the library. A call compares the tables with
-the description of the library, and checks type, contiguity and lengths of the arrays. Passes do not check them again.
+the description of the library, and checks type, contiguity and lengths of the arrays. Passes check no arrays again.
 """
 
 import ctypes
@@ -262,7 +262,7 @@ def run_pass(call: Call, *, threads: int = 1) -> str:
 def bound_pass(call: Call, *, threads: int = 1) -> Callable[[], str]:
     """Return a function that runs a pass with its tables, which are checked once.
 
-    Their arrays are read and written in place at every call.
+    The arrays of the tables are read and written in place at every call.
 
     Raises:
         InputError: an array of another type, shape or order in memory than declared.
@@ -315,8 +315,8 @@ def pass_tables(kind: str) -> dict[str, tuple[str, ...]]:
 def index_loop(name: str) -> Callable[[int, int, int], Any]:
     """Return the CPU loop of a pass over an index, by which tests simulate a device.
 
-    Its arguments are the number of indices, the address of a flag that skips all indices if it is not 0 (or 0 without
-    a flag), and the address of a list of addresses of tables.
+    The arguments of the loop are the number of indices, the address of a flag (or 0), and the address of a list of
+    addresses of tables. A flag that is not 0 skips all indices.
 
     Raises:
         ImportError: bondem was installed from a wheel, which does not contain the loops.
