@@ -56,9 +56,7 @@ class GuardNumber(IntEnum):
 
 
 class TurnCount(IntEnum):
-    """Counts of bonds beyond safe angles (wide) and beyond valid ones (lost), and of portions with a number not
-    finite.
-    """
+    """Counts of bonds beyond safe angles (wide) and beyond valid ones (lost), and of portions not finite."""
 
     WIDE = 0
     LOST = 1

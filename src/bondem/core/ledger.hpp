@@ -31,8 +31,7 @@ struct ModeSums {
     }
 };
 
-// Adds the counts of a portion to the balance: bonds beyond safe angles (`wide`) and beyond valid ones (`lost`), and
-// poses that are not finite.
+// Adds the counts of a portion to the balance: bonds beyond safe angles, beyond valid angles, and not finite.
 inline void count_turns(const Ledger &ledger, Index wide, Index lost, Index not_finite) {
     add_to_shared(ledger.turned(turn_count::wide), wide);
     add_to_shared(ledger.turned(turn_count::lost), lost);

@@ -37,7 +37,7 @@ namespace step_count { enum : Index { steps, records, wide, lost }; }
 // Results of the guard: bonds beyond safe angles (wide) and beyond valid ones (lost), the ending of the call, and 1
 // for lists out of date.
 namespace guard_number { enum : Index { wide, lost, ending, out_of_date }; }
-// Counts of bonds beyond safe angles (wide) and beyond valid ones (lost), and of portions with a number not finite.
+// Counts of bonds beyond safe angles (wide) and beyond valid ones (lost), and of portions not finite.
 namespace turn_count { enum : Index { wide, lost, not_finite }; }
 // Sums of the forces on a wall, as `WallLoad` has them.
 namespace wall_sum { enum : Index { force, normal = 3, torque, count = 7 }; }

@@ -5,8 +5,8 @@
 // harmless, and volumes and areas are exact to rounding.
 //
 // With ρ the distance of the farthest corner from the centre, a neighbour at distance L cuts only if
-// ½ (L - (R_max² - R²) / L) < ρ, so the search ends at the first L beyond. It ends earlier by a bound of radii near
-// the element: no sphere at distance L from it has a radius above B + κ L.
+// ½ (L - (R_max² - R²) / L) < ρ, so the search ends at the first L beyond. The search ends earlier by a bound of
+// radii near the element: no sphere at distance L from it has a radius above B + κ L.
 #include "../../registered.hpp"
 #include "../../tables/tessellation_tables.hpp"
 #include "pile.hpp"
