@@ -1,6 +1,6 @@
 """Limit of BLAS to one thread within the solvers.
 
-Dense matrices of the solvers are small, so that more threads save no time. Their contention with the threads of the
+Dense matrices of the solvers are small, so that more threads save no time. Contention of BLAS with the threads of the
 core can cost a factor of ten. One thread also fixes the order of sums, and so their bits.
 """
 

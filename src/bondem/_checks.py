@@ -1,4 +1,4 @@
-"""Checks of input values. Each returns the value in the required form, or raises an error of one line.
+"""Checks of input values. Each check returns the value in the required form, or raises an error of one line.
 
 `owner` is the class or function that was called and `name` the argument, for the message.
 """
@@ -27,7 +27,7 @@ Kind = TypeVar("Kind")
 
 
 def shown(value: object) -> str:
-    """Format a value for a message as one line of at most 80 characters; of objects of bondem the first line."""
+    """Format a value for a message as one line of at most 80 characters; objects of bondem by their first line."""
     if isinstance(value, np.generic):
         value = value.item()
     if isinstance(value, np.ndarray) and value.ndim:

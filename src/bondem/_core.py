@@ -2,12 +2,12 @@
 
 `core/` contains the C++ sources; installing bondem compiles them (`_core_build.py`). This module loads the library
 for this CPU: the highest level of instructions that the CPU offers, or the one that BONDEM_ISA names ("v2", "v3",
-"v4"). In a source tree whose sources have changed since, it compiles them again first. BONDEM_CORE names another
+"v4"). In a source tree with sources newer than the library, it compiles them first. BONDEM_CORE names another
 library, such as one with sanitizers.
 
 A pass takes tables, named tuples of arrays and numbers. The C++ headers declare them, `bondem._tables` is written
 from these headers, and `bondem._passes` has a function for each pass of the library. A call compares the tables with
-the description of the library, and checks type, contiguity and lengths of the arrays. Passes do not check them again.
+the description of the library, and checks type, contiguity and lengths of the arrays. Passes check no arrays again.
 """
 
 import ctypes
@@ -86,7 +86,7 @@ def _level(target: Platform) -> str:
     """Return the level of instructions to use: the highest of this CPU, or the one that BONDEM_ISA names.
 
     Raises:
-        InputError: BONDEM_ISA names no level, or one that this CPU does not offer.
+        InputError: BONDEM_ISA names no level, or a level that this CPU does not offer.
     """
     levels = target.levels
     if len(levels) == 1:
@@ -262,7 +262,7 @@ def run_pass(call: Call, *, threads: int = 1) -> str:
 def bound_pass(call: Call, *, threads: int = 1) -> Callable[[], str]:
     """Return a function that runs a pass with its tables, which are checked once.
 
-    Their arrays are read and written in place at every call.
+    The arrays of the tables are read and written in place at every call.
 
     Raises:
         InputError: an array of another type, shape or order in memory than declared.
@@ -315,8 +315,8 @@ def pass_tables(kind: str) -> dict[str, tuple[str, ...]]:
 def index_loop(name: str) -> Callable[[int, int, int], Any]:
     """Return the CPU loop of a pass over an index, by which tests simulate a device.
 
-    Its arguments are the number of indices, the address of a flag that skips all indices if it is not 0 (or 0 without
-    a flag), and the address of a list of addresses of tables.
+    The arguments of the loop are the number of indices, the address of a flag (or 0), and the address of a list of
+    addresses of tables. A flag that is not 0 skips all indices.
 
     Raises:
         ImportError: bondem was installed from a wheel, which does not contain the loops.

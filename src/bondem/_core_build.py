@@ -1,4 +1,4 @@
-"""Compile the core: one library for each level of instructions, by the compiler that the package `ziglang` contains.
+"""Compilation of the core to one library per level of instructions, by the compiler in the package `ziglang`.
 
 `BONDEM_CXX` names another clang++, as required by distributions with their own compiler.
 
@@ -128,8 +128,8 @@ class Platform:
     def flags(self, level: str) -> list[str]:
         """Return the flags of the compiler for a level.
 
-        The compiler of `BONDEM_CXX` compiles for its own machine unless that variable states a target. It expects
-        hyphens in the names of levels.
+        The compiler of `BONDEM_CXX` compiles for its own machine unless that variable states a target. That compiler
+        expects hyphens in the names of levels.
         """
         if os.environ.get(_OTHER):
             named = level.replace("_", "-")

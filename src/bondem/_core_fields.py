@@ -73,7 +73,7 @@ def filled_table(
         lengths: known lengths of axes by symbol, each with the array that set it; those of this table are added.
 
     Returns:
-        Words of the table: numbers, and addresses and lengths of arrays, which must live as long as it is used.
+        Words of the table: numbers, and addresses and lengths of arrays, which must live as long as these words.
 
     Raises:
         InputError: a value that is not as its field declares it.

@@ -1,7 +1,7 @@
 """Steps of the core: lists of its passes, with the tables that they take.
 
 Python composes these lists once; the core then executes them for many steps without a return to Python
-(`core/steps.hpp`). Physics that a model does not contain has no pass in them.
+(`core/steps.hpp`). Physics that a model does not contain has no pass in these lists.
 """
 
 from collections.abc import Iterable

@@ -38,7 +38,7 @@ _TABLES = 8
 
 
 def lacks_gpu() -> str | None:
-    """Return a sentence on a missing requirement of runs on a GPU, or None."""
+    """Return a sentence on a missing requirement of runs on a GPU, or None if all are met."""
     try:
         if core.Device.get_all_devices():
             return None
@@ -73,7 +73,7 @@ def compiled_passes(
     Args:
         architecture: architecture of the device, such as "sm_90".
         name: name of a pass; None for all passes.
-        fused: let the compiler fuse products and sums.
+        fused: True to let the compiler fuse products and sums.
 
     Returns:
         The compiled passes, and the registers of a thread of each.

@@ -45,8 +45,8 @@ class _Range:
     def doubt(self, name: str, value: float, *, explained: bool = True) -> str:
         """Return a sentence about an implausible value, or "".
 
-        The value 1 raises no doubt, as dimensionless models have it. Values that no unit of data sheets explains
-        raise doubt only with `explained=False`.
+        The value 1, usual in dimensionless models, raises no doubt. Values that no unit of data sheets explains raise
+        doubt only with `explained=False`.
         """
         meant = self.meant(value)
         if self.low <= value <= self.high or value == 1.0 or (explained and not meant):

@@ -1,4 +1,4 @@
-"""Signals that stop a run: it finishes its steps, saves them, and then stops."""
+"""Signals that stop a run, after it has finished its present steps and saved its state."""
 
 import signal
 import threading

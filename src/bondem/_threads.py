@@ -49,7 +49,7 @@ def threads(count: int | None) -> Iterator[None]:
 def set_threads(count: int) -> None:
     """Set the number of threads of all solvers that this process runs from now on.
 
-    No result depends on it. Without a call solvers use BONDEM_NUM_THREADS threads, else all cores.
+    No result depends on this number. Without a call solvers use BONDEM_NUM_THREADS threads, else all cores.
 
     Args:
         count: number of threads, from 1 to the number at the start of the process.

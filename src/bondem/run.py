@@ -85,18 +85,18 @@ def solve_explicit(
             each record, or at intervals if `every` is 0. There is no check with `bd.TchamwaWielgosz`, whose
             dissipation is not in the balance.
         state: initial state, such as the end of another run of the same elements and bonds, or an equilibrium of
-            `solve_static` or `solve_quasistatic`; it is not changed. Its time continues, also for all schedules:
-            those of a second stage begin at `state.time`.
+            `solve_static` or `solve_quasistatic`; it is not changed. The time of the state continues, also for all
+            schedules: those of a second stage begin at `state.time`.
         device: "cpu", or "gpu" for a CUDA device (extra `gpu`). The GPU runs every model that the CPU runs, of fewer
             than 2³¹ bonds, or 2³⁰ facets that may crack.
         out: run file (HDF5) to write; None for no file. SIGINT (Ctrl-C) and SIGTERM stop the run, with a file after
             a checkpoint, from which `resume` continues; a second signal stops it at once.
         resume: True to continue the run in the file `out`, if the file has the same model, options and initial state.
             A repeated call then completes a killed run, or returns the result of a complete one. A file of another
-            run raises an error, and so does a `callback`. False to replace a run file; other files raise one too.
+            run or a `callback` raises an error. False to replace a run file; files of other kinds raise an error.
         progress: function called repeatedly with the completed share, 0 … 1.
-        callback: function called as callback(state, record) with each record, a `History` of one. It must not change
-            the state, and ends the run by returning True.
+        callback: function called as callback(state, record) at each record, with a `History` of this record. The
+            function must not change the state, and ends the run by returning True.
 
     Returns:
         Status, state, history, dt, steps and a message. A run that became unstable has the status UNSTABLE and its

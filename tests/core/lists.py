@@ -59,7 +59,7 @@ def _text_of_criteria() -> str:
 
 def _text_of_index_passes() -> str:
     lines = [
-        "// The passes over an index, each the work of a thread of a device, by number, written by",
+        "// List of the passes over an index, of which one thread of a device executes one index, written by",
         "// `python -m tests.core.tables` from the headers beside it. `X(pass)` is called for each.",
         "#pragma once", *(f'#include "{path.name}"' for path in _beside(INDEX_PASSES)), "",
         "#define BONDEM_INDEX_PASSES(X) \\",

@@ -37,7 +37,7 @@ class HistoryColumn(IntEnum):
 
 
 class StepCount(IntEnum):
-    """Counts of a call of the core: steps, records, bonds turned wide and lost."""
+    """Counts of a call of the core: steps, records, bonds beyond safe angles (wide) and beyond valid ones (lost)."""
 
     STEPS = 0
     RECORDS = 1
@@ -46,8 +46,8 @@ class StepCount(IntEnum):
 
 
 class GuardNumber(IntEnum):
-    """Results of the guard: bonds turned wide (beyond safe angles) and lost (beyond valid ones), the ending of the
-    call, and 1 for lists out of date.
+    """Results of the guard: bonds beyond safe angles (wide) and beyond valid ones (lost), the ending of the call,
+    and 1 for lists out of date.
     """
 
     WIDE = 0
@@ -57,7 +57,7 @@ class GuardNumber(IntEnum):
 
 
 class TurnCount(IntEnum):
-    """Counts of bonds turned wide and lost, and of portions with a number that is not finite."""
+    """Counts of bonds beyond safe angles (wide) and beyond valid ones (lost), and of portions not finite."""
 
     WIDE = 0
     LOST = 1

@@ -66,7 +66,7 @@ class BeamEnergies(NamedTuple):
 
 
 class BeamTurns(NamedTuple):
-    """Unbroken beams turned wide and lost, and 1 where a number is not finite."""
+    """Counts of unbroken beams beyond safe angles and beyond valid angles, and 1 if a number is not finite."""
 
     found: Ints  #: (3,)
 

@@ -10,7 +10,7 @@ def balanced_forces(
 ) -> PerElement3:
     """Return the forces [N], (k, 3), of least Σ F² / weight with a given resultant and, if possible, a given moment.
 
-    They act at `arms` (k, 3) [m] from the point of `moment` [N·m]. The weights (k,), such as areas, are 1 by default.
+    Forces act at `arms` (k, 3) [m] from the point of `moment` [N·m]. Weights (k,), such as areas, are 1 by default.
     """
     share = np.full(len(arms), 1.0 / len(arms)) if weight is None else weight / weight.sum()
     centre = share @ arms

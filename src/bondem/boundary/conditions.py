@@ -81,7 +81,7 @@ class Fix:
 
 @dataclass(frozen=True, init=False)
 class Drive:
-    """Prescribe the motion of elements; components that are not named stay free.
+    """Prescribed motion of elements; components that are not named stay free.
 
     `Drive(Face("x_max"), x=Ramp(0, 1e-4, 1e-3))` moves the face along x. Numbers are constant schedules.
     Displacements and rotations are measured from the reference configuration, in static and explicit solutions. A

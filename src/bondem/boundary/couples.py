@@ -34,7 +34,7 @@ class Couple:
     def places(self, pose: Floats | None) -> tuple[Floats, Floats]:
         """Return the arms, and the points relative to their weighted centroid [m], (k, 3) each.
 
-        They are those of a pose (n, 7), or of the reference for None.
+        Both are those of the elements in `pose` (n, 8), as `State.pose`, or in the reference for None.
         """
         arm, centre = self.arm, self.centre
         if pose is not None:

@@ -22,7 +22,7 @@ from bondem.specimen.regions import Difference, Everything, Face, Intersection, 
 class BodyForce:
     """A force on every element in proportion to its mass, such as weight.
 
-    In explicit runs it also acts on loose elements of the region; a static solution has no loose elements. Where the
+    In explicit runs the force also acts on rattlers in the region; static solutions exclude rattlers. Where the
     acceleration varies in space, as in a spinning body, each element keeps the value of its reference position.
 
     Attributes:
@@ -90,7 +90,7 @@ def Gravity(
 
     Args:
         g: acceleration [m/s²].
-        direction: vector of any length along which it acts, (3,).
+        direction: vector of any length along which the weight acts, (3,).
         region: elements that have weight; None for all.
 
     Raises:
@@ -113,8 +113,8 @@ class Pressure:
     of the face. The resultant and the moment are those of the patches: the smallest correcting forces remove the
     moment that arises when the forces move to the centres of the elements. In a body of cells the pressure acts on
     the facets. The normals are those of the reference, unless `follows`: then they rotate with the cells, as under a
-    membrane, also those of detached pieces. A pressure that does not follow may spin up a body
-    that is free to turn, and then pull on it, of which runs warn. Static solutions use the normals of the reference.
+    membrane, also those of detached pieces. A pressure that does not follow may spin up a body that is free to turn,
+    and then pull on it; runs warn about this. Static solutions use the normals of the reference.
 
     Attributes:
         region: a face, or part of one: `Face("side") & Within(...)`, `Face("x_max") - Index(...)`.

@@ -59,7 +59,7 @@ class Ramp(Schedule):
     Attributes:
         start, end: values before and after.
         duration: duration of the change [s]; a value that is not positive raises InputError.
-        begin: time at which it begins [s].
+        begin: time at which the change begins [s].
     """
 
     start: float

@@ -85,7 +85,7 @@ class FixedFacets:
         return cls(facet, axes[facet], tuple(drives), drive[facet], tuple(rate), friction[facet], across[facet])
 
     def flat(self, normal: Floats) -> Ints:
-        """Return the facets fixed mainly along their normal; `normal` (k, 3) are those of all of `cells.free`."""
+        """Return the facets fixed mainly along their normal; `normal` (k, 3) are the normals of `cells.free`."""
         return self.facet[((self.axes * normal[self.facet]) ** 2).sum(axis=1) > 0.5]
 
     def same(self, other: "FixedFacets") -> bool:
@@ -192,8 +192,9 @@ class Supports:
     def constraint(self, motion: Floats) -> Floats:
         """Return the constrained motions for motions (n, 6, k) of the elements [m], (6 g, k).
 
-        These are the displacements of the facets along fixed axes, and their rotations times √(H/k). A facet whose
-        normal is fixed stays in the plane of its wall, so that it resists rotation even if it is the only one.
+        The constrained motions are the displacements of the facets along fixed axes, and their rotations times
+        √(H/k). A facet whose normal is fixed stays in the plane of its wall, so that it resists rotation even if it
+        is the only fixed facet.
         """
         own = motion[self.cell]
         moved = own[:, :3] + np.cross(own[:, 3:], self.lever[:, :, None], axis=1)
@@ -204,7 +205,9 @@ class Supports:
         return np.concatenate([fixed, turned]).reshape(-1, motion.shape[-1])
 
     def blocks(self, lever: Floats | None = None) -> tuple[Floats, Floats]:
-        """Return what half facets add to 6 × 6 diagonal blocks of stiffness, (g, 6, 6), and to V θ of cells, (g, 6).
+        """Return contributions of half facets to diagonal blocks of stiffness, (g, 6, 6), and to dilatation, (g, 6).
+
+        A row (6,) times the motion of its cell [m, rad] is the contribution to the volume change V θ [m³].
 
         Args:
             lever: levers as rotated by the cells [m], (g, 3); None for those of the reference.
@@ -221,7 +224,7 @@ class Supports:
         Args:
             layout: order of the elements.
             row_of: row of the boundary of each element, internal order.
-            base: origins of the motions of the walls, (g, 7); the reference if None, or if not of g facets.
+            base: origins of the motions of the walls, (g, 7); the reference if None or of another number of rows.
         """
         if base is not None and len(base) == len(self.cell):
             return self.taken(base)._table(layout, row_of, base)
@@ -243,7 +246,7 @@ class Supports:
 
 
 def reference_base(count: int) -> Floats:
-    """Return the origins of the motions of `count` walls that are measured from the reference, (g, 7)."""
+    """Return the origins of the motions of `count` walls that are measured from the reference, (count, 7)."""
     base = np.zeros((count, BASE))
     base[:, 3] = 1.0
     return base

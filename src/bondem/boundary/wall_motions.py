@@ -38,7 +38,7 @@ class Driven:
     Attributes:
         motion: triples of component (0 … 4 for x, y, z, growth, angle), schedule, and True for a velocity.
         axis: unit vector about which the wall turns, (3,).
-        about: point about which it turns in the reference [m], (3,); it moves with x, y and z.
+        about: point about which the wall turns in the reference [m], (3,); this point moves with x, y and z.
 
     Args:
         x, y, z: displacements [m].
@@ -48,7 +48,7 @@ class Driven:
         spin: angular velocity about `axis` [rad/s], in place of the angle.
 
     Raises:
-        InputError: A component is unknown or given twice, the axis has no length, or it is given without a turn.
+        InputError: A component is unknown or given twice, the axis has no length, or an axis is given without a turn.
     """
 
     motion: tuple[tuple[int, Schedule, bool], ...]
@@ -91,11 +91,11 @@ class Servo:
 
     Many codes move a platen without mass in proportion to the missing force; that is unstable where grains are little
     damped. This platen has a mass, so that it follows fast flow and its energy is accounted for. Local damping brings
-    it to rest: a share of the missing force resists its motion. Every half period multiplies the amplitude of an
-    oscillation about the prescribed force by √((1 - damping) / (1 + damping)), 0.42 by default.
+    the platen to rest: a share of the missing force resists its motion. Every half period multiplies the amplitude of
+    an oscillation about the prescribed force by √((1 - damping) / (1 + damping)), 0.42 by default.
 
-    Dashpots of its contacts use the mass m of the element alone, as at a driven wall. With a platen of mass M they
-    are √(1 + m / M) times those of the contact law, which uses the reduced mass, as `Free` does.
+    Dashpots of its contacts use the mass m of the element alone, as at a driven wall. With a platen of mass M these
+    dashpots are √(1 + m / M) times those of the contact law. That law uses the reduced mass, as `Free` does.
 
     Attributes:
         force: sum of the normal forces on the wall [N], a number or a schedule; for a pressure, multiply by the area.
@@ -132,9 +132,10 @@ class Servo:
 class Free:
     """A rigid body pushed by elements: an impactor, a dropped weight, a flyer plate or a paddle.
 
-    Its centre is the `point` of a plane or a cylinder, or the `centre` of a sphere. With `inertia` it also turns
-    about its centre, after Euler's equations (Dullweber, Leimkuhler and McLachlan, J. Chem. Phys. 107, 1997,
-    5840-5851: symplectic, of second order in the step). Dashpots of its contacts take the reduced mass of both.
+    The centre of the body is the `point` of a plane or a cylinder, or the `centre` of a sphere. With `inertia` the
+    body also turns about its centre, after Euler's equations (Dullweber, Leimkuhler and McLachlan, J. Chem. Phys.
+    107, 1997, 5840-5851: symplectic, of second order in the step). Dashpots at its contacts are those for the reduced
+    mass of body and element.
 
     The energy balance counts the work of the body on the elements as "work", and not the kinetic energy of the body;
     `bd.WallGauge(..., "velocity")` and `"angular_velocity"` record its motion. In a later stage the body continues

@@ -62,7 +62,7 @@ class PlaneWall:
     def row(self) -> Floats:
         """Row of the table of walls that the compiled core reads, (9,).
 
-        It holds the point [m], the normal, the outer radius [m], the kind of the wall and the inner radius [m].
+        The row has the point [m], the normal, the outer radius [m], the kind of the wall and the inner radius [m].
         """
         if self.outer is None and not self.inner:
             return np.array([*self.point, *self.normal, 0.0, WallKind.PLANE_WALL, 0.0])
@@ -78,7 +78,7 @@ class CylinderWall:
         radius: radius [m].
         point: a point of its axis [m], (3,).
         axis: direction of any length, (3,).
-        outside: True for elements outside of it (a rod), False for elements inside (a vessel).
+        outside: True for elements outside the cylinder (a rod), False for elements inside (a vessel).
         motion: motion of the wall; None for a fixed wall. A servo changes the radius.
         friction: μ against the elements [-]; None for that of the contact law.
 
@@ -104,7 +104,7 @@ class CylinderWall:
     def row(self) -> Floats:
         """Row of the table of walls that the compiled core reads, (9,).
 
-        It holds a point of the axis [m], the axis, the radius [m], the kind of the wall and a zero.
+        The row consists of a point of the axis [m], the axis, the radius [m], the kind of the wall and a zero.
         """
         kind = WallKind.CYLINDER_AMONG if self.outside else WallKind.CYLINDER_AROUND
         return np.array([*self.point, *self.axis, self.radius, kind, 0.0])
@@ -117,7 +117,7 @@ class SphereWall:
     Attributes:
         radius: radius [m].
         centre: centre [m], (3,).
-        inside: True for elements inside of it.
+        inside: True for elements inside the sphere, False for elements outside.
         motion: motion of the wall; None for a fixed wall. A servo changes the radius.
         friction: μ against the elements [-]; None for that of the contact law.
 
@@ -141,7 +141,7 @@ class SphereWall:
     def row(self) -> Floats:
         """Row of the table of walls that the compiled core reads, (9,).
 
-        It holds the centre [m], three zeros, the radius [m], the kind of the wall and a zero.
+        The row consists of the centre [m], three zeros, the radius [m], the kind of the wall and a zero.
         """
         kind = WallKind.SPHERE_AROUND if self.inside else WallKind.SPHERE_AMONG
         return np.array([*self.centre, 0.0, 0.0, 0.0, self.radius, kind, 0.0])

@@ -56,9 +56,9 @@ class Curve:
         return float(self.nu.min()), float(self.nu.max())
 
     def value_for(self, nu: float) -> float | None:
-        """Parameter value for a given ν [-]; None for a ν outside the longest monotone branch of the curve.
+        """Return the parameter value for a given ν [-]; None for ν outside the longest monotone branch of the curve.
 
-        It is the inverse of `nu_at` on that branch.
+        On that branch, `nu_at` is the inverse of this function.
         """
         first, last = self._branch
         low, high = sorted((self.nu[first], self.nu[last]))
@@ -92,7 +92,7 @@ class Curve:
 
     @property
     def _branch(self) -> tuple[int, int]:
-        """Ends of the longest strictly monotone branch of ν."""
+        """Indices of the first and the last value on the longest strictly monotone branch of ν."""
         rising = np.sign(np.diff(self.nu))
         turns = [0, *(np.flatnonzero(rising[1:] != rising[:-1]) + 1), len(rising)]
         first, last = max(pairwise(turns), key=lambda ends: ends[1] - ends[0])

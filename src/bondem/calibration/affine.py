@@ -30,8 +30,8 @@ class AffineEstimate:
         E: Young's modulus [Pa]: along x for a bar, otherwise that of the isotropic average over 1 - `wall`.
         nu: Poisson's ratio [-]: along x for a bar, otherwise that of the isotropic average.
         coordination: mean over the bonds of the mean number of bonds of their two elements [-].
-        looseness: mean over the bonds of 1/z_i + 1/z_j, with z the numbers of bonds of the two elements [-]. It
-            measures the relaxation.
+        looseness: mean over the bonds of 1/z_i + 1/z_j, with z the numbers of bonds of the two elements [-]. This
+            mean measures the relaxation.
         wall: R̄ S_side / V of a bar with the side area S_side, R̄ S / (2 V) of other shapes with the surface S [-];
             0 for periodic cells.
         shear: ratio Σ ks L² / Σ kn L² [-].

@@ -59,7 +59,7 @@ class Calibration:
         density: density of the elements, ρ_μ [kg/m³].
         material: target of the calibration.
         parameter: name of the parameter calibrated for ν, which the law declares free.
-        table: all evaluations, in ascending order of the parameter.
+        table: all evaluations of the law, in ascending order of the parameter.
         responses: E and ν of each calibrating lattice with the calibrated law.
         slopes: derivatives of ln E and ν of each lattice with respect to the parameter.
         reason: reason for the recommended law; empty for a chosen law.
@@ -234,15 +234,15 @@ def calibrate(
 
     In linear elasticity ν does not depend on E_μ, and E is proportional to E_μ. The free parameter of the law (r̃ of
     beams, a factor on the shear stiffness of others: `law.free`) is solved for ν. One division then gives E_μ. The
-    root is found by Newton's method with derivatives of the adjoint problem. It starts from the calibration curve of
-    the law, so that two or three evaluations suffice. Moduli are those of `labtests.static_tension` along x, or of
-    `bulk_moduli` for periodic cells. Over several lattices, the means are calibrated.
+    root is found by Newton's method with derivatives of the adjoint problem. The start is taken from the calibration
+    curve of the law, so that two or three evaluations suffice. Moduli are those of `labtests.static_tension` along x,
+    or of `bulk_moduli` for periodic cells. Over several lattices, the means are calibrated.
 
-    With `ucs` and `tension` the tensile strength and the cohesion of bonds of a `bd.MohrCoulomb` are then calibrated
-    to `labtests.uniaxial_compression` between smooth platens and `labtests.direct_tension`, within 4 %, by
-    `calibrate_strength`. Two packings or more give intervals: `.strength.interval("tension")` of a parameter, and
-    `.strength.strengths("ucs")` of the strength of a new packing. Where bonds cannot have both strengths, `.failure`
-    raises an error that states the nearest ones.
+    With `ucs` and `tension`, `calibrate_strength` then calibrates the tensile strength and the cohesion of
+    `bd.MohrCoulomb` bonds, within 4 %. The tests are `labtests.uniaxial_compression` between smooth platens and
+    `labtests.direct_tension`. Two packings or more give intervals: `.strength.interval("tension")` of a parameter,
+    and `.strength.strengths("ucs")` of the strength of a new packing. Where bonds cannot have both strengths,
+    `.failure` raises an error that states the nearest strengths.
 
     Args:
         lattice: the specimen, or several packings of it.
@@ -335,7 +335,7 @@ def calibrate(
 
 
 def _require_slender(lattice: Lattice) -> None:
-    """Reject specimens whose E and ν a tension test along x does not measure; periodic cells need none.
+    """Reject specimens whose E and ν a tension test along x does not measure; accept all periodic cells.
 
     Raises:
         InputError: the specimen is too short, or has no faces x_min and x_max.

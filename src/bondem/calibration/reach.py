@@ -65,7 +65,7 @@ def reach(
         lattice: the specimen, or a periodic cell.
         law: family of bond laws.
         nu_mu: Poisson's ratio of the bonds [-].
-        points: number of values, in geometric progression.
+        points: number of values, two or more, in geometric progression.
         **fixed: further parameters of the law; radius_ratio is 1 by default if it is not the free parameter.
     """
     free = law.free
@@ -76,7 +76,7 @@ def reach(
 
 
 def recommend(nu: float) -> Recommendation:
-    """Recommend a law for a Poisson's ratio: the first of the catalogue whose curve covers ν with a margin of 0.01.
+    """Recommend a law for a Poisson's ratio: the first law of the catalogue whose curve covers ν by a margin of 0.01.
 
     The curves are those of `python -m validation abacus`, for packings of 6.2 contacts per sphere.
 

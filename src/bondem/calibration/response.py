@@ -47,7 +47,8 @@ class Slope:
 class Response:
     """E and ν of one lattice with one law: bulk moduli of a periodic cell, otherwise a tension test along x.
 
-    Iterations start from `guess`, a Response of the same lattice to similar bonds, if given.
+    Iterations start from `guess`, a Response of the same lattice to similar bonds, if given. A lattice of several
+    bodies raises InputError.
 
     Attributes:
         lattice: the specimen.

@@ -31,8 +31,8 @@ class Search:
     ) -> float:
         """Find the parameter value at which ν is within `tolerance` of the target.
 
-        Newton's method is applied to the logarithm of the value. From the second step on it uses the cubic through
-        two values and their slopes, limited to the known bracket. Two or three evaluations usually suffice.
+        Newton's method is applied to the logarithm of the value. From the second step on the method uses the cubic
+        through two values and their slopes, limited to the known bracket. Two or three evaluations usually suffice.
 
         Args:
             measure: function of the value that returns ν and its derivative.
@@ -108,7 +108,7 @@ def _rising(points: list[_Point]) -> float:
 
 
 def _beyond(here: _Point, points: list[_Point], ends: tuple[float, float]) -> bool:
-    """Return True if the target lies beyond the end that was tried last."""
+    """Return True if the target lies beyond the end of the range at which the point `here` lies."""
     outward = 1.0 if here.x == ends[1] else -1.0
     return here.miss * _rising(points) * outward < 0.0
 

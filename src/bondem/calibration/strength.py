@@ -1,7 +1,7 @@
 """Calibration of strengths: failure parameters for given strengths of specimens.
 
 Celigueta et al. (2020) adjust two parameters by hand until uniaxial compression and the Brazilian test fit. This
-module automates their loop; docs/decisions/0024-strength-calibration.md has the reasons.
+module automates this adjustment; docs/decisions/0024-strength-calibration.md has the reasons.
 """
 
 import inspect
@@ -31,7 +31,7 @@ class StrengthCalibration:
 
     Attributes:
         reached: True if all targets were met within their tolerances.
-        message: reason for the end, in one line.
+        message: outcome, strengths of the best run and, if a target was missed, the reason, in one line.
         runs: all runs, in order; the first one uses the start values.
         best: number of the best run, counted from 1.
         names: names of the parameters.
@@ -182,10 +182,10 @@ def calibrate_strength(
 ) -> StrengthCalibration:
     """Calibrate failure parameters so that tests give target strengths.
 
-    The method is Broyden's secant method in logarithms, in which products of powers of the parameters are linear. It
-    makes a run at the start, one for each parameter whose slopes are unknown, and then steps until all targets are
-    met or no step helps. With `out`, each finished test is stored; a repeated call continues from the stored
-    tests.
+    The method is Broyden's secant method in logarithms, in which products of powers of the parameters are linear. The
+    search makes a run at the start and one for each parameter whose slopes are unknown. Steps follow until all
+    targets are met or no step helps. With `out`, each finished test is stored; a repeated call continues from the
+    stored tests.
 
     Args:
         tests: functions by name, which take the parameters as keywords and return a strength [Pa], or one strength
@@ -193,11 +193,11 @@ def calibrate_strength(
         targets: target strength and tolerance of each test [Pa].
         start: positive start value of each parameter.
         strengths: names of the parameters that scale all strengths by a common factor if multiplied by that factor
-            together. This saves a run. If a fracture energy makes the scaling approximate, the steps correct for it.
+            together. Naming them saves a run. If a fracture energy makes the scaling approximate, steps correct it.
         bounds: lowest and highest value of some parameters.
         most: largest number of runs; a run is all tests at one set of parameters.
         out: folder of the runs; None stores nothing.
-        about: description of the tests (body, law, version of a rig); runs stored with another one are rejected.
+        about: description of the tests (body, law, version of a rig); stored runs must have the same description.
         progress: callback, called with one line of text before each test.
         executor: executor for all tests of a run in parallel, with a task per function of a list: a
             `concurrent.futures.ProcessPoolExecutor`, or `Client.get_executor()` of a Dask cluster. Functions are sent

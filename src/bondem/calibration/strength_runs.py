@@ -55,7 +55,7 @@ class Runs:
 
     Attributes:
         tests: tests by name.
-        about: description of the tests; a file with another description is rejected.
+        about: description of the tests; a file with another description raises InputError.
         folder: folder of the stored results, or None.
         progress: callback, called with one line of text before each test.
         executor: executor for all tests of a run in parallel; None runs them in sequence.

@@ -50,7 +50,7 @@ class Sample:
         """Compute the interval of the mean of all packings ("confidence") or of one new packing ("prediction").
 
         The interval is mean ± t s √(1/n) or ± t s √(1 + 1/n), with t of n - 1 degrees of freedom. For normally
-        distributed packings it contains the value with probability `level`, on average over calibrations.
+        distributed packings the interval contains the value with probability `level`, on average over calibrations.
 
         Raises:
             InputError: fewer than two packings, which have no scatter, an unknown kind, or `level` outside (0, 1).

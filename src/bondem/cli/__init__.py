@@ -1,8 +1,8 @@
 """Command line of bondem, the command `bondem`.
 
 The exit status is 0 for success, 2 for bad input or another error, and 3 for a run that became unstable or lost its
-energy balance. It is 1 if the reader of a pipe has ended or specimens of a campaign failed, and 130 for an interrupt.
-An error gives one line on stderr. Subcommands are imported when they are called, so that `bondem --help` is instant.
+energy balance. The status is 1 if the reader of a pipe has ended or specimens of a campaign failed, and 130 for an
+interrupt. An error gives one line on stderr. Subcommands are imported when called, so that `bondem --help` is fast.
 """
 
 import contextlib
@@ -67,12 +67,12 @@ def bondem(context: click.Context) -> None:
 
 
 def main() -> None:
-    """Run the command line and leave with its exit status."""
+    """Run the command line and end the process with its exit status."""
     leave_with(bondem)
 
 
 def leave_with(command: click.Command) -> NoReturn:
-    """Run a command and leave with its exit status; print each warning and error as one line."""
+    """Run a command and end the process with its exit status; print each warning and error as one line."""
     accept_all_characters()
     with warnings.catch_warnings():
         warnings.showwarning = _warn

@@ -40,7 +40,7 @@ def wide_console(width: int = 120, *, markup: bool = True) -> Console:
 
 @contextmanager
 def progress_bars(log: Path | None = None) -> Iterator[Callable[[str, float], None]]:
-    """Yield a function of a stage and its share, which shows bars on a terminal and lines on stderr elsewhere.
+    """Yield a function of a stage and its completed share, which shows bars on a terminal, else lines on stderr.
 
     Args:
         log: file for one line per twentieth of a stage, or None.

@@ -1,6 +1,6 @@
 // An array that Python owns: its address and the lengths of its axes. The core allocates nothing.
 //
-// Contiguous, last axis fastest. `_core.py` checks type, axes and lengths once, when a table is filled; with
+// Arrays are contiguous, last axis fastest. `_core.py` checks type, axes and lengths once, as it fills a table; with
 // BONDEM_CHECKED (the debug build) every access is checked as well.
 #pragma once
 #include "scalars.hpp"
@@ -40,7 +40,7 @@ template <class T, int axes> struct Array {
         require(0 <= i && i < shape[0] && 0 <= j && j < shape[1] && 0 <= k && k < shape[2]);
         return data[(i * shape[1] + j) * shape[2] + k];
     }
-    // Row i of an array whose last axis holds the numbers of a V, such as a vector of three.
+    // Row i of an array whose last axis contains the numbers of a V, such as a vector of three.
     template <class V> V &row(Index i) const {
         static_assert(axes == 2);
         require(0 <= i && i < shape[0] && shape[1] * Index(sizeof(T)) >= Index(sizeof(V)));

@@ -6,7 +6,7 @@
 namespace bondem {
 
 // Value and derivative of a number, or of lanes of numbers. A constant has the derivative 0; after inlining, the
-// compiler knows where it is one. A product is fused with the number added to it, as in an expression of numbers.
+// compiler knows the constants. A product is fused with the number added to it, as in an expression of numbers.
 template <class S> struct Dual {
     S v{}, d{};
     bool moves = false;

@@ -71,7 +71,7 @@ struct ExactSum {
   private:
     static BONDEM_INLINE uint64_t bits_of(double a) { return __builtin_bit_cast(uint64_t, a); }
 
-    // Calls to(k, part) for the limbs of a term, or flag(f) for one that is not finite.
+    // Calls to(k, part) for the limbs of a term, or flag(f) for a term that is not finite.
     template <class To, class Set> static BONDEM_INLINE void give(double term, To to, Set flag) {
         const uint64_t bits = bits_of(term), exponent = bits >> 52 & 2047, fraction = bits & ((uint64_t(1) << 52) - 1);
         if (__builtin_expect(exponent == 2047, 0))
@@ -85,7 +85,7 @@ struct ExactSum {
         to(k + 1, signed_part(low >> 32));
         to(k + 2, signed_part(mantissa >> 32 >> (32 - off)));
     }
-    // Digits of the sum times a sign; returns the carry beyond them, below 0 where that is negative.
+    // Writes the digits of the sum times a sign; returns the carry beyond them, below 0 if this product is negative.
     inline Index carry_into(uint32_t *digit, Index begin, Index end, Index sign) const {
         Index carry = 0;
         for (Index k = begin; k < end; k++) {

@@ -30,7 +30,7 @@ BONDEM_EXPORT const bondem::TableDescription *bondem_tables(bondem::Index *count
     *count = sizeof(bondem::tables) / sizeof(bondem::tables[0]);
     return bondem::tables;
 }
-// The last pass that registered itself; each refers to the one registered before it.
+// The last pass that registered itself; each pass refers to the pass registered before it.
 BONDEM_EXPORT const bondem::PassDescription *bondem_passes() { return bondem::Registered::first(); }
 BONDEM_EXPORT const bondem::PassDescription *bondem_index_passes(bondem::Index *count) {
     *count = sizeof(bondem::index_passes) / sizeof(bondem::index_passes[0]);

@@ -1,4 +1,4 @@
-// The energy balance of a run. Passes add to it in any order, for a row of the history or for a check of the energy.
+// The energy balance of a run. Passes add to its entries in any order, for a row of the history or an energy check.
 #pragma once
 #include "exact_sum.hpp"
 #include "tables/step_tables.hpp"
@@ -31,7 +31,7 @@ struct ModeSums {
     }
 };
 
-// Adds the numbers of bonds of a portion turned wide and lost, and of numbers that are not finite, to the balance.
+// Adds the counts of a portion to the balance: bonds beyond safe angles, beyond valid angles, and not finite.
 inline void count_turns(const Ledger &ledger, Index wide, Index lost, Index not_finite) {
     add_to_shared(ledger.turned(turn_count::wide), wide);
     add_to_shared(ledger.turned(turn_count::lost), lost);

@@ -3,9 +3,9 @@
 // A pass is a function over tables. The list has no pass for a feature that the model lacks. `take_steps` calls each
 // pass with the tables that its entry names, and with a `Range`: the block, portion or other part that it has to
 // process. The order of calls is that of the list. The kind of a pass (`PassKind`) decides over which parts it runs.
-// The elements of a block are those whose last bond is in the block. One pass divides them into two groups: elements
-// that continue to the next step, and elements whose bonds fail, which are postponed (`passes/damage/`). Later passes
-// over elements are called once per group; in calls for postponed elements the next step is not opened.
+// The elements of a block are those whose last bond is in the block. One pass divides these elements into two groups:
+// elements that continue to the next step, and elements whose bonds fail, which are postponed (`passes/damage/`).
+// Later passes over elements are called once per group; in calls for postponed elements the next step is not opened.
 //
 // Successive passes over blocks are called block by block, so that the data of a block remain in the cache from the
 // forces of its bonds to the motion of its elements. Each domain, a range of blocks, has a thread of its own. A pass

@@ -46,8 +46,8 @@ def crack_speed(
     """Measure the length of a crack over time, and its speed.
 
     The front is the largest (x - origin)·direction of all broken bonds or facets so far. The speed is the slope of
-    Theil and Sen, the median slope of all pairs of advances. It is insensitive to the jumps of a crack that branches
-    or restarts ahead of its front, if these are less than 29 % of its advances.
+    Theil and Sen, the median slope of all pairs of advances. This median is insensitive to jumps of a crack that
+    branches or restarts ahead of its front, if less than 29 % of the advances are jumps.
 
     Args:
         events: broken bonds, `run.events`.

@@ -36,7 +36,7 @@ class Constraints:
             acceleration [m/s²], (b, 3), and schedule, (b,).
         strain_part: strain of each bond by each `Eigenstrain` at factor 1 [-], (g, m); strain_schedule: (g,).
         weight: mass of each connected element, else 0 [kg], shape (n,).
-        press_value: contribution of tractions on free facets to V θ of each cell [m³], (l, n); press_schedule: (l,).
+        press_value: volume change V θ of each cell by tractions on free facets [m³], (l, n); press_schedule: (l,).
         supported: True if walls constrain facets of cells.
         wall_rate: True if velocities of such walls are prescribed.
     """
@@ -208,7 +208,7 @@ class Constraints:
         return self._final(self.strain_schedule) @ self.strain_part
 
     def final_press(self) -> PerElement:
-        """Return the contribution of tractions to V θ at the end of all schedules [m³], internal order, (n,)."""
+        """Return the volume changes V θ by tractions at the end of all schedules [m³], internal order, (n,)."""
         return self._final(self.press_schedule) @ self.press_value
 
     def _final(self, schedules: np.ndarray | int) -> Floats:

@@ -59,8 +59,8 @@ def stiffest(
 ) -> float:
     """Return an upper bound of the largest eigenvalue of K u = ω² M u [1/s²], for any masses in internal order.
 
-    Lanczos iteration finds it without a matrix: K u is the derivative of the forces of the bonds at rest along u.
-    The iteration ends when the residual is below the tolerance, and the residual is added. The start is a fixed
+    Lanczos iteration finds the bound without a matrix: K u is the derivative of the forces of the bonds at rest along
+    u. The iteration ends when the residual is below the tolerance, and the residual is added. The start is a fixed
     vector, larger for elements that are stiff for their mass: a highest mode of few such elements, hardly above the
     others, could be missed from another start. `slips` are the result of `long_slips`.
     """

@@ -65,8 +65,8 @@ class LongSlip:
 def long_slips(model: Model) -> tuple[LongSlip, ...]:
     """Return slips in two directions and their opposites on all planes of a model; empty without planes.
 
-    Planes are entries of `failure=` keyed by two regions. All their facets can slip far at once. Within a region only
-    few facets of a cell do, which the safety factor of the default step covers.
+    Planes are entries of `failure=` keyed by two regions. All facets of a plane can slip far at once. Within a region
+    only few facets of a cell do, which the safety factor of the default step covers.
     """
     table, layout = model.softening, model.layout
     if table is None or not isinstance(model.failure, Mapping):

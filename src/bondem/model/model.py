@@ -59,7 +59,7 @@ class Model:
         bond: a bond law, or laws by region: {region: law, (region, region): law}; None for a lattice without bonds.
             Use `CellBond`, or {region: CellBond}, for a body cut into cells.
         density: density of the elements, ρ_μ [kg/m³], or of the material in a body of cells; a number, shape (n,), or
-            a `bd.Material`. Only linear statics without body forces is independent of it.
+            a `bd.Material`. Only linear statics without body forces is independent of the density.
         boundary: one boundary condition or several: supports, drives, loads, absorbing boundaries, strains.
         contact: law of contacts with walls and between elements without an intact bond, or laws of one class by
             region: {region: law, (region, region): law, (region, wall): law, wall: law}. None for no contacts.
@@ -280,7 +280,7 @@ class Model:
 
     @property
     def pressed(self) -> PerElement:
-        """Final contribution of tractions on the facets of a body to V θ of each cell [m³], user's order, (n,)."""
+        """Final change V θ of the volume of each cell by tractions on its free facets [m³], user's order, (n,)."""
         return self.constraints.final_press()[self.layout.rank]
 
     @cached_property
@@ -331,7 +331,7 @@ class Model:
         return OUTLETS.draw_model(self, path, solution=solution, reach=reach, view=view)
 
     def with_boundary(self, boundary: Sequence[BoundaryCondition]) -> "Model":
-        """Return a model that shares bonds and masses, under other conditions; raise InputError for invalid ones."""
+        """Return a model of the same bonds and masses under other conditions; invalid conditions raise InputError."""
         other = Model.__new__(Model)
         for item in fields(self):
             object.__setattr__(other, item.name, getattr(self, item.name))
@@ -352,7 +352,7 @@ class Model:
     def state(self) -> State:
         """Return a new state: the reference configuration, at rest, at time 0.
 
-        Set velocities, poses or strains on it before a run.
+        Set velocities, poses or strains of this state before a run.
         """
         return State(self)
 

@@ -167,12 +167,12 @@ class State(StateMotion):
     __copy__ = copy  # the module copy would share the arrays
 
     def begin(self, model: Origin) -> None:
-        """Make this the initial state of a new run of `model`.
+        """Make this state the initial state of a new run of `model`.
 
-        The model has the same elements and bonds, under these or other conditions. Time, motion and bonds continue;
-        steps, work and losses are counted from here. Boundary conditions, contacts and walls may differ. A wall that
-        existed before stays at its current place; a new wall is where it is defined. The stiffness of bonds of the
-        total formulation may differ too, because their forces follow from the poses.
+        The model has the same elements and bonds, under the same or other conditions. Time, motion and bonds
+        continue; steps, work and losses are counted from here. Boundary conditions, contacts and walls may differ. A
+        wall that existed before stays at its current place; a new wall is where it is defined. The stiffness of bonds
+        of the total formulation may differ too, because their forces follow from the poses.
 
         Raises:
             InputError: The state is of other elements, masses or bonds, or has damage unknown to the criterion.
@@ -243,7 +243,7 @@ class State(StateMotion):
 
     @property
     def bond_eigenstrain(self) -> PerBond:
-        """Stress-free strain ε* of each bond, without `Eigenstrain` [-], (m,); settable, also one value for all."""
+        """Stress-free strain ε* of each bond besides `Eigenstrain` [-], (m,); settable, also one value for all."""
         if not self.eigenstrain.size:
             return freeze(np.zeros(len(self.integrity)))
         return self._bonds_by_user(self.eigenstrain)

@@ -11,7 +11,7 @@ from bondem.model.state import State
 
 
 def check_arrays(state: State) -> None:
-    """Reject a state with an array that was replaced by one that does not fit the elements and bonds of its model.
+    """Reject a state with an array that was replaced and does not fit the elements and bonds of its model.
 
     Raises:
         InputError: An array has another type or shape, a pose or velocity that is not finite, a number of an

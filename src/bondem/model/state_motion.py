@@ -109,7 +109,7 @@ class StateMotion:
     def set_velocity(
         self, region: Region, velocity: Triple, *, spin: Triple = (0.0, 0.0, 0.0), about: Triple | None = None
     ) -> None:
-        """Set the velocities of a region to those of a rigid body, v + ω × (x - about), and its spins to ω.
+        """Set velocities of a region to those of a rigid body, v + ω × (x - about), and angular velocities to ω.
 
         Args:
             region: elements to move, rattlers included; others keep their velocities.

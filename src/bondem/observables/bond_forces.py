@@ -23,7 +23,7 @@ class BondForces:
 
     The force on element i is the opposite of that on j. Moments act on the elements, at their centres. A bond in
     tension pulls j towards i, so that `force` points against `axis`. With branch vectors l and external forces F at
-    centres x, the Love–Weber sum is therefore -Σ f ⊗ l = Σ F ⊗ x. In a test it contains the distance between
+    centres x, the Love–Weber sum is therefore -Σ f ⊗ l = Σ F ⊗ x. In a test this sum contains the distance between
     loaded and fixed centres, which is shorter than the specimen. `bd.element_stress` computes local stresses.
 
     Attributes:

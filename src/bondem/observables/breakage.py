@@ -71,8 +71,8 @@ def failure_index(model: Model, state: State | SmallMotion) -> PerBond:
     Static solutions are those of the model without its criterion, `dataclasses.replace(model, failure=None)`.
 
     Softening beams and facets have index 1. Criteria for cracks and yielding of cells are evaluated at the stress σ*
-    of `bd.Rankine`. They give a facet in compression the index 0; `bd.Rankine` gives it the smaller one of the
-    indices of σ* and of its traction alone.
+    of `bd.Rankine`. These criteria give a facet in compression the index 0; `bd.Rankine` gives such a facet the
+    smaller of the indices of σ* and of its traction alone.
 
     Args:
         model: model with a failure criterion.

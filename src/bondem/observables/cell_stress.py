@@ -18,10 +18,10 @@ _OF_TENSOR = np.array([[0, 3, 5], [3, 1, 4], [5, 4, 2]])
 def cell_stress(model: Model, result: SmallMotion | State) -> Floats:
     """Compute the mean stress tensor of every cell, σ = sym Σ b⊗f / V over its facets [Pa], shape (n, 3, 3).
 
-    For spheres joined by beams it is the symmetric part of `bd.element_stress`, which also computes couple stresses.
+    For spheres joined by beams σ is the symmetric part of `bd.element_stress`, which also computes couple stresses.
 
-    f are the forces of neighbours, constraining walls and surface loads on the facets. b are the arms to them from
-    the centre of mass of the cell. In equilibrium Σ V σ over all cells is exactly the moment of the forces on the
+    f are the forces of neighbours, constraining walls and surface loads on the facets. b are the arms from the centre
+    of mass of the cell to the facets. In equilibrium Σ V σ over all cells is exactly the moment of the forces on the
     surface. Tension is positive; axes are global.
 
     Args:
@@ -55,7 +55,7 @@ def stress_fields(model: Model, result: SmallMotion | State) -> dict[str, Floats
 
 
 def lambda_theta(model: Model, result: SmallMotion | State) -> PerElement:
-    """Return λ θ of each element [Pa], (n,); zeros if the law does not act on facets."""
+    """Return λ θ of each cell, Lamé's λ times its dilatation [Pa], (n,); zeros if the law does not act on facets."""
     return stress_fields(model, result).get("lambda_theta", np.zeros(len(model.lattice.particles)))
 
 

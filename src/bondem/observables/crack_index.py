@@ -31,8 +31,8 @@ def crack_index(
     - the largest ratio of opening traction to strength among the principal directions of the mean stress,
     - the index of the traction alone, if the facet is in compression.
 
-    Facets of material planes, which only these criteria have, have the index of their traction. For other criteria
-    the index is that of σ*, and 0 for facets in compression.
+    A material plane is a joint between two regions, which only these criteria describe; the index of its facets is
+    that of their traction. For other criteria the index is that of σ*, and 0 for facets in compression.
 
     Args:
         model: model whose facets may crack.

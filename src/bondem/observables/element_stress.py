@@ -25,7 +25,7 @@ class ElementStress:
 
     over the bonds of an element of volume V about its centre x. The first index is the direction of the arm. In
     equilibrium, Σ V σ over all elements of a body that is not periodic is Σ x ⊗ F of the external forces F on them,
-    and the antisymmetric part of σ balances the couples on an element. Without couples it is zero.
+    and the antisymmetric part of σ balances the couples on an element. Without couples this part is zero.
 
     Attributes:
         lattice: the elements.

@@ -44,12 +44,12 @@ class FractureEnergy:
 
     @property
     def ratio(self) -> float:
-        """Energy dissipated over the fracture energy of its area [-]; NaN without breakage, or for brittle bonds."""
+        """Energy dissipated over the fracture energy of `area` [-]; NaN without breakage, or for brittle bonds."""
         return self.per_area / self.entered
 
     @property
     def fractured(self) -> float:
-        """Energy dissipated without crushing over the fracture energy of its area, up to 1 [-]; NaN like `ratio`."""
+        """Energy dissipated without crushing over the fracture energy of `area`, up to 1 [-]; NaN like `ratio`."""
         return self.ratio - self.crushed / (self.area * self.entered) if self.area > 0.0 else math.nan
 
 

@@ -23,8 +23,8 @@ def posed(model: Model, motion: SmallMotion) -> State:
 def in_equilibrium(model: Model, motion: SmallMotion, factor: float = 1.0) -> State:
     """Return the state at rest in an equilibrium under `factor` times the final conditions of a model.
 
-    The conditions of `state.model` are constant at these values: a run of that model begins with the walls, loads and
-    strains of the equilibrium.
+    The model of the returned state has conditions that are constant at these values. A run of that model begins with
+    the walls, loads and strains of the equilibrium.
 
     Args:
         model: model that is in equilibrium.

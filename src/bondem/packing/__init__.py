@@ -77,14 +77,13 @@ def pack(
     - "shear" (slowest): grains on a grid are compressed while walls shear them back and forth (André et al. 2012,
       §4.1).
     - "even": centres for bodies of cells, `bd.connect(particles, method="laguerre")`. Equal spheres are spread
-      evenly, none nearer to a wall than a third of its radius. They hardly touch, so the method has no target,
-      spread or sizes. With `size` in place of `count`, all cells have one size, or sizes vary in space
-      (`bd.Graded`).
+      evenly, none nearer to a wall than a third of its radius. The spheres hardly touch, so the method has no target,
+      spread or sizes. With `size` in place of `count`, all cells have one size, or sizes vary in space (`bd.Graded`).
 
     All other methods reach every target; a target above jamming is reached by compressing soft spheres. A
-    coordination number beyond jamming requires overlaps. For 6.2 they are on average 0.2 % of the mean radius in a
-    periodic cell. Between the walls of a cylinder of 10 000 they are 0.8 %, and 5 % for the worst pair, because
-    spheres at walls have fewer neighbours. `bd.fabric(lattice).largest_overlap` reports the largest overlap.
+    coordination number beyond jamming requires overlaps. For 6.2 the overlaps are on average 0.2 % of the mean radius
+    in a periodic cell. Between the walls of a cylinder of 10 000 spheres the overlaps are 0.8 %, and 5 % for the
+    worst pair, as spheres at walls have fewer neighbours. `bd.fabric(lattice).largest_overlap` reports the largest.
 
     Spheres of two very different sizes, at least 1 : 2, often do not come to rest with "quench". The large ones are
     then separated first, and the small ones fill the rest.
@@ -93,13 +92,13 @@ def pack(
         shape: any shape; only Cylinder, Box, Ball and Cell have exact walls, others use a grid of depths.
         count: number of spheres.
         size: size of cells, the cube root of their volume, for "even", in place of `count`. Give one size [m],
-            `bd.Graded`, or a function of points (k, 3) [m] that returns sizes (k,) [m]. Sizes may change by no more
-            than the distance. The number of cells follows.
+            `bd.Graded`, or a function of points (k, 3) [m] that returns sizes (k,) [m]. Sizes at two points may
+            differ by no more than the distance of the points. The number of cells follows.
         around: surfaces on which cells of "even" end, so that an interface between materials is smooth. Give
             `bd.Plane`s, shapes or `bd.Surface`s, one or a sequence, at least 1.6 cells apart, or balls from
-            `bd.aggregates`. All cells then have one size, with balls at most 0.8 of the smallest radius. Cells end
+            `bd.aggregates`. All cells then have one size, with balls at most 0.8 of their smallest radius. Cells end
             exactly on plane faces, and on a polyhedron of the same volume around curved ones. At edges within one
-            face of a `bd.Surface` they end approximately.
+            face of a `bd.Surface` cells end approximately.
         spread: κ = (R_max - R_min) / R̄ [-], radii uniform in R̄ (1 ± κ/2) (André et al. 2012, eq 10); 0.25 unless
             `sizes` is given. Equal spheres (0) order at walls.
         sizes: law of the radii, in place of `spread`: Uniform, Lognormal or Sieve.
@@ -107,7 +106,7 @@ def pack(
         seed: number that selects one of the random packings.
         coordination_number: target z = 2 contacts / spheres [-], ± 0.01; 6.2 if no target is given. Contacts are
             counted as by `bd.connect` with tolerance 0, over all spheres, including rattlers and those at walls.
-        volume_fraction: target φ, volume of the spheres over that of the shape [-]; below jamming they barely touch.
+        volume_fraction: target φ, volume of the spheres over that of the shape [-]; below jamming these barely touch.
         jamming: True for the density at which the spheres begin to carry load as the target. No overlap exceeds 1e-3
             mean radii, or 1e-3 of the smaller radius of a pair where large spheres were separated first. A periodic
             cell has six contacts per sphere, without rattlers.
@@ -204,7 +203,7 @@ def _cells(
 def _two_sizes(
     shape: Shape, radii: Floats, target: Target, random: np.random.Generator, on_step: Callable[[int], None]
 ) -> SoftSpheres | None:
-    """Pack spheres of two very different sizes, large ones first; None if this fails, or for other sizes."""
+    """Pack spheres of two very different sizes, large ones first; None if this fails or the sizes differ less."""
     limit = parting(radii)
     if limit is None:
         return None

@@ -51,9 +51,9 @@ def thrown_free(
 
 
 def without_twins(x: PerElement3, least: float, retained: Mask, owner: Ints | None = None) -> Mask:
-    """Return a mask of points (n, 3), less those nearer than `least` [m] to an earlier one of another owner, (n,).
+    """Return the mask `retained` (n,) of points (n, 3), without points nearer than `least` [m] to an earlier point.
 
-    Without `owner` (n,) every point is an owner; points outside the mask `retained` (n,) do not count.
+    Only points in the mask, and of different owners (n,), are compared; without `owner` all owners are different.
     """
     retained = retained.copy()
     pairs = KDTree(x).query_pairs(least, output_type="ndarray") if len(x) > 1 else np.empty((0, 2), dtype=int)

@@ -31,7 +31,7 @@ _TRIES = 30
 
 
 def graded(shape: Shape, size: SizesAt, random: np.random.Generator, report: Callable[[float], None]) -> Particles:
-    """Pack spheres as large as the cells, no two of which overlap by half the smaller radius.
+    """Pack spheres of diameters up to the sizes of the cells; overlaps stay below half the smaller radius.
 
     Args:
         shape: shape to fill.

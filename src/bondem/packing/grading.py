@@ -1,7 +1,8 @@
 """Cell sizes that vary in space, and the number of such cells in a shape.
 
-The size h of a cell is the cube root of its volume. A shape has room for ∫ dV / h³ cells. The shape is halved into
-cubes until these are smaller than the cells there; the cubes are also the possible initial places of centres.
+The size h of a cell is the cube root of its volume. A shape has room for ∫ dV / h³ cells. The shape is divided into
+cubes by halving, until they are smaller than the cells there. The cubes are also the possible initial places of
+centres.
 """
 
 from collections.abc import Callable
@@ -44,7 +45,7 @@ class Graded:
         growth: growth of the cell size per distance [-], above 0 up to 1; neighbours differ by about this share.
 
     Raises:
-        InputError: A size is not positive, `fine` is above `coarse`, or `about` is not a place.
+        InputError: A size or `growth` is out of range, `fine` is above `coarse`, or `about` is no shape or points.
     """
 
     fine: float
@@ -125,7 +126,7 @@ def cells_of(size: object, volume: float) -> int:
 
 
 def sizes_by(size: Callable[[PerElement3], PerElement]) -> SizesAt:
-    """Return a user's function of points (k, 3) [m] for cell sizes (k,) [m], wrapped in checks of its values."""
+    """Return a user's function of points (k, 3) [m] for cell sizes (k,) [m]; bad sizes raise InputError."""
 
     def sizes(points: PerElement3) -> PerElement:
         try:
@@ -150,7 +151,7 @@ def sites(shape: Shape, size: SizesAt) -> Sites:
 
     Args:
         shape: shape to be filled.
-        size: sizes of cells at points (k, 3) [m], (k,); they change by no more than the distance.
+        size: sizes of cells at points (k, 3) [m], (k,); sizes at two points differ by no more than their distance.
 
     Raises:
         InputError: The shape would hold more than `MOST_CELLS` cells.

@@ -1,7 +1,7 @@
 """Growth of moving hard spheres to jamming (Lubachevsky, Stillinger, J. Stat. Phys. 60, 1990).
 
-The spheres never overlap. As free space shrinks they collide ever more often. The pressure measures the distance from
-jamming, because it grows like the inverse of the gaps.
+The spheres never overlap. As free space shrinks the spheres collide ever more often. The pressure measures the
+distance from jamming, because it grows like the inverse of the gaps.
 """
 
 from collections.abc import Callable

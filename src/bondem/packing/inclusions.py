@@ -43,8 +43,8 @@ def aggregates(shape: Shape, sieve: Sieve, *, fraction: float, gap: float, seed:
     Args:
         shape: shape of the body, not periodic.
         sieve: grading curve, with diameters in metres.
-        fraction: volume of the balls over that of the shape, above 0 and below 0.6 [-]. Of a wide grading curve, few
-            balls occupy less, as they lack its largest sizes: 12 % less for 50 balls of 2 to 16 mm.
+        fraction: volume of the balls over that of the shape, above 0 and below 0.6 [-]. Few balls of a wide grading
+            curve occupy less, because the largest sizes are missing: 12 % less for 50 balls of 2 to 16 mm.
         gap: least gap between two balls, above 0 and accurate to 10 % [m]; half of it remains between balls and
             walls. For cells of volume h³ give at least 1.2 h.
         seed: number that selects one of the random arrangements [-].
@@ -82,7 +82,7 @@ def aggregates(shape: Shape, sieve: Sieve, *, fraction: float, gap: float, seed:
 
 
 def radii_with_room(shape: Shape, sieve: Sieve, fraction: float, gap: float) -> Floats:
-    """Return the radii of the balls of `aggregates`, ascending [m], (k,).
+    """Return the radii of balls of a grading curve for a volume fraction and a gap [m], ascending [m], (k,).
 
     Raises:
         InputError: There are no balls or too many, or they do not fit into the shape with their gaps.
@@ -110,7 +110,7 @@ def _part(radius: Floats, shape: Shape) -> float:
 
 
 def least_count(shape: Shape, radius: float) -> int:
-    """Return the least number of cells by which a shape resolves balls of `radius` [m]."""
+    """Return the least number of equal cells in a shape that are small enough for balls of `radius` [m]."""
     return math.ceil(shape.volume * (_LEAST / radius) ** 3)
 
 
@@ -148,7 +148,7 @@ def around_balls(
 
 
 def _layers(shape: Shape, centre: PerElement3, radius: Floats, h: float, random: np.random.Generator) -> PerElement3:
-    """Return the centres of both layers of all balls [m], (k, 3)."""
+    """Return the centres of cells inside and outside the surfaces of all balls [m], (k, 3)."""
     inner, outer, whose = [], [], []
     for k, (at, R) in enumerate(zip(centre, radius, strict=True)):
         n = max(_DIRECTIONS, round(4.0 * math.pi * (R / h) ** 2))

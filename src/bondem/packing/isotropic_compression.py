@@ -1,7 +1,7 @@
 """Isotropic compression without gravity: from a dilute gas of spheres to jamming, in small strains.
 
 The method is athermal and quasi-static: after each strain, overlaps push the spheres apart until no overlap remains.
-The last strain is the one at which this fails; it is reversed and repeated in smaller steps. Instead of shrinking
+The last strain is that at which overlaps remain; it is reversed and repeated in smaller steps. Instead of shrinking
 the shape, all radii grow, which is equivalent.
 """
 

@@ -1,9 +1,9 @@
 """Initial places of spheres of two very different sizes: large ones are separated first, small ones fill the rest.
 
 If all are placed at once, small spheres are caught between large ones that overlap deeply. A large sphere touches as
-many small ones as fit on its surface, a hundred at a ratio of 1 : 5. With equal masses it is too stiff for the steps
-of the relaxation, and never comes to rest. Its mass here is (R / r)², with r the mean radius of the small ones, so
-that all spheres are about equally fast.
+many small ones as fit on its surface, a hundred at a ratio of 1 : 5. With equal masses such a sphere is too stiff for
+the steps of the relaxation, and never comes to rest. Here its mass is (R / r)², with r the mean radius of the small
+ones, so that all spheres are about equally fast.
 """
 
 import math
@@ -56,7 +56,7 @@ def separated(
     Args:
         shape: shape to fill.
         relative_radius: radii up to a common factor, (n,).
-        limit: result of `parting` for these radii.
+        limit: relative radius above which spheres count as large, from `parting`.
         random: random generator.
         on_step: function called repeatedly with the number of steps.
 

@@ -1,9 +1,9 @@
 """Shear compaction (André et al. 2012, §4.1): spheres on a grid, compressed while walls shear them back and forth.
 
-It is a run of the explicit solver with contacts. One wall is under pressure (the pressure wall). Two opposite walls
-move sinusoidally (the shear walls), or the mantle of a cylinder expands and contracts. The other walls only repel.
-The paper describes the procedure without numbers: pressure, stiffness and rates here are those of slow flow of nearly
-rigid grains.
+The compaction is a run of the explicit solver with contacts. One wall is under pressure (the pressure wall). Two
+opposite walls move sinusoidally (the shear walls), or the mantle of a cylinder expands and contracts. The other walls
+only repel. The paper describes the procedure without numbers: pressure, stiffness and rates here are those of slow
+flow of nearly rigid grains.
 """
 
 import math

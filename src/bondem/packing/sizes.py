@@ -1,7 +1,7 @@
 """Size laws: distributions of the radii of a packing.
 
-The radii are the quantiles of the law at the middles of `count` equal shares, shuffled. They follow the law for any
-number of spheres, without the scatter of random draws.
+The radii are the quantiles of the law at the middles of `count` equal shares, shuffled. These radii follow the law
+for any number of spheres, without the scatter of random draws.
 """
 
 from abc import ABC, abstractmethod
@@ -92,7 +92,7 @@ class Sieve(SizeLaw):
 
     Args:
         diameters: sieve openings [m or any other unit, because the packing sets the scale], ascending.
-        mass_passing: share of the mass that passes each sieve [-], from 0 to 1; descending lists raise InputError.
+        mass_passing: share of the mass that passes each sieve [-], rising from 0 to 1. Other lists raise InputError.
     """
 
     diameters: tuple[float, ...]

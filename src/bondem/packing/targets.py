@@ -141,7 +141,7 @@ class Jammed:
 
 
 def _barely_touch(spheres: SoftSpheres, rest: Rest) -> bool:
-    """Return True if all overlaps are at most 1e-3 mean radii or, for weighed spheres, smaller radii of the pair."""
+    """Return True if overlaps are at most 1e-3 mean radii or, for masses by size, 1e-3 of a pair's smaller radius."""
     if rest.largest_overlap <= _JAMMED_WORST:
         return True
     return spheres.weighed and spheres.deepest() <= _JAMMED_WORST
@@ -183,7 +183,7 @@ def chosen(count: int, coordination_number: float | None, volume_fraction: float
     """Return the target of a request, a coordination number of 6.2 if it names none.
 
     Raises:
-        InputError: The request names more than one target, or one out of range.
+        InputError: The request names more than one target, or a target out of range.
     """
     instance("pack", "jamming", jamming, bool, "True or False")
     if (coordination_number is not None) + (volume_fraction is not None) + jamming > 1:

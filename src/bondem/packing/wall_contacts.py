@@ -2,8 +2,8 @@
 
 Planes normal to an axis are exact, wherever they are, and so are cylinders and balls about the origin. All other
 walls are given by their depth on a grid, which rounds the edges between them: spheres at two such walls lie too deep.
-Where a gap between a plane and another wall is narrower than a sphere, exact walls would leave the sphere no place,
-so that the grid contains all walls.
+Where a gap between a plane and another wall is narrower than a sphere, exact walls would leave the sphere no place.
+In this case the grid contains all walls.
 """
 
 import math

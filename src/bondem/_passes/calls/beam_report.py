@@ -8,7 +8,7 @@ from bondem._tables.step_tables import BeamEnergies, Beams, BeamTurns, Poses
 
 
 def count_turned_beams(poses: Poses, beams: Beams, beam_turns: BeamTurns) -> Call:
-    """Counts unbroken beams turned wide and lost in given poses."""
+    """Counts unbroken beams beyond safe angles and beyond valid angles in given poses."""
     return Call("count_turned_beams", (poses, beams, beam_turns))
 
 

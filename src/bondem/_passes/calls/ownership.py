@@ -10,5 +10,5 @@ from bondem._tables.tessellation_tables import Dividing, PolygonBuffer, Solids
 def divide_solids(
     solids: Solids, dividing: Dividing, part: PolygonBuffer, spare: PolygonBuffer, pile: PolygonBuffer
 ) -> Call:
-    """Divides solids among elements, each point to the one with the least power x² - R²."""
+    """Divides solids among elements, each point to the element of least power x² - R²."""
     return Call("divide_solids", (solids, dividing, part, spare, pile))

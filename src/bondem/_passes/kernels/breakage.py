@@ -34,7 +34,7 @@ def judge_beam_by_elliptic(
     candidates: Candidates, postponed: Postponed
 ) -> Kernel:
     """Launched for `judge_beams`: evaluates marked beams of a block by a criterion, and postpones the elements of
-    failed ones.
+    failed beams.
 
     Over one index.
     """
@@ -48,7 +48,7 @@ def judge_beam_by_linear_sum(
     candidates: Candidates, postponed: Postponed
 ) -> Kernel:
     """Launched for `judge_beams`: evaluates marked beams of a block by a criterion, and postpones the elements of
-    failed ones.
+    failed beams.
 
     Over one index.
     """
@@ -62,7 +62,7 @@ def judge_beam_by_mohr_coulomb(
     candidates: Candidates, postponed: Postponed
 ) -> Kernel:
     """Launched for `judge_beams`: evaluates marked beams of a block by a criterion, and postpones the elements of
-    failed ones.
+    failed beams.
 
     Over one index.
     """
@@ -76,7 +76,7 @@ def judge_beam_by_peripheral_stress(
     candidates: Candidates, postponed: Postponed
 ) -> Kernel:
     """Launched for `judge_beams`: evaluates marked beams of a block by a criterion, and postpones the elements of
-    failed ones.
+    failed beams.
 
     Over one index.
     """

@@ -124,7 +124,7 @@ def press_walls_on_element(
     device_span: DeviceSpan, moving: Moving, contact_constants: ContactConstants, wall_contacts: WallContacts,
     walls: Walls, contact_sums: ContactSums
 ) -> Kernel:
-    """Adds forces of walls to the elements of a portion, and keeps their memory.
+    """Adds forces of walls to the elements of a portion, and stores the memory of these contacts.
 
     Over one index.
     """

@@ -180,7 +180,7 @@ def soften_crack(
 def sum_cracks_of_cell(
     stresses_of_cells: StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> Kernel:
-    """Sums the forces of the cracks of each cell, and finds how far their faces slip by them.
+    """Sums the forces of the cracks of each cell, and finds the slip of their faces under these forces.
 
     Over one index.
     """

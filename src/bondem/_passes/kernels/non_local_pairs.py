@@ -84,7 +84,7 @@ def judge_pair(
     device_span: DeviceSpan, beams: Beams, lagged_stresses: LaggedStresses, strengths: Strengths, bond_marks:
     BondMarks, candidates: Candidates, postponed: Postponed
 ) -> Kernel:
-    """Launched for `judge_pairs`: evaluates marked bonds of a block, and postpones the elements of failed ones.
+    """Launched for `judge_pairs`: evaluates marked bonds of a block, and postpones the elements of failed bonds.
 
     Over one index.
     """

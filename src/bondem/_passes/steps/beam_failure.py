@@ -23,7 +23,7 @@ def break_beams(
 def judge_beams_by_elliptic(
     moving: Moving, beams: Beams, strengths: Strengths, candidates: Candidates, postponed: Postponed
 ) -> StepEntry:
-    """Evaluates marked beams of a block by a criterion, and postpones the elements of failed ones.
+    """Evaluates marked beams of a block by a criterion, and postpones the elements of failed beams.
 
     Over bonds of a block. Reads `pose` at both ends; adds `flag` to elements.
     """
@@ -33,7 +33,7 @@ def judge_beams_by_elliptic(
 def judge_beams_by_linear_sum(
     moving: Moving, beams: Beams, strengths: Strengths, candidates: Candidates, postponed: Postponed
 ) -> StepEntry:
-    """Evaluates marked beams of a block by a criterion, and postpones the elements of failed ones.
+    """Evaluates marked beams of a block by a criterion, and postpones the elements of failed beams.
 
     Over bonds of a block. Reads `pose` at both ends; adds `flag` to elements.
     """
@@ -43,7 +43,7 @@ def judge_beams_by_linear_sum(
 def judge_beams_by_mohr_coulomb(
     moving: Moving, beams: Beams, strengths: Strengths, candidates: Candidates, postponed: Postponed
 ) -> StepEntry:
-    """Evaluates marked beams of a block by a criterion, and postpones the elements of failed ones.
+    """Evaluates marked beams of a block by a criterion, and postpones the elements of failed beams.
 
     Over bonds of a block. Reads `pose` at both ends; adds `flag` to elements.
     """
@@ -53,7 +53,7 @@ def judge_beams_by_mohr_coulomb(
 def judge_beams_by_peripheral_stress(
     moving: Moving, beams: Beams, strengths: Strengths, candidates: Candidates, postponed: Postponed
 ) -> StepEntry:
-    """Evaluates marked beams of a block by a criterion, and postpones the elements of failed ones.
+    """Evaluates marked beams of a block by a criterion, and postpones the elements of failed beams.
 
     Over bonds of a block. Reads `pose` at both ends; adds `flag` to elements.
     """

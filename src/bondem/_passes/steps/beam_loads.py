@@ -21,7 +21,7 @@ def add_beam_loads_softening_by_mohr_coulomb(
     moving: Moving, beams: Beams, step_blocks: StepBlocks, softening_bounds: SofteningBounds, candidates:
     Candidates
 ) -> StepEntry:
-    """Adds forces and torques of beams that may soften, with the pressure on softened ones.
+    """Adds forces and torques of beams that may soften, with the pressure on softened beams.
 
     Over bonds of a block. Reads `motion`, `pose` at both ends; adds `sums` to elements.
     """
@@ -34,7 +34,7 @@ def add_beam_loads_softening_by_peripheral_stress(
     moving: Moving, beams: Beams, step_blocks: StepBlocks, softening_bounds: SofteningBounds, candidates:
     Candidates
 ) -> StepEntry:
-    """Adds forces and torques of beams that may soften, with the pressure on softened ones.
+    """Adds forces and torques of beams that may soften, with the pressure on softened beams.
 
     Over bonds of a block. Reads `motion`, `pose` at both ends; adds `sums` to elements.
     """
@@ -89,7 +89,7 @@ def add_uniform_beam_loads_softening_by_mohr_coulomb(
     SofteningBounds, candidates: Candidates
 ) -> StepEntry:
     """Adds forces and torques of beams that may soften and differ in length only, with the pressure on softened
-    ones.
+    beams.
 
     Over bonds of a block. Reads `motion`, `pose` at both ends; adds `sums` to elements.
     """
@@ -103,7 +103,7 @@ def add_uniform_beam_loads_softening_by_peripheral_stress(
     SofteningBounds, candidates: Candidates
 ) -> StepEntry:
     """Adds forces and torques of beams that may soften and differ in length only, with the pressure on softened
-    ones.
+    beams.
 
     Over bonds of a block. Reads `motion`, `pose` at both ends; adds `sums` to elements.
     """

@@ -51,7 +51,7 @@ def soften_cracks(
 def sum_cracks(
     stresses_of_cells: StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> StepEntry:
-    """Sums the forces of the cracks of each cell, and finds how far their faces slip by them.
+    """Sums the forces of the cracks of each cell, and finds the slip of their faces under these forces.
 
     Over cracks or their cells, of which threads may share portions. Reads `half` of an element; adds `carried`,
     `slip`, `sum` to elements.

@@ -25,7 +25,7 @@ def judge_pairs(
     beams: Beams, lagged_stresses: LaggedStresses, strengths: Strengths, candidates: Candidates, postponed:
     Postponed
 ) -> StepEntry:
-    """Evaluates marked bonds of a block, and postpones the elements of failed ones.
+    """Evaluates marked bonds of a block, and postpones the elements of failed bonds.
 
     Over bonds of a block. Reads `space` at both ends; adds `flag` to elements.
     """

@@ -56,7 +56,7 @@ def press_walls(
     moving: Moving, contact_constants: ContactConstants, wall_contacts: WallContacts, walls: Walls, contact_sums:
     ContactSums
 ) -> StepEntry:
-    """Adds forces of walls to the elements of a portion, and keeps their memory.
+    """Adds forces of walls to the elements of a portion, and stores the memory of these contacts.
 
     Over elements, in portions. Reads `motion`, `pose` of an element; changes `sums` of an element.
     """

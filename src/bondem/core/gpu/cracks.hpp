@@ -110,7 +110,7 @@ inline void wake_crack(Index k, const Moving &all, const ElasticFacets &facets, 
     begin_treating(one, facets, cracks, lists, k, k);
     make_outdated(lists, facets, k);
 }
-// Adds the share of cracks with changes(k) in V θ of cell p without cracks, times a sign; true if there is one.
+// Adds the share of cracks with changes(k) in V θ of cell p without cracks, times a sign; true if a crack changes.
 template <class Changes>
 BONDEM_INLINE bool change_base(Index p, const Moving &all, const ElasticFacets &facets, const CellSlack &slack,
                                const CohesiveCracks &cracks, const CrackLists &lists, double sign, Changes changes) {

@@ -7,8 +7,8 @@ namespace bondem {
 // Largest number of tables of a pass.
 constexpr Index tables_of_index_pass = 8;
 
-// A pass that is another function. NVRTC compiles every function whose address a constant contains, needed or not: this
-// one has it in its type.
+// A pass that is another function. NVRTC compiles every function whose address a constant contains, needed or not;
+// `As` contains the address in its type instead.
 template <auto pass> struct As {
     constexpr auto function() const { return pass; }
 };

@@ -1,4 +1,4 @@
-// The passes over an index, each the work of a thread of a device, by number, written by
+// List of the passes over an index, of which one thread of a device executes one index, written by
 // `python -m tests.core.tables` from the headers beside it. `X(pass)` is called for each.
 #pragma once
 #include "adhesion.hpp"

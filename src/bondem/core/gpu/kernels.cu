@@ -1,5 +1,5 @@
-// The program of a device: kernels with a thread for each index of a pass, of the pass that BONDEM_ONLY names or of
-// all. NVRTC compiles it, with the sources of the passes that a thread calls for one element or one portion.
+// Program of a device, compiled by NVRTC: a kernel for the pass over an index that BONDEM_ONLY names, or one for each
+// pass without that macro. A kernel has one thread per index. Sources of passes that its threads call are included.
 #include "../passes/beams/beam_report.cpp"
 #include "../passes/boundary/couples.cpp"
 #include "../passes/cells/cell_report.cpp"

@@ -16,7 +16,7 @@ template <class T> BONDEM_INLINE Symmetric3<T> agreed_stress(const Symmetric3<T>
             s.zz + 2.0 * r.z * n.z - along * n.z * n.z, s.xy + r.x * n.y + r.y * n.x - along * n.x * n.y,
             s.xz + r.x * n.z + r.z * n.x - along * n.x * n.z, s.yz + r.y * n.z + r.z * n.y - along * n.y * n.z};
 }
-// A traction whose normal part, where `bent` opens the facet, is its pull plus `bent`; and this normal part [Pa].
+// A traction whose normal part is the tensile part plus `bent` where bending opens the facet; and that part [Pa].
 template <class T> struct PulledTraction {
     Vector3<T> t;
     T along;

@@ -8,7 +8,7 @@
 //
 //     Y = -∂U/∂s = U0 - ½ kn ⟨L - ℓ⟩² ≥ 0
 //
-// Its root λ = √Y is the opening: along any straight path it grows with the path. Integrity falls where λ grows
+// The root λ = √Y is the opening: along any straight path it grows with the path. Integrity falls where λ grows
 // beyond its previous maximum. The product s λ, proportional to the force, falls on a line from λ0, where the
 // criterion is reached, to λf, where it is zero; in between the beam is unloaded to its origin:
 //

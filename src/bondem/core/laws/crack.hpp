@@ -13,10 +13,10 @@
 //
 //     s⁺_1 = s_1    s⁺_2 = γ s_2    s⁺_3 = γ s_3        s⁻_1 = 1    s⁻_2 = s⁻_3 = γ
 //
-// A crack of the material has an integrity s_d along each direction. It keeps the stress along the crack, as in the
-// material beside it, and transmits pressure along e_1 as intact material does. The grip γ on traction along the
-// crack is 1 until its faces are far apart. A facet of a material plane, or of a cell without cohesion, has e_1 = n
-// and a single integrity: s_1 = γ = s and s_2 = s_3 = 1. It loses all but the pressure across it.
+// A crack of the material has an integrity s_d along each direction. Such a crack keeps the stress along its plane,
+// as in the material beside it, and transmits pressure along e_1 as intact material does. The grip γ on traction
+// along the crack is 1 until its faces are far apart. A facet of a material plane, or of a cell without cohesion, has
+// e_1 = n and a single integrity: s_1 = γ = s and s_2 = s_3 = 1. Such a facet loses all but the pressure across it.
 //
 // Friction q = (1 - γ) k (D - ξ)_t, with the part t normal to e_1, acts on the broken part of such a facet, and on a
 // crack of the material once γ = 0. There δ = D - (ξ·e_1) e_1: q has the slip along the crack. |q| is at most

@@ -5,8 +5,8 @@
 //
 // Energy: ∫ F du = 2/5 F u. A stretched tangential spring adds ½ ks' ξ² to F (`contact.hpp`), at the limit of
 // friction about μ² F kn / 6 ks. At a rigid wall E* and G* are doubled, and R* = R. The dashpots have √(5/6) of the
-// share β that a linear spring would have: the overlap to the power 5/4 then oscillates like that of a linear spring
-// does, and the restitution is the same at every speed (Antypov and Elliott, EPL 94, 2011).
+// share β that a linear spring would have: the overlap to the power 5/4 then oscillates like the overlap of a linear
+// spring, and the restitution is the same at every speed (Antypov and Elliott, EPL 94, 2011).
 //
 // Limits: overlaps up to a tenth of the smaller radius. Sources: Mindlin and Deresiewicz, J. Appl. Mech. 20 (1953);
 // Tsuji, Tanaka and Ishida, Powder Technology 71 (1992) 239–250.

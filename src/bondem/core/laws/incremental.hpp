@@ -13,10 +13,10 @@
 //
 // The stiffnesses are those of the beams (`beam.hpp`). Plasticity and rate laws need this formulation.
 //
-// The papers do not say at which instant of a step the rates are taken. Here it is the middle, where the velocities
-// are: half of the rate is added, the stored vector is turned by the Cayley transform of Ω dt, which keeps its length
-// (Hughes and Winget 1980), and the other half is added. A rigid turn then leaves a stored force as it was, to second
-// order in the step. A step of 0 changes nothing.
+// The papers do not say at which instant of a step the rates are taken. Here it is the middle, the instant of the
+// velocities: half of the rate is added, the stored vector is turned by the Cayley transform of Ω dt, which keeps its
+// length (Hughes and Winget 1980), and the other half is added. A rigid turn then leaves a stored force as it was, to
+// second order in the step. A step of 0 changes nothing.
 //
 // Energy: the stored vectors over their stiffnesses,
 //

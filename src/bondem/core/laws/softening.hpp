@@ -11,9 +11,10 @@
 // the facet, with the mean stress σ of its two cells.
 //
 // An integrity follows the softening curve, and never rises: s T falls from the strength t_0 to 0 as the opening
-// u = (1 - s) A T / k grows to its last one. That is 2 G_f / f_t for a straight line, divided by r, and the same for
-// all facets. So every facet begins to soften at σ_1 = f_t, and dissipates G_f A c_d, which is G_f per area projected
-// on the crack. With T_l = k u / A at the last opening, the curve is the larger of two lines, both a - b (1 - s) T:
+// u = (1 - s) A T / k grows to its last one. The last opening is 2 G_f / f_t for a straight line, divided by r, and
+// the same for all facets. So every facet begins to soften at σ_1 = f_t, and dissipates G_f A c_d, which is G_f per
+// area projected on the crack. With T_l = k u / A at the last opening, the curve is the larger of two lines, both a -
+// b (1 - s) T:
 //
 //     s = t_0 (1 - T / m T_l) / T (1 - t_0 / m T_l)
 //     s = g (1 - T / T_l) / T (1 - g / T_l)        g = κ t_0 / (1 - (1 - κ) m)
@@ -29,8 +30,8 @@
 // strength, with b = ⟨T_b - ⟨-t·n⟩⟩, or |t_s| + t_n tan φ beyond its cohesion c. Its fracture energies count per area
 // of the facet: the last opening in an inclined direction, |t|² = q T², is smaller by the factor q.
 //
-// Sources: decisions 0019, 0028 and 0045. Cracks that keep their directions, several at a point at right angles to
-// each other, are those of the fixed smeared crack models (de Borst and Nauta 1985); Jirásek and Zimmermann (1998)
+// Sources: 0019, 0028 and 0045 of docs/decisions. Cracks that keep their directions, several at a point at right
+// angles, are those of the fixed smeared crack models (de Borst and Nauta 1985); Jirásek and Zimmermann (1998)
 // compare them with cracks that rotate with the principal axes.
 #pragma once
 #include "principal.hpp"

@@ -33,12 +33,12 @@ enum : Index {
     count
 };
 }
-// Counts of a call of the core: steps, records, bonds turned wide and lost.
+// Counts of a call of the core: steps, records, bonds beyond safe angles (wide) and beyond valid ones (lost).
 namespace step_count { enum : Index { steps, records, wide, lost }; }
-// Results of the guard: bonds turned wide (beyond safe angles) and lost (beyond valid ones), the ending of the call,
-// and 1 for lists out of date.
+// Results of the guard: bonds beyond safe angles (wide) and beyond valid ones (lost), the ending of the call, and 1
+// for lists out of date.
 namespace guard_number { enum : Index { wide, lost, ending, out_of_date }; }
-// Counts of bonds turned wide and lost, and of portions with a number that is not finite.
+// Counts of bonds beyond safe angles (wide) and beyond valid ones (lost), and of portions not finite.
 namespace turn_count { enum : Index { wide, lost, not_finite }; }
 // Sums of the forces on a wall, as `WallLoad` has them.
 namespace wall_sum { enum : Index { force, normal = 3, torque, count = 7 }; }

@@ -58,7 +58,7 @@ struct BeamSums {
 struct BeamEnergies {
     Array<double, 1> energy;  // normal, shear, bending, twisting [J], (4,)
 };
-// Unbroken beams turned wide and lost, and 1 where a number is not finite.
+// Counts of unbroken beams beyond safe angles and beyond valid angles, and 1 if a number is not finite.
 struct BeamTurns {
     Array<Index, 1> found;  // (3,)
 };

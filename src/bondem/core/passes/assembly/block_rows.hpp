@@ -18,7 +18,7 @@ struct Block {
 inline Block block_at(const BlockRows &rows, Index slot) { return {&rows.data(slot, 0, 0)}; }
 
 // Calls ends(bond, diagonal, slot) for every bond that ends in an element and begins(bond, diagonal, slot) for every
-// one that begins there, in the order of the columns; begin(diagonal) is called first in each row.
+// bond that begins there, in the order of the columns; begin(diagonal) is called first in each row.
 template <class Begin, class Ends, class Begins>
 inline void for_each_row(Index threads, const BlockRows &rows, const Array<const Short, 1> &i,
                          const Array<const Short, 1> &j, Begin begin, Ends ends, Begins begins) {

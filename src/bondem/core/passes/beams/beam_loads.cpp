@@ -139,7 +139,7 @@ BONDEM_INLINE void add_softening_loads(const Range &range, const Moving &all, co
     candidates.count(range.block) = marked.marks.count();
 }
 
-// Adds forces and torques of beams that may soften, with the pressure on softened ones.
+// Adds forces and torques of beams that may soften, with the pressure on softened beams.
 //
 // Beams that reach their criterion lose integrity before their loads are added, and are listed as failed.
 template <class Criterion>
@@ -147,7 +147,7 @@ void add_softening(const Range &range, const Moving &all, const Beams &beams, co
                    const SofteningBounds &bounds, const Candidates &candidates) {
     add_softening_loads<Criterion>(range, all, beams, blocks, Own{beams}, bounds, candidates);
 }
-// Adds forces and torques of beams that may soften and differ in length only, with the pressure on softened ones.
+// Adds forces and torques of beams that may soften and differ in length only, with the pressure on softened beams.
 template <class Criterion>
 void add_uniform_softening(const Range &range, const Moving &all, const Beams &beams, const UniformBeams &uniform,
                            const StepBlocks &blocks, const SofteningBounds &bounds, const Candidates &candidates) {

@@ -8,7 +8,7 @@
 namespace bondem {
 namespace {
 
-// Counts unbroken beams turned wide and lost; the third count is 1 if a number is not finite.
+// Counts unbroken beams beyond safe angles and beyond valid angles; the third count is 1 if a number is not finite.
 void count_turned(Index first, Index last, const double *pose, const Beams &beams, Index *count) {
     Index wide = 0, lost = 0, not_finite = 0;
     for (Index k = first; k < last; k++) {
@@ -40,7 +40,7 @@ void check_beams(const Range &range, const Moving &all, const Beams &beams, cons
 }
 BONDEM_PASS(check_beams, of_bonds, "ends pose")
 
-// Counts unbroken beams turned wide and lost in given poses.
+// Counts unbroken beams beyond safe angles and beyond valid angles in given poses.
 Index count_turned_beams(Index, const Poses &all, const Beams &beams, const BeamTurns &found) {
     count_turned(0, beams.i.size(), all.pose.data, beams, found.found.data);
     return 0;

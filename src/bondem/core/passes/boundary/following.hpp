@@ -5,7 +5,7 @@
 
 namespace bondem {
 
-// Adds load e to the force of its row, turned with its element where it follows one.
+// Adds load e to the force of its row, turned with its element if the load follows that.
 inline void add_load(Index e, double time, const Timeline &timeline, const RowLoads &loads, const Moving &all,
                      const Rows &rows) {
     const double amplitude = value_at(timeline, loads.schedule(e), time);

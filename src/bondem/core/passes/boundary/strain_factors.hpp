@@ -16,7 +16,7 @@ enum : Index { before, now, power_before, power };
 }
 
 // Updates the factors to the time of a clock. Sets whether levers change, and whether ∂U/∂factor is needed: in a step
-// with a change and in the one before it. The first step of a call does both.
+// with a change and in the step before it. The first step of a call does both.
 template <class Strains>
 inline void follow_factors(const Clock &clock, const Timeline &timeline, const Strains &strains) {
     using namespace strain_factor;

@@ -29,7 +29,7 @@ void add_strain_work(const Range &range, const Moving &all, const CellStrains &s
 void sum_moments(const Range &range, const Moving &all, const ElasticFacets &facets, const FacetsOfCells &of_cells,
                  const FacetForces &stored);
 // Subtracts the loads that a failure changes, times a sign, from the kept sum of postponed cell p: loads of a facet
-// if either of its cells loses a facet, and loads of walls if cell p loses one.
+// if either of its cells loses a facet, and loads of walls if cell p loses a facet.
 void take_off_changing(double sign, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                        const FacetRelease &release, const Postponed &postponed, Index p);
 // Adds the loads after the failure to the kept sum of postponed cell p, and updates the loads of its walls.

@@ -1,4 +1,4 @@
-// Facets that fail without softening. They become free facets of both cells, which lowers λ / V of the cells.
+// Facets that fail without softening. Such facets become free facets of both cells, which lowers λ / V of the cells.
 //
 // The failure of a facet changes the stress of its two cells, and with it the force of all their other facets.
 // Therefore the neighbours of both cells are postponed too (`passes/damage/pipeline.hpp`). The sums kept for these

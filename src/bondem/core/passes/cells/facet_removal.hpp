@@ -1,8 +1,8 @@
 // Changes by the removal of a facet: its own energy, and weight, stress and energy of its cells.
 //
 // At given poses the energy of dilatation of a cell depends on its unbroken facets. The energy that a facet releases
-// therefore follows from its cells alone, given the facets that are removed before it. `left(k)` is the
-// integrity of facet k at such an instant.
+// therefore follows from its cells alone, given the facets that are removed before it. `left(k)` is the integrity of
+// facet k after these removals.
 #pragma once
 #include "../damage/integrity.hpp"
 #include "facet_neighbours.hpp"

@@ -1,7 +1,7 @@
 // Gradients of the dilatation at one cell, for passes of a step and for given poses.
 //
-// Springs with a constant c between neighbouring cells p and q store ½ c (σ_p - σ_q)² with σ = λ_p θ_p. They change
-// the stress of a cell to
+// Springs with a constant c between neighbouring cells p and q store ½ c (σ_p - σ_q)² with σ = λ_p θ_p. These springs
+// change the stress of a cell to
 //
 //     σ_p + λ_p / V_p Σ c (σ_p - σ_q)
 //

@@ -30,7 +30,7 @@ void count_wall_work(const Range &range, const Walls &walls, const Ledger &ledge
 // Adds the works of walls to the energy balance, and writes gauges of walls.
 void write_walls(const Range &range, const Walls &walls, const Gauges &gauges, const Ledger &ledger,
                  const HistoryRows &history);
-// Adds forces of walls to the elements of a portion, and keeps their memory.
+// Adds forces of walls to the elements of a portion, and stores the memory of these contacts.
 void press_walls(const Range &range, const Moving &all, const ContactConstants &c,
                  const WallContacts &contacts, const Walls &walls, const ContactSums &to);
 // Adds the elastic energy of contacts of a portion with walls [J].

@@ -5,8 +5,8 @@
 // force against the force of the elements; a share of the missing force resists its motion, and its speed is limited.
 // A free wall moves by the force of the elements and a given force. Half of the change of momentum is added before it
 // moves, and half when the forces on it are known; likewise for its angular momentum. In between it turns about its
-// principal axes in the order 1 2 3 2 1 (Dullweber, Leimkuhler and McLachlan, J. Chem. Phys. 107, 1997). Its work is
-// the trapezoid of its power.
+// principal axes in the order 1 2 3 2 1 (Dullweber, Leimkuhler and McLachlan, J. Chem. Phys. 107, 1997). The work of
+// a wall is the trapezoidal sum of its power.
 #include "contact_passes.hpp"
 
 #include "../../ledger.hpp"

@@ -1,9 +1,9 @@
 // Axes of a crack of the material when it begins, before any loss of integrity.
 //
 // Neighbouring cracks with different axes block each other. The dissipated energy would be too large: by 6 to 8 % of
-// the fracture energy at a notch, and by 10 to 22 % where a body tears by turning. A new crack therefore has the axes
-// of the first rule that applies. e is the direction of the largest principal stress in the mean stress of its two
-// cells and all their neighbours.
+// the fracture energy at a notch, and by 10 to 22 % where parts of a body rotate apart. A new crack therefore has the
+// axes of the first rule that applies. e is the direction of the largest principal stress in the mean stress of its
+// two cells and all their neighbours.
 //
 // 1. The axes of the crack that has lost most integrity in its two cells, if any of the three is within 45° of e:
 //    behind the front of a crack the largest stress is often along the crack.

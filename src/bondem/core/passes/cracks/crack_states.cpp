@@ -1,10 +1,10 @@
 // Changes of the status of cracks in a step: `active`, `resting` or `parted`; and their softening.
 //
 // An active crack is computed by itself. A broken crack, or one with the same integrity in all directions, equals a
-// facet of reduced stiffness to rounding while it is open and does not soften. It is then resting: passes over facets
-// compute it. An active crack becomes resting below 0.9 of the traction at which it softens. A resting crack becomes
-// active at 0.98 of this traction, or when it closes. A broken crack whose faces no longer face each other is parted:
-// it transmits no force, and its cells touch like any others.
+// facet of reduced stiffness to rounding while it is open and does not soften. Such a crack is resting: passes over
+// facets compute its force. An active crack becomes resting below 0.9 of the traction at which it softens. A resting
+// crack becomes active at 0.98 of this traction, or when it closes. A broken crack whose faces no longer face each
+// other is parted: it transmits no force, and its cells touch like any others.
 #include "../../registered.hpp"
 #include "../../tables/cell_tables.hpp"
 #include "../../tables/crack_tables.hpp"
@@ -131,7 +131,7 @@ void soften_cracks(const Range &range, const Moving &all, const ElasticFacets &f
 }
 BONDEM_PASS(soften_cracks, of_cracks, "ends pose pose.stress tensor; adds half")
 
-// Sums the forces of the cracks of each cell, and finds how far their faces slip by them.
+// Sums the forces of the cracks of each cell, and finds the slip of their faces under these forces.
 void sum_cracks(const Range &range, const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
     const bool changes = range.clock.dt > 0.0;
     over_places(range, lists.size(list_count::cells), [&](Index first, Index last, Index) {

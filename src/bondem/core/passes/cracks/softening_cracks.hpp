@@ -1,4 +1,4 @@
-// Softening of active cracks, and waking of resting ones: one crack, or as many as there are lanes.
+// Softening of active cracks, and waking of resting cracks, for one crack or for as many as there are lanes.
 #pragma once
 #include "resting_cracks.hpp"
 

@@ -5,10 +5,10 @@
 // once more, with the mean stress of their cells: the largest principal stress over this index is the strength of the
 // direction in which the facet cracks.
 //
-// Facets of a cell without cracks are evaluated only if the stress of the cell is near to the criterion. It is near
-// if it reaches the criterion at a reduced strength, by itself or with an added tension from all sides. This tension
-// allows for the difference between σ* and the stress, and for the bending of facets. For the function of a user only
-// the sizes of the stresses count.
+// Facets of a cell without cracks are evaluated only if the stress of the cell is near to the criterion. The stress
+// is near if it reaches the criterion at a reduced strength, by itself or with an added tension from all sides. This
+// tension allows for the difference between σ* and the stress, and for the bending of facets. For the function of a
+// user only the sizes of the stresses count.
 #pragma once
 #include "../../laws/agreed_stress.hpp"
 #include "../../tables/stress_onset_tables.hpp"

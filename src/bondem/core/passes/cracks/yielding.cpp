@@ -1,5 +1,5 @@
-// Cells that yield under their mean stress. Their plastic deformation stretches their levers, the vectors from the
-// centre of a cell to its facets.
+// Cells that yield under their mean stress. Plastic deformation stretches the levers of a cell, the vectors from its
+// centre to its facets.
 #include "../../registered.hpp"
 #include "yielding_cells.hpp"
 

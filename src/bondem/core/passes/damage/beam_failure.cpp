@@ -6,7 +6,7 @@
 namespace bondem {
 namespace {
 
-// Evaluates marked beams of a block by a criterion, and postpones the elements of failed ones.
+// Evaluates marked beams of a block by a criterion, and postpones the elements of failed beams.
 template <class Criterion>
 void judge_beams(const Range &range, const Moving &all, const Beams &beams, const Strengths &strengths,
                  const Candidates &candidates, const Postponed &postponed) {

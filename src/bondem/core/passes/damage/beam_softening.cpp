@@ -3,8 +3,8 @@
 // Softening beams are in lists, one per portion of bonds, and lose integrity before the forces of a step are
 // computed. The pass over all beams computes them too, with their present integrity, and with the full stiffness for
 // pressure. A beam that reaches its strength softens in the same step, within this pass, so that its force never
-// exceeds its strength. It is added to a list at the end of the step. It postpones no element, because its force does
-// not jump.
+// exceeds its strength. The beam is added to a list at the end of the step. It postpones no element, because its
+// force does not jump.
 #include "softening_beam.hpp"
 
 #include "../../ledger.hpp"

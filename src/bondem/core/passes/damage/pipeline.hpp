@@ -18,8 +18,8 @@
 //              the event, and adds its energy to the energy released in the run. A further pass may follow for each
 //              of these bonds (`for_each_event`): contact where its ends press on each other, which adds to the kept
 //              sums, and stores a part of the energy.
-//     resume   `list_postponed` lists all postponed elements, and ends the failures of the step. They find their
-//              acceleration by the passes of motion, with a time step of 0, and then open the next step.
+//     resume   `list_postponed` lists all postponed elements, and ends the failures of the step. The passes of motion,
+//              with a time step of 0, then find the acceleration of these elements and open their next step.
 //
 // Each criterion and each kind of bond provide two functions:
 //

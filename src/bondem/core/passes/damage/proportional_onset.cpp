@@ -156,9 +156,9 @@ BONDEM_CALL(find_agreed_stresses, "")
 
 // Cuts a softening curve into steps.
 //
-// A step ends where the traction is `ripple` above the curve, as a share of it, and at most a little below that of
-// the onset. After it the traction is as much below the curve. At the last step all steps together have dissipated
-// the energy under the curve.
+// A step ends where the traction exceeds the curve by the share `ripple`, or a little below the traction at onset if
+// that is less. After the step the traction is below the curve by the same share. All steps together dissipate the
+// energy under the curve.
 Index cut_teeth(Index, const SofteningTeeth &teeth) {
     // a facet with the share `rest` of its strength at onset breaks next; the limit `below` of a softening facet is
     // less than the onset, so that it softens further before others begin, and above the last traction

@@ -1,5 +1,5 @@
-// Body forces on groups of elements, with accelerations that follow schedules. Their work is added for each half of a
-// step, by the velocity in that half.
+// Body forces on groups of elements, with accelerations that follow schedules. The work of the forces is added for
+// each half of a step, by the velocity in that half.
 #include "body_forces.hpp"
 
 #include "../../registered.hpp"

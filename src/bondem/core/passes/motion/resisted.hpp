@@ -27,8 +27,8 @@ BONDEM_INLINE const double *absorbing_of(const Resistance &resistance, Index r) 
     return resistance.absorbing.size() > 0 ? &resistance.absorbing(r, 0) : nullptr;
 }
 
-// Reduces accelerations by mass damping and absorbing dashpots at the velocity a kick of h later. This is that at the
-// time of the forces, so that damping is of second order and never unstable. (v, w) has no prescribed components.
+// Reduces accelerations by mass damping and absorbing dashpots at the velocity a kick of h later, the velocity at the
+// time of the forces: damping is of second order and never unstable. (v, w) has no prescribed components.
 template <class T>
 BONDEM_INLINE void resist(const Resistance &resistance, const double *absorbing, double h, T m, Vector3<T> v, Vector3<T> w,
                           Vector3<T> &a, Vector3<T> &b) {

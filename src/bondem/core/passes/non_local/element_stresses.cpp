@@ -1,4 +1,4 @@
-// Stresses of elements of the non-local law, from the forces of their bonds and contacts, eq (1).
+// Stresses of elements of the non-local law from the forces of bonds and contacts, eq (1) of `laws/non_local.hpp`.
 //
 // The stress of an element is kept in its own frame, where a rotation of the whole body does not change it, and in
 // space, where bonds use the mean of both ends. Forces of dashpots of bonds do not count.

@@ -38,7 +38,7 @@ BONDEM_PASS(mark_pairs, bonds_of_blocks, "ends space")
 
 #endif
 
-// Evaluates marked bonds of a block, and postpones the elements of failed ones.
+// Evaluates marked bonds of a block, and postpones the elements of failed bonds.
 void judge_pairs(const Range &range, const Beams &beams, const LaggedStresses &stresses, const Strengths &strengths,
                  const Candidates &candidates, const Postponed &postponed) {
     judge(

@@ -2,7 +2,8 @@
 //
 // Lubachevsky and Stillinger, J. Stat. Phys. 60 (1990); one event per sphere, as Lubachevsky, J. Comput. Phys. 94
 // (1991). All radii grow in proportion at a constant rate. Between collisions a sphere flies straight. The next event
-// of each is stored in a heap by time. One thread: events depend on each other, and their order determines the bits.
+// of each sphere is stored in a heap by time. One thread computes all events, because they depend on each other and
+// their order determines the bits.
 #include "../../registered.hpp"
 #include "../../tables/columns.hpp"
 #include "../../tables/packing_tables.hpp"
@@ -172,7 +173,7 @@ struct Flying {
 }  // namespace
 
 // Advances spheres that fly and grow to the end of a duration, or until neighbour lists are out of date or the
-// collisions are too many; all end at the same time. Returns its ending; after `list_out_of_date` make new lists and
+// collisions are too many; all end at the same time. Returns the outcome; after `list_out_of_date` make new lists and
 // call again. Walls on a grid of depths are ignored.
 Index fly_and_grow(Index, const Spheres &spheres, const PackingWalls &walls, const Near &near, const Growing &growing,
                    const Flight &flight) {

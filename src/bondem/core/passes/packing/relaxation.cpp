@@ -3,8 +3,8 @@
 // Overlapping spheres repel with unit stiffness, walls are impenetrable, and FIRE 2.0 minimises the energy (Guénolé
 // et al., Comput. Mater. Sci. 175, 2020): inertial descent that is steered along the force and stopped whenever it
 // runs uphill. Unit mass and stiffness make every time dimensionless. A sphere far larger than its neighbours has a
-// hundred contacts. It needs a larger mass to be as slow as the others, so the descent is that of coordinates times
-// √mass.
+// hundred contacts. Such a sphere needs a larger mass to be as slow as the others, so the descent is that of
+// coordinates times √mass.
 #include "../../lanes.hpp"
 #include "../../registered.hpp"
 #include "../../tables/columns.hpp"
@@ -173,8 +173,8 @@ Descent next_step(const Relaxing &relaxing, double longest) {
 
 }  // namespace
 
-// Minimises the overlap energy, as far as the neighbour lists are valid. Returns its ending; after `out_of_date` make
-// new lists and call again.
+// Minimises the overlap energy, as far as the neighbour lists are valid. Returns the outcome; after `out_of_date`
+// make new lists and call again.
 Index relax_spheres(Index threads, const Spheres &spheres, const PackingWalls &walls, const Near &near,
                     const Relaxing &relaxing) {
     const Index n = spheres.sphere.size(), blocks = relaxing.part.size();

@@ -1,4 +1,5 @@
-// Conjugate gradients for successive equilibria, with the diagonal of Sᵀ K S equal to one and a coarse correction.
+// Conjugate gradients for successive equilibria, preconditioned by a coarse correction. A scaling S of the unknowns
+// makes the diagonal blocks of Sᵀ K S, with the stiffness K, unit matrices.
 //
 // Memory traffic determines the time of an iteration. The residual of the guess is exact. Corrections are much
 // smaller than the solution, so that a matrix in single precision is accurate enough for them.

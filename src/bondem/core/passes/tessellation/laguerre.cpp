@@ -5,8 +5,8 @@
 // harmless, and volumes and areas are exact to rounding.
 //
 // With ρ the distance of the farthest corner from the centre, a neighbour at distance L cuts only if
-// ½ (L - (R_max² - R²) / L) < ρ, so the search ends at the first L beyond. It ends earlier by a bound of radii near
-// the element: no sphere at distance L from it has a radius above B + κ L.
+// ½ (L - (R_max² - R²) / L) < ρ, so the search ends at the first L beyond. The search ends earlier by a bound of
+// radii near the element: no sphere at distance L from it has a radius above B + κ L.
 #include "../../registered.hpp"
 #include "../../tables/tessellation_tables.hpp"
 #include "pile.hpp"
@@ -223,7 +223,7 @@ CellEnd shape(const Bins &centres, Index i, double half, double largest, const C
 }  // namespace
 
 // Cuts the cells of the chosen elements out of boxes about their centres: faces go to the pile, with the element
-// behind each face as its tag. Returns its ending, with the element in done[1]. After `lists_full` (found, offset,
+// behind each face as its tag. Returns the outcome, with the element in done[1]. After `lists_full` (found, offset,
 // order) or `pile_full` make room and call again: it continues with cell done[0].
 Index make_cells(Index, const Bins &centres, const CellRequest &request, const CellRoom &room, const PolygonBuffer &pile) {
     const Stack faces{pile};

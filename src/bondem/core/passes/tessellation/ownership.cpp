@@ -65,7 +65,7 @@ const PolygonBuffer &share_of(const Solids &solids, Index s, Index own, const Di
 
 }  // namespace
 
-// Divides solids among elements, each point to the one with the least power x² - R². After `parts_full` (the pile,
+// Divides solids among elements, each point to the element of least power x² - R². After `parts_full` (the pile,
 // cell, owner, end) or `room_full` (part, spare) make room and call again: it continues with solid done[0].
 Index divide_solids(Index, const Solids &solids, const Dividing &dividing, const PolygonBuffer &part, const PolygonBuffer &spare,
                     const PolygonBuffer &pile) {
