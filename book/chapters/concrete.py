@@ -104,8 +104,8 @@ def work() -> Rows:
         yield Row(f"{told}: work over the ligament and G_f", BENDING.each(ones, "work"),
             Near(absolute=2.0 * LIMIT, target=1.0), RATIO)  # fmt: skip
         if count >= 10_000:
-            yield Row(f"to a twentieth of the peak, one core: {told}", BENDING.each(ones, "seconds"), AtMost(600.0),
-                Form(unit="s", style=".0f"))  # fmt: skip
+            yield Row(f"processor time to a twentieth of the peak: {told}", BENDING.each(ones, "processor seconds"),
+                AtMost(600.0), Form(unit="s", style=".0f"))  # fmt: skip
 
 
 def shear() -> Rows:

@@ -152,6 +152,11 @@ def test_what_a_law_reaches_is_computed(lattices):
     assert found.smallest == found.nu[0] < found.nu[1] < found.nu[2] == found.largest
 
 
+def test_a_reach_has_two_points_or_more(lattices):
+    with pytest.raises(InputError, match=r"points = 1: .*whole number of at least 2"):
+        reach(lattices[0], bd.ParallelBond, points=1)
+
+
 LAWS = {
     "radius_ratio": bd.EulerBernoulli(E=2e9, nu=0.3, radius_ratio=0.7),
     "nu": bd.Timoshenko(E=2e9, nu=0.25, radius_ratio=0.6),

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from typing import Any
 
+from bondem._checks import count
 from bondem.calibration.abacus import curve
 from bondem.calibration.response import Response
 from bondem.errors import UnreachableTargetError
@@ -67,8 +68,11 @@ def reach(
         nu_mu: Poisson's ratio of the bonds [-].
         points: number of values, two or more, in geometric progression.
         **fixed: further parameters of the law; radius_ratio is 1 by default if it is not the free parameter.
+
+    Raises:
+        InputError: `points` is not a whole number of at least 2.
     """
-    free = law.free
+    free, points = law.free, count("reach", "points", points, least=2)
     low, high = free.search
     values = tuple(low * (high / low) ** (k / (points - 1)) for k in range(points))
     found = [Response(lattice, law.at(value, E=1e9, nu=nu_mu, **fixed)) for value in values]
