@@ -1,8 +1,8 @@
-// Stress by which a criterion evaluates a facet of two cells: their mean stress σ made to agree with the traction t,
+// Stress σ* for criteria on a facet of two cells: their mean stress σ, corrected to agree with the traction t,
 //
 //     σ* = σ + r⊗n + n⊗r - (r·n) n⊗n        r = t - σ n
 //
-// so that σ* n = t, with n the normal of the facet. Tension positive.
+// so that σ* n = t, with n the normal of the facet. Tension is positive.
 #pragma once
 #include "../select.hpp"
 #include "../symmetric3.hpp"

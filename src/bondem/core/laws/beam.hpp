@@ -1,18 +1,20 @@
 // A beam between two elements: one energy for every linear bond law, its gradient, and its parts.
 //
-// Elements are made in one reference configuration, where every orientation is the identity. X0 is the direction from
-// i to j there and L the distance of the centres; X is the present direction and ℓ the present distance. X1 and X2
-// are X0 turned with the elements i and j, so that
+// In the reference configuration every orientation is the identity. X0 is the direction from i to j there, and L the
+// distance of the centres. X is the present direction, ℓ the present distance, and q the quaternion of an element. X1
+// and X2 are X0 turned with the elements i and j, so that
 //
 //     c1 = X · X1    c2 = X · X2    w = q_i · q_j
 //
-// are 1 at rest. The contact point is at the lever a from i and b = L - a from j. With k' = kb - kt,
+// are 1 at rest. The contact point is at the lever a from i and b = L - a from j. kn, ks, kb and kt are the normal,
+// shear, bending and twisting stiffness. With k' = kb - kt,
 //
 //     U = ½ kn (ℓ - L)² + ½ A (1 - c1²) + B (X1 · X2 - c1 c2) + ½ C (1 - c2²) + 2 kt (1 - w²)
 //     A = ks a² + k'      B = ks a b - k'      C = ks b² + k'
 //
-// Laws differ in four stiffnesses and the contact point (Chen et al. 2022, eqs (21) to (26), Tables 1 and 9); for a
-// circular section of radius r, here with the area A = π r², I = π r⁴ / 4, J = 2 I and G = E / (2 (1 + ν)):
+// Laws differ in these four and in the contact point (Chen et al. 2022, eqs (21) to (26), Tables 1 and 9). For a
+// circular section of radius r, with the area A = π r², I = π r⁴ / 4, J = 2 I, G = E / (2 (1 + ν)), the radius R of
+// an element, and κ = kn / ks, they are
 //
 //                        kn        ks                     kb            kt            a
 //     Euler–Bernoulli    E A / L   12 E I / L³            E I / L       G J / L       L / 2
@@ -21,13 +23,13 @@
 //
 // with Φ = 20 r² (1 + ν) / (3 L²). `interactions/beams/` computes them, once per bond.
 //
-// Signs: tension positive. The force acts on j, and its opposite on i.
+// Signs: tension is positive. The force acts on j, and its opposite on i.
 //
-// The second derivative of U at rest is the 12 × 12 matrix of the law. U does not change under rigid motion, and
-// forces that are its exact gradient conserve momentum and angular momentum to rounding.
+// The second derivative of U at rest is the stiffness matrix of the law. U does not change under rigid motion, so
+// that the forces conserve momentum and angular momentum to rounding.
 //
-// Limits: U is periodic. The moment of shear has its maximum at 45°, and X = -X0 is a false minimum, so relative
-// rotations have to stay moderate: c1 and c2 above 0.7, w² above 0.75. A similar model: Kuzkin and Asonov (2012).
+// Limits: the moment of shear has its maximum at 45°, and X = -X0 is a false minimum of U. Relative rotations have to
+// stay moderate: c1 and c2 above 0.7, w² above 0.75. A similar model: Kuzkin and Asonov (2012).
 #pragma once
 #include "ends.hpp"
 

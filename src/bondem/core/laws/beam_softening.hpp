@@ -2,26 +2,27 @@
 //
 //     U = s U0 + (1 - s) ½ kn ⟨L - ℓ⟩²        ⟨x⟩ = x where positive, else 0
 //
-// with U0 the energy of the intact beam (`beam.hpp`). All stiffnesses fall in proportion to s, but the beam carries
-// compression as if it were intact. Forces are the exact gradient at fixed s: those of U0 times s, and a pressure
-// (1 - s) kn ⟨L - ℓ⟩ along the branch, which pushes the ends apart. Softening dissipates
+// with U0 the energy of the intact beam, kn its normal stiffness, L its length at rest and ℓ at present (`beam.hpp`).
+// All stiffnesses fall in proportion to s, but the beam carries compression as if it were intact. Forces are the
+// exact gradient at fixed s: those of U0 times s, and the pressure (1 - s) kn ⟨L - ℓ⟩ along the beam. Softening
+// dissipates
 //
 //     Y = -∂U/∂s = U0 - ½ kn ⟨L - ℓ⟩² ≥ 0
 //
-// The root λ = √Y is the opening: along any straight path it grows with the path. Integrity falls where λ grows
-// beyond its previous maximum. The product s λ, proportional to the force, falls on a line from λ0, where the
-// criterion is reached, to λf, where it is zero; in between the beam is unloaded to its origin:
+// per unit of lost integrity. The root λ = √Y is the opening: it grows along any straight path from rest. Integrity
+// falls where λ exceeds its previous maximum. The product s λ, proportional to the force, then falls on a line from
+// λ0, where the criterion is reached, to λf, where it is zero. Below its maximum of λ the beam unloads to its origin:
 //
 //     s = λ0 (λf - λ) / (λ (λf - λ0))        ∫ Y (-ds) = λ0 λf = G A
 //
-// on every path along which λ grows. A step counts the work by the trapezoidal rule. `softened` chooses the force so
-// that this sum is G A also for a beam that opens in few steps. G depends on the shares of opening (elongation and
-// bending) and sliding (shear and twisting) in Y where softening begins, so that finally
-// G_I / G_f + G_II / G_II,c = 1:
+// on every path along which λ grows, with A the area of the section. The trapezoidal rule counts the same work, also
+// for a beam that opens in few steps. G follows from the shares of Y where softening begins: I by opening (elongation
+// and bending), II by sliding (shear and twisting). G_f and G_II,c are the fracture energies of the two modes. With
 //
 //     G = 1 / (share_I / G_f + share_II / G_II,c)
 //
-// A beam that stores G A / 1.05 or more at onset breaks while its opening grows by a twentieth.
+// the energies dissipated in both modes finally satisfy G_I / G_f + G_II / G_II,c = 1. A beam that stores G A / 1.05
+// or more at onset breaks while its opening grows by a twentieth.
 //
 // Linear softening: Hillerborg, Modéer and Petersson (1976). Linear rule of mixed mode: Wu and Reuter (1965), as in
 // Camanho and Dávila (2002).

@@ -2,14 +2,14 @@
 //
 // Every element is the rigid core of a cell of a Laguerre tessellation, with its centre x at the centre of mass of
 // the cell. Cells i and j share a facet of area A and unit normal n, from i to j, with a face on each cell. In the
-// reference, every orientation R is the identity, b is the lever from the centre of a cell to the centroid of the
-// facet, and
+// reference every orientation R is the identity. b is the lever from the centre of a cell to the centroid of the
+// facet. The share of a facet in the volume change V θ of its cell p is
 //
 //     s_p = A w_p m_p      w_p = d_p / L      s_i + s_j = A n, with the normal n of cell i
 //
-// is the share of a facet in the swelling V θ of its cell p: d_p is the distance from the generator of the cell to
-// the plane of the facet, L = d_i + d_j, and m_p is n on average. Balanced shares make every uniform stress exact in
-// every cell (`bondem/specimen/tessellation/balanced_shares.py`). Then
+// d_p is the distance from the generator of the cell to the plane of the facet, L = d_i + d_j, and m_p is n on
+// average. Balanced shares make every uniform stress exact in every cell
+// (`bondem/specimen/tessellation/balanced_shares.py`). Then
 //
 //     δ = x_j + R_j b_j - x_i - R_i b_i                     gap of the two faces; needs no frame of reference
 //     V_p θ_p = Σ (R_p s_p) · δ                             over the facets of the cell
@@ -18,10 +18,10 @@
 //     k = 2 G A / L      H = (2 G / L) (tr S 1 - S)      λ_p = λ / (1 + c_p λ / 2 G)
 //     G = E / (2 (1 + ν))      λ = E ν / ((1 + ν) (1 - 2 ν))      c_p = 1/V_p Σ A d |m|²   over free facets
 //
-// v is the vector part of the relative rotation q_i* q_j and S the second moment of the facet about its centroid:
-// 2 v · H v is exactly (2 G / L) tr((1 - R_iᵀ R_j) S), the energy of a facet whose points open differently, and
-// ½ ρ · H ρ for a small rotation ρ. λ_p is λ with the openings of free facets eliminated, at which their traction
-// vanishes. `bondem/interactions/cells/cell_constants.py` computes the constants once.
+// v is the vector part of the relative rotation q_i* q_j and S the second moment of the facet about its centroid.
+// 2 v · H v is exactly (2 G / L) tr((1 - R_iᵀ R_j) S), the energy of a facet whose points open differently, and ½ ρ ·
+// H ρ for a small rotation ρ. λ_p is smaller than λ because free facets open until their traction vanishes.
+// `bondem/interactions/cells/cell_constants.py` computes the constants once.
 //
 // With the stress σ = λ_p θ_p of a cell and g = σ R s, the loads on both cells, minus the gradient of U, are
 //
@@ -31,13 +31,13 @@
 //
 // where δ × g comes from normals that turn with their cells. Cells need two passes: dilatation, then forces.
 //
-// Signs: tension positive. `BeamLoads` has the force on j, as beams do; its opposite acts on i.
+// Signs: tension is positive. `BeamLoads` has the force on j, as beams do, and its opposite acts on i.
 //
 // U does not change under rigid motion, has no square root and no history, and is positive for -1 < ν < ½. Facets
-// alone are the lattice of Bolander and Saito (1998), whose ν is 0; with m = n the law is that of Mariotti (2007) and
+// alone are the lattice of Bolander and Saito (1998), whose ν is 0. With m = n the law is that of Mariotti (2007) and
 // of Monasse and Mariotti (2012).
 //
-// Limits: relative rotations stay moderate, as for beams (`laws/beam.hpp`); θ is linear in δ, so strains stay small.
+// Limits: relative rotations stay moderate, as for beams (`laws/beam.hpp`). θ is linear in δ, so strains stay small.
 #pragma once
 #include "../symmetric3.hpp"
 #include "ends.hpp"

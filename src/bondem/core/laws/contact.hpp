@@ -1,18 +1,18 @@
 // Contact of two bodies: a spring and a dashpot along the normal, both again in the tangential plane, and friction.
 //
-//     F_n = max(F(u) + ½ ks'(u) ξ² + cn u', 0)        |F_t| <= μ F_n,   F_t = ks ξ + cs ξ' while it sticks
+//     F_n = max(F(u) + ½ ks'(u) ξ² + cn du/dt, 0)        |F_t| <= μ F_n,   F_t = ks ξ + cs dξ/dt while it sticks
 //
-// u is the overlap and ξ the stretch of the tangential spring. The spring turns with the pair, and slides where
-// Coulomb's limit is reached. F(u) and ks are those of a law (`linear_contact.hpp`, `hertz_mindlin.hpp`); the
-// dashpots have shares β of the critical damping of both masses,
+// u is the overlap, ξ the stretch of the tangential spring, and ks' = dks/du. The spring turns with the pair, and
+// slides where Coulomb's limit with the friction μ is reached. A law gives F(u) and ks (`linear_contact.hpp`,
+// `hertz_mindlin.hpp`). The dashpots have the share β of the critical damping, with m the masses of both bodies:
 //
 //     cn = 2 β √(kn m̄)      cs = 2 β √(ks m̄)      kn = dF/du,   1/m̄ = 1/m_i + 1/m_j
 //
-// Energy: U = ∫ F du + ½ ks ξ². Where ks depends on the overlap, forces are the gradient of U: a contact that does
-// not slide stores all work, and returns to its place after any cycle of load
-// (docs/decisions/0053-tangential-potential-and-rolling.md). Work on the spring that it does not store is friction.
-// Losses follow from the trapezoidal rule, of second order like the step. At the limit of friction F_t = μ F_n and
-// F_n = N + F_t² h, h = ks' / 2 ks², so that
+// Energy: U = ∫ F du + ½ ks ξ². Forces are the gradient of U also where ks depends on the overlap. A contact that
+// does not slide therefore stores all work, and returns to its place after any cycle of load
+// (docs/decisions/0053-tangential-potential-and-rolling.md). Work on the tangential spring that it does not store is
+// friction. Losses follow from the trapezoidal rule, of second order like the step. F_n depends on F_t = ks ξ by
+// F_n = N + F_t² h, with h = ks' / 2 ks² and N the part without ξ. At the limit F_t = μ F_n therefore
 //
 //     F_t = 2 μ N / (1 + √(1 - 4 μ² N h))
 //

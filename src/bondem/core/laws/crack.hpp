@@ -1,10 +1,11 @@
 // A cracked facet: two halves in series with springs for the lost stiffness, and friction where the crack is closed.
 //
-// Half p of a facet of stiffness k has the part w_p of its compliance, so its own stiffness is k / w_p. A crack has
-// an orthonormal frame e_1, e_2, e_3 that turns with cell i; e_1 is its normal. Along e_d half p keeps the share s⁺_d
-// of a force that pulls and s⁻_d of one that presses. Springs s / (1 - s) k / w_p in series with it represent the
-// loss; their opening u_p is eliminated. D is the gap of the two faces, ξ their slip, σ_p = λ θ the stress of cell p,
-// and g_p the vector of the facet in V_p θ_p = Σ g_p·D of an intact cell (R_p s_p in `cell.hpp`). With δ = D - ξ,
+// A facet of stiffness k has a half in each cell p. The half has the part w_p of the compliance, so its own stiffness
+// is k / w_p. A crack has an orthonormal frame e_1, e_2, e_3 that turns with cell i, with e_1 as its normal. Along
+// e_d half p keeps the share s⁺_d of a force that pulls, and s⁻_d of one that presses. With s one of these shares,
+// springs s / (1 - s) k / w_p in series with the half represent the loss. Their opening u_p is eliminated. D is the
+// gap of the two faces, ξ their slip, and σ_p = λ θ the stress of cell p. g_p is the vector of the facet in V_p θ_p =
+// Σ g_p·D of an intact cell (R_p s_p in `cell.hpp`). With δ = D - ξ, and ⟨x⟩ = x where positive, else 0,
 //
 //     F_p = k δ + σ_p g_p / w_p                                                force of the intact half
 //     L_p = Σ_d [(1 - s⁺_d) ⟨F_p·e_d⟩ + (1 - s⁻_d) min(F_p·e_d, 0)] e_d        lost part of this force
@@ -19,11 +20,11 @@
 // e_1 = n and a single integrity: s_1 = γ = s and s_2 = s_3 = 1. Such a facet loses all but the pressure across it.
 //
 // Friction q = (1 - γ) k (D - ξ)_t, with the part t normal to e_1, acts on the broken part of such a facet, and on a
-// crack of the material once γ = 0. There δ = D - (ξ·e_1) e_1: q has the slip along the crack. |q| is at most
-// μ (1 - γ) Σ w_p ⟨-F_p·e_1⟩, so that an open crack has no friction (Alfano and Sacco 2006).
+// crack of the material once γ = 0. With this friction, δ is D - (ξ·e_1) e_1, and q has the slip along the crack. |q|
+// is at most μ (1 - γ) Σ w_p ⟨-F_p·e_1⟩, so that an open crack has no friction (Alfano and Sacco 2006).
 //
-// Energy U: halves store ½ k / w |w δ - u|², their springs ½ s (1 - s) w (F·e_d)² / k for s⁺ or s⁻, friction
-// ½ |q|² / (1 - γ) k, and bending s 2 v·H v with v the vector part of q_i* q_j and s the least of s_1, s_2, s_3.
+// Energy U: halves store ½ k / w |w δ - u|², and their springs ½ s (1 - s) w (F·e_d)² / k for s⁺ or s⁻. Friction
+// stores ½ |q|² / (1 - γ) k, and bending s 2 v·H v as in `cell.hpp`, with s the least of s_1, s_2, s_3.
 //
 // Signs: f acts on cell i, -f on j; D is from i to j, so tension is positive. The couple of the frame that turns with
 // cell i follows from the balance of angular momentum: all torques and D × f together are zero.

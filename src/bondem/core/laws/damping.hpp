@@ -1,12 +1,13 @@
 // Damping of the motion of elements, and of the bonds between them.
 //
-// Local damping reduces each component of force and torque against the motion, F - γ |F| sign(v) (Chen et al. 2022,
-// eqs (11) and (12), where F U / U is printed for F): it vanishes in equilibrium.
+// Local damping adds -γ |F| sign(v) to each component F of force and torque, with v the component of the velocity
+// (Chen et al. 2022, eqs (11) and (12), which print F U / U in place of F). This opposes the motion, and vanishes in
+// equilibrium.
 //
 // A bond has a dashpot parallel to each of its springs, against the relative motion of its ends at the contact point.
-// The levers of this point add up to the present distance, so that there is no net moment, and no force in rigid
-// motion. Each dashpot follows from the stiffness of its own spring, by eqs (9) and (10) of Chen et al. (2022).
-// Tension positive; the force acts on j, and its opposite on i.
+// The distances of this point from the centres add up to the present length, so that there is no net moment, and no
+// force in rigid motion. Each dashpot follows from the stiffness of its own spring, by eqs (9) and (10) of Chen et
+// al. (2022). Tension is positive. The force acts on j, and its opposite on i.
 #pragma once
 #include "beam.hpp"
 

@@ -1,4 +1,4 @@
-// Poses of two elements relative to the bond or facet between them.
+// Poses of the two elements of a bond or facet, and the force, torques and energy of the bond or facet.
 #pragma once
 #include "rotations.hpp"
 

@@ -1,14 +1,16 @@
-// Contact of two faces of cells that no facet joins: a spring along their mean normal, proportional to their overlap.
+// Contact of two faces a and b of cells that no facet joins: a spring along their mean normal.
 //
 //     u = ½ g·(n_b - n_a)      A_ab = w A_0 (1 - g²/R²)²      A_0 = 2 A_a A_b / (A_a + A_b),  R² = 3 (A_a + A_b) / 2π
 //
-// with g from the centroid of face a to that of face b, n their outward normals, and w the weight of the pair.
-// Faces whose centroids are further apart than R do not overlap. The integral of the area over all lateral places is
-// A_a A_b, as for the true polygons: two sets of faces that each cover a plane have the area of the plane on average.
+// u is the overlap, g the vector from the centroid of face a to that of face b, n an outward normal, A the area of a
+// face, and w the weight of the pair. Faces whose centroids are further apart than R do not overlap. The integral of
+// A_ab over all lateral positions is A_a A_b for w = 1, as for the true polygons: two sets of faces that each cover a
+// plane have the area of the plane on average.
 //
-// Energy: U = ½ κ A_ab (u - u0)², κ = 2 κ_a κ_b / (κ_a + κ_b) with κ = k / A of the facets, and u0 the overlap with
-// which the contact began. Forces and torques are its exact gradient: F (n_a - n_b) / 2 along the normals, and
-// 4 U (1 - g²/R²)⁻¹ g / R² where faces slide out of each other; they have neither a net force nor a net moment.
+// Energy: U = ½ κ A_ab (u - u0)², with u0 the overlap at which the contact began, and κ = 2 κ_a κ_b / (κ_a + κ_b)
+// from the stiffnesses per area of the facets of both faces. Forces and torques are its exact gradient:
+// F (n_a - n_b) / 2 along the normals, with F = κ A_ab (u - u0), and 4 U (1 - g²/R²)⁻¹ g / R² where faces slide out
+// of each other. They have neither a net force nor a net moment.
 //
 // Signs: forces act on cell b. Limits: faces are assumed to be compact, and rotations within a step to be small.
 #pragma once

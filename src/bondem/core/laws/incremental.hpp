@@ -1,29 +1,30 @@
 // A beam of the incremental formulation: rates of force and moment, integrated step by step, and stored per bond.
 //
-// With v the velocity of j against i at the contact point, ω the angular velocity of j against i, n the unit branch
-// from i to j, and Ω the spin of the bond (that of its branch, and about it the mean of both elements),
+// With v the velocity of j against i at the contact point, ω the angular velocity of j against i, n the unit vector
+// from i to j, and Ω the spin of the bond (that of n, and about n the mean of both elements),
 //
 //     F' = Ω × F + kn (v·n) n + ks (v - (v·n) n)
 //     M' = Ω × M + kt (ω·n) n + kb (ω - (ω·n) n)
 //
-// F acts on i at the contact point and -F on j, M on i and -M on j; tension positive. The contact point is at the
-// lever a from i at rest, and both halves of the bond share a gain in length, so that
+// F acts on i at the contact point and -F on j, M on i and -M on j. Tension is positive. The contact point is at the
+// distance a from i at rest, where the length is L, and at a' at the present length ℓ:
 //
 //     torque on i = a' n × F + M      torque on j = (ℓ - a') n × F - M      a' = a + (ℓ - L) / 2
 //
-// The stiffnesses are those of the beams (`beam.hpp`). Plasticity and rate laws need this formulation.
+// The normal, shear, bending and twisting stiffnesses kn, ks, kb and kt are those of the beams (`beam.hpp`).
+// Plasticity and rate laws need this formulation.
 //
-// The papers do not say at which instant of a step the rates are taken. Here it is the middle, the instant of the
-// velocities: half of the rate is added, the stored vector is turned by the Cayley transform of Ω dt, which keeps its
-// length (Hughes and Winget 1980), and the other half is added. A rigid turn then leaves a stored force as it was, to
-// second order in the step. A step of 0 changes nothing.
+// The sources do not say at which instant of a step the rates are taken. Here it is the middle, the instant of the
+// velocities. Half of the rate is added, the stored vector is turned by the Cayley transform of Ω dt, which keeps its
+// length (Hughes and Winget 1980), and the other half is added. In a rigid rotation a stored vector then turns with
+// the bond, to second order in the step. A step of duration 0 changes nothing.
 //
 // Energy: the stored vectors over their stiffnesses,
 //
 //     U = ½ (F·n)² / kn + ½ (F² - (F·n)²) / ks + ½ (M·n)² / kt + ½ (M² - (M·n)²) / kb
 //
 // Limits: rotations do not commute. A closed cycle of bending and twisting leaves a force of second order in the
-// angle, at any step; the total formulation leaves none.
+// angle, for any size of the step. Beams of `beam.hpp` leave none.
 //
 // Sources: Chen et al. (2022), eqs (1), (5) to (7), Tables 1, 2 and 8; Hughes and Winget (1980), Int. J. Numer. Meth.
 // Engng 15, 1862-1867.

@@ -1,11 +1,11 @@
-// Linear contact: a spring whose stiffness follows from an effective modulus, like that of a bond.
+// Linear contact: a spring whose stiffness follows from an effective modulus E, like that of a bond.
 //
 //     F = kn u,   kn = E A / L        two spheres: A = π min(R_i, R_j)²,  L = R_i + R_j
 //                                     at a rigid wall: A = π R²,  L = R
 //
-// Energy: ½ kn u². A pair whose bond is broken has the stiffness of that bond, and is linear with every law
-// (docs/decisions/0020-contact-after-breakage.md). Limits: overlaps up to half of the smaller radius. Source: Cundall
-// and Strack (1979); Potyondy and Cundall (2004) for the modulus.
+// with the overlap u and the radii R. Energy: ½ kn u². A pair whose bond is broken has the stiffness of that bond,
+// and is linear with every law (docs/decisions/0020-contact-after-breakage.md). Limits: overlaps up to half of the
+// smaller radius. Sources: Cundall and Strack (1979), and Potyondy and Cundall (2004) for the modulus.
 #pragma once
 #include "contact.hpp"
 

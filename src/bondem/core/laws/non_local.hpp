@@ -8,22 +8,22 @@
 //     F = kn δ_n n + kt δ_t + e                                             eqs (2), (3), (6)
 //     e = A ν (tr σ - n·σ n) n + t - kt δ_t⁻      t = A (σ n - (n·σ n) n)
 //
-// where δ_t⁻ is the tangential gap when σ was found. Without rotation δ_t / L is half of the engineering shear
-// strain, so that kt δ_t alone is half of the shear force A τ. With e, F_t differs from A τ only by kt (δ_t - δ_t⁻),
-// its change in one step. F acts on i, and -F on j, both at the middle of the gap, so that they make no moment
-// together. The stress of an element of volume V is the symmetric part of the sum
+// where δ_t⁻ is the tangential gap at the time of σ. Without rotation δ_t / L is half of the engineering shear
+// strain, so that kt δ_t alone is half of the shear force A τ. With e, the tangential part of F differs from A τ only
+// by kt (δ_t - δ_t⁻), its change in one step. F acts on i, and -F on j, both at the middle of the gap, so that they
+// make no moment together. The stress of an element of volume V is the symmetric part of the sum over its bonds
 //
 //     σ = (1/V) Σ b ⊗ F                                                     eq (1)
 //
-// n is the normal of the reference, turned with both elements and averaged. A bond stores δ and e in the frame of its
-// element i, an element its stress in its own frame: neither changes when all turns together.
+// n is the mean of the normals of the reference that turn with i and with j. A bond stores δ and e in the frame of
+// its element i, and an element stores its stress in its own frame. A rotation of the whole body changes neither.
 //
-// Energy: ½ kn δ_n² + ½ kt δ_t² in the springs. The law has no potential: the work of e is an entry of its own in the
+// Energy: ½ kn δ_n² + ½ kt δ_t² in the springs. The law has no potential. The work of e is an entry of its own in the
 // energy balance, by the trapezoidal rule in the frame of i.
 //
-// Limits: the stress lags a step behind, which adds energy where nothing damps; ω_max of the springs is no bound for
-// the time step. With `limited`, the length of t - kt δ_t⁻ is at most |t|. The text of the paper does not print a
-// limiter, but without it only the lag of the stress resists the rotation of an element.
+// Limits: the stress lags a step behind, which adds energy without damping. The highest frequency of the springs is
+// no bound for the time step. With `limited`, the length of t - kt δ_t⁻ is at most |t|. The text of the paper does
+// not print a limiter, but without it only the lag of the stress resists the rotation of an element.
 #pragma once
 #include "stress.hpp"
 

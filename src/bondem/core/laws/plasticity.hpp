@@ -1,33 +1,32 @@
-// Cells that yield under their mean stress, with a cohesion that falls with slip, and constant friction.
+// Cells that yield under their mean stress, with a cohesion that falls with plastic slip, and constant friction.
 //
-// Mohr and Coulomb, with σ_1 and σ_3 the largest and least principal stress and V the volume of the cell:
+// The yield function F by Mohr and Coulomb has the largest and the least principal stress σ_1 and σ_3, the cohesion
+// c, the angle of friction φ and that of dilatancy ψ. Δε is the plastic strain of a step, Δγ its slip, r the share of
+// the cohesion that is left, and ⟨x⟩ is x where positive, else 0:
 //
 //     F = ½ (σ_1 - σ_3) + ½ (σ_1 + σ_3) sin φ - r c cos φ       Δε = ½ Δγ [(1 + sin ψ) e_1⊗e_1 - (1 - sin ψ) e_3⊗e_3]
 //     H = G + (λ + G) sin φ sin ψ                               r = ⟨1 - γ B c / 2 G_II⟩
 //
-// Drucker and Prager, for a mean stress that is compressive, with the deviator s, and k in place of c in r:
+// By Drucker and Prager, for a mean stress that is compressive, with the deviator s, and k in place of c in r:
 //
 //     F = √J2 + α I1 - r k        H = G + 9 K α β               Δε = Δγ [s / 2 √J2 + β 1]
 //
 // so that in pure shear τ both dissipate τ Δγ, and F falls by H Δγ if all cells slip by Δγ at constant total strain.
-// γ is the mean slip of the cells at a distance of about B/2, with the width B of a shear band
-// (`damage/shear_bands.py`). A band that slips by s and is thinner than B/2 has γ = s / B for any profile, and
-// dissipates G_II per area.
+// G, λ and K are the elastic constants. γ is the mean slip of the cells at a distance of about B/2, with the width B
+// of a shear band (`damage/shear_bands.py`). If the faces of a band thinner than B/2 are displaced by u, γ is u / B
+// for any profile of the band, and the band dissipates the fracture energy G_II per area.
 //
 // The slip of step n follows from values of F after the previous steps:
 //
 //     H Δγ_n = H Δγ_(n-1) + (1 - z²) (F_n - F_(n-1)) + (1 - z)² F_n,      z = 0.8
 //
-// With F_(n+1) = F_n + H (S - Δγ_n) for strains that raise F by H S per step, F tends to zero as n z^n. A slip of x
-// F_n / H would instead leave a lag of F = H S / x. For an elastic mode with ω Δt = Ω whose stress is that of its
-// cells, the characteristic polynomial is (x - 1)² + Ω² x + (1 - z²) (x - 1) + (1 - z)² x, and |x| ≤ 1 while
-// Ω ≤ 1 + z. So z = 2·0.9 - 1 is stable in every mode at 0.9 of the critical step. The fastest modes move cells
-// against each other, and have less stress in cells than on facets.
+// For strains that raise F by a constant amount per step, F then tends to zero as n z^n, without a lag. Elastic modes
+// are stable at 0.9 of the critical time step, because z = 2·0.9 - 1 (docs/decisions/0048-shear-bands.md).
 //
 // The plastic strain is an eigenstrain of the cell: its levers are P b with P ← (1 + Δε) P in the frame of the cell.
-// So the dissipation is exactly V σ:Δε, also at large strain.
+// The dissipation is therefore exactly V σ:Δε, also at large strain, with V the volume of the cell.
 //
-// Signs: tension positive. Limits: a cell without cohesion under tension does not flow, its facets crack.
+// Signs: tension is positive. Limits: a cell without cohesion under tension does not flow, its facets crack.
 #pragma once
 #include "principal.hpp"
 

@@ -1,11 +1,11 @@
-// Principal stresses and their directions, by Jacobi's rotations. Tension positive.
+// Principal stresses and their directions, by Jacobi's rotations. Tension is positive.
 //
-// A rotation in the plane of the axes p and q clears the component pq: with d = ½ (σ_qq - σ_pp),
+// A rotation in the plane of the axes p and q makes the component σ_pq zero: with d = ½ (σ_qq - σ_pp),
 //
 //     t = tan = ± σ_pq / (|d| + √(d² + σ_pq²)), the sign that of d      σ_pp ← σ_pp - t σ_pq,   σ_qq ← σ_qq + t σ_pq
 //
 // Sweeps over the three planes converge quadratically. After the third sweep only rounding errors remain. A component
-// below rounding is not cleared: a stress that has converged does not change while stresses in other lanes continue.
+// below rounding is not changed, so that the result for a stress does not depend on those in other SIMD lanes.
 //
 // Source: Golub and Van Loan, Matrix Computations, 4th ed., section 8.5.
 #pragma once

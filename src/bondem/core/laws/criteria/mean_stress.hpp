@@ -2,7 +2,7 @@
 //
 //     (σ1 + σ2 + σ3) / 3 ≥ f
 //
-// Tension positive. A bar fails at three times this stress. One parameter: f.
+// Tension is positive. A bar in uniaxial tension fails at the stress 3 f. The only parameter is f.
 #pragma once
 #include "../stress.hpp"
 

@@ -1,12 +1,12 @@
-// Criteria on the largest and the least principal stress, σ1 ≥ σ3, tension positive:
+// Criteria on the largest and the least principal stress σ1 and σ3. Tension is positive. A bond fails if
 //
 //     max(a σ1, b σ1 - c σ3) ≥ 1
 //
 // Rankine has only a = 1 / f_t, with the tensile strength f_t. Mohr and Coulomb have b, c = (1 ± sin φ) / (2 C cos φ)
-// with the cohesion C and the angle of friction φ. Index and mode are those of the larger part: tension or shear.
+// with the cohesion C and the angle of friction φ. The larger term determines the mode of failure: tension or shear.
 //
-// Bonds of the non-local law fail by the mean stress of their two elements: Celigueta et al. (2020), eqs (5),
-// (8) and (9).
+// Bonds of the non-local law fail by the mean stress of their two elements: Celigueta et al. (2020), eqs (5), (8) and
+// (9).
 #pragma once
 #include "loads.hpp"
 
