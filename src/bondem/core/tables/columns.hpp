@@ -1,4 +1,4 @@
-// Numbers that the core and Python share: sizes of portions, columns of rows, and kinds.
+// Constants that the core and Python share: sizes of portions of work, columns of tables, and enumerations.
 // `python -m tests.core.tables` writes them into `bondem/_tables/columns.py`.
 #pragma once
 #include "../scalars.hpp"

@@ -1,4 +1,4 @@
-// Tables of passes over an index on a device, in addition to those of a step.
+// Tables of passes that run on a device (GPU), in addition to those of a step.
 #pragma once
 #include "contact_tables.hpp"
 #include "step_tables.hpp"

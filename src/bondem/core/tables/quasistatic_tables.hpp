@@ -1,4 +1,4 @@
-// Tables of quasi-static loading: facets of any integrity in small motions, and their equilibrium.
+// Tables of quasi-static loading: facets of any integrity in small motions, and the search for their equilibrium.
 #pragma once
 #include "../array.hpp"
 

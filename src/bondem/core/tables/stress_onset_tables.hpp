@@ -1,4 +1,4 @@
-// Tables of passes over facets that begin to crack: by a function of stress in a step, and at proportional loads.
+// Tables of facets that begin to crack: by a function of the stress in a step, and under proportional loads.
 #pragma once
 #include "crack_tables.hpp"
 #include "damage_tables.hpp"

@@ -1,4 +1,4 @@
-// Sums V θ and stresses of cells, for passes of a step and for given poses.
+// Volume changes V θ of cells, summed over their facets, and stresses of the cells, in a step and in given poses.
 #pragma once
 #include "facets.hpp"
 

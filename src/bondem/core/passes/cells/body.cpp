@@ -1,4 +1,4 @@
-// Passes over a body of cells in given poses: its forces, its energies, and the places of its walls.
+// Functions of a body of cells in given poses: forces, stiffness, energies, and displacements of walls.
 #include "../../registered.hpp"
 #include "../../tables/cell_tables.hpp"
 #include "../../tables/step_tables.hpp"

@@ -1,4 +1,4 @@
-// Passes over cells and their facets that several source files or a device use.
+// Passes over cells and their facets that are called by several source files or run on a device (GPU).
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/cell_tables.hpp"

@@ -1,4 +1,4 @@
-// Counts and energies of facets and cells for the guard and the history.
+// Passes that sum the energies of facets and cells for the history, and check the rotations of facets.
 #include "cell_passes.hpp"
 
 #include "../../registered.hpp"

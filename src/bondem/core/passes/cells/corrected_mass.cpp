@@ -1,4 +1,4 @@
-// Passes of the dispersion-corrected mass, after the loads of the elements are summed and before the elements move.
+// Passes of the dispersion-corrected mass (`dilatation_rates.hpp`), between the sums of loads and the motion.
 #include "../../ledger.hpp"
 #include "../../registered.hpp"
 #include "cell_passes.hpp"

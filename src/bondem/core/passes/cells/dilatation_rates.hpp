@@ -1,15 +1,16 @@
-// Rates of the dilatation, and the mass matrix with which short waves of pressure keep their speed.
+// Rates of the dilatation θ, and the mass matrix with which short waves of pressure keep their speed.
 //
-// Facets sample a sine over the distance of two centres, and the dilatation of a cell is a central difference, so
-// that waves of pressure of wave number k are too slow:
+// With the mass matrix M, waves of pressure are too slow at second order in their wave number. The matrix M' corrects
+// this, with a factor β (`interactions/cells/corrected_mass.py`), the density ρ and the volumes V:
 //
-//     ω² ρ / k² = 2 G (1 - k² L̄² / 20) + λ (1 - k² L̄² / 5)
+//     M' = M - Θᵀ (ρ V β) Θ        θ = Θ u for a small displacement u from the present pose
 //
-// The mass M' = M - Θᵀ (ρ V β) Θ has the same deficit, with θ = Θ u in the present pose. Explicitly
+// An explicit step uses, under the loads F,
 //
 //     a = M⁻¹ (F + Θᵀ ρ V β Θ M⁻¹ F)
 //
-// which differs from M'⁻¹ F at fourth order in k. Momentum is conserved, because the columns of Θᵀ sum to zero.
+// which differs from M'⁻¹ F at fourth order in the wave number. Momentum is conserved, because the columns of Θᵀ sum
+// to zero.
 #pragma once
 #include "walls.hpp"
 

@@ -1,4 +1,4 @@
-// The second of two passes over facets: forces and torques, by the stresses that the first pass has found.
+// The second of two passes over facets in a step: forces and torques, by the stresses from `dilatation.cpp`.
 #include "../../registered.hpp"
 #include "../../tables/cell_tables.hpp"
 #include "facets.hpp"

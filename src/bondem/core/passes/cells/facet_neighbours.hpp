@@ -1,4 +1,4 @@
-// Facets, walls and neighbours of one cell, and the reasons for which a failure postpones the motion of the cell.
+// Facets, walls and neighbours of one cell, and the reasons for which its motion is postponed after a failure.
 #pragma once
 #include "../damage/pipeline.hpp"
 #include "facets.hpp"

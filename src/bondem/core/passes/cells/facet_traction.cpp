@@ -1,7 +1,8 @@
-// Tractions on free facets, and their effect on the dilatation of cells.
+// Tractions on free facets, and their effect on the dilatation θ of cells.
 //
-// A traction t opens the half facet of its cell, and thereby adds A d t · m / 2G to V θ. Under constant loads
-// ½ V λ θ² of the cells is the potential; a load that changes does the work σ d(V θ) on it.
+// A traction t on a free facet adds A m · (d t / 2G) to V θ of its cell, with the symbols of `laws/cell.hpp`. With
+// this θ, Σ ½ V λ θ² over cells is the potential of dilatation and constant tractions. A traction that changes does
+// the work σ d(V θ), with σ = λ θ the stress of the cell.
 #include "../../registered.hpp"
 #include "../../tables/cell_tables.hpp"
 #include "../boundary/timeline.hpp"

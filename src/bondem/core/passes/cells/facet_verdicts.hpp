@@ -1,4 +1,4 @@
-// Loads of one facet at the stresses in the poses, and the index of a criterion.
+// Loads of one facet at the stresses in the poses, and the index of a failure criterion, which reaches 1 at failure.
 #pragma once
 #include "../../laws/criteria/bond_criteria.hpp"
 #include "../damage/pipeline.hpp"

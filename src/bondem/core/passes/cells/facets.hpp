@@ -1,4 +1,4 @@
-// Access of passes to the facets of a table: to one facet, or to as many as there are lanes.
+// Access of passes to the facets of a table, for one facet or for one facet per SIMD lane.
 #pragma once
 #include "../../laws/cell.hpp"
 #include "../../select.hpp"

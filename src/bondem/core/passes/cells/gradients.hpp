@@ -1,4 +1,4 @@
-// Gradients of the dilatation at one cell, for passes of a step and for given poses.
+// Gradients of the dilatation at one cell, in a step and in given poses, with the symbols of `laws/cell.hpp`.
 //
 // Springs with a constant c between neighbouring cells p and q store ½ c (σ_p - σ_q)² with σ = λ_p θ_p. These springs
 // change the stress of a cell to
@@ -6,9 +6,9 @@
 //     σ_p + λ_p / V_p Σ c (σ_p - σ_q)
 //
 // A layer one cell thick, of normal n, resists bending. A cell in it has the curvature V χ = Σ 2 v · (n × s), summed
-// over its facets within the layer with their shares s, and the energy U = ½ J λ_p χ². w and v are the scalar and the
-// vector part of the rotation of the neighbour relative to the cell. With τ = J λ_p χ / V, and m = Σ τ n × s of both
-// cells of a facet, the torque on cell p is
+// over its facets within the layer, and the energy U = ½ J λ_p χ², with J its second moment along n. w and v are the
+// scalar and the vector part of the rotation of the neighbour relative to the cell. With τ = J λ_p χ / V, and
+// m = Σ τ n × s of both cells of a facet, the torque on cell p is
 //
 //     R_p (w m + v × m)
 //

@@ -1,4 +1,4 @@
-// Observations of cells in given poses: vectors that turn with cells, and moments of forces on cells.
+// Functions for observations of cells in given poses: rotated vectors, and moments of forces on cells.
 #include "../../laws/rotations.hpp"
 #include "../../registered.hpp"
 #include "../../symmetric3.hpp"

@@ -1,4 +1,4 @@
-// Work of tractions on the free facets of one cell.
+// Work of tractions on the free facets of one cell, by the dilatation of the cell.
 #pragma once
 #include "../../tables/step_tables.hpp"
 #include "facets.hpp"

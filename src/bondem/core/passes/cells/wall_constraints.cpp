@@ -1,4 +1,4 @@
-// Walls that fix or support facets in a step: their places, dilatation, forces and work (`walls.hpp`).
+// Passes over facets that a wall fixes or supports: places of the walls, dilatation, forces and work (`walls.hpp`).
 #include "../../registered.hpp"
 #include "../../tables/cell_tables.hpp"
 #include "walls.hpp"

@@ -1,15 +1,16 @@
 // A facet that a wall fixes or supports. Such a wall does not rotate, so that a gap is measured along fixed axes:
-// with the lever b of the facet and u the displacement of its centroid,
 //
 //     δ = P (wall - u)      V θ += s · δ      U = ½ k |δ|² + 2 v · H v
 //     u = x + R b - its place in the reference
 //
-// A wall with friction μ fixes a facet along its face while |f_t| ≤ μ N, with the pressure N. Beyond, the facet
-// slides: the wall moves with it until f_t is μ N, and the work ½ (f before + f after) · slip is lost to friction.
+// `wall` is the displacement of the wall, u that of the centroid of the facet, P projects on the fixed axes, and x,
+// R, b, s, k, H and v are as in `laws/cell.hpp`, for the half of the facet in its cell: k = 2 G A / d, and v is the
+// vector part of q q₀*, the rotation of the cell since the wall began to fix it. A wall that begins to fix a moved
+// face starts at the place of the face: `base` contains the displacement there, and q₀.
 //
-// P projects on the fixed axes, k = 2 G A / d is the stiffness of the half facet of the cell, and v the vector part
-// of q q₀*, the rotation of the cell since the wall began to fix it. A wall that begins to fix a moved face starts at
-// the place of the face: `base` contains the displacement there, and q₀.
+// A wall with friction μ fixes a facet along its face while |f_t| ≤ μ N, with the shear force f_t and the compressive
+// force N. Beyond this limit the facet slides: the wall moves with it until f_t is μ N, and the work
+// ½ (f before + f after) · slip is lost to friction.
 #pragma once
 #include "../boundary/timeline.hpp"
 #include "facets.hpp"

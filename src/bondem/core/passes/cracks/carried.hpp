@@ -1,5 +1,5 @@
-// Sum Σ b⊗f over the active cracks of a cell, with the lever b in the frame of the cell and the force f along fixed
-// axes.
+// Sum Σ b⊗f over the active cracks of a cell (`crack_states.cpp`), for its stress. The lever b from the centre of the
+// cell to the crack is given in the frame of the cell, and the force f along fixed axes.
 #pragma once
 #include "single_cracks.hpp"
 

@@ -1,5 +1,5 @@
-// Access to the rows of cracks: `OneCrack` reads and writes one crack in numbers, `CrackGroup` as many cracks of a
-// list as there are lanes. Functions on cracks, such as those of `crack_places.hpp`, are templates for both.
+// Access to the rows of cracks: `OneCrack` reads and writes one crack, `CrackGroup` as many cracks of a list as a
+// vector register has lanes. Functions on cracks, such as those of `crack_places.hpp`, are templates for both.
 #pragma once
 #include "../../exact_sum.hpp"
 #include "../../threads.hpp"

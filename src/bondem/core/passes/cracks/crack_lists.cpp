@@ -2,7 +2,7 @@
 //
 // Unbroken cracks precede broken ones, each in the order of their facets: consecutive facets are near each other, and
 // so are their data. The halves of a cell are linked from the last facet to the first. Contributions to a cell are
-// added in this order, which does not depend on the lists: a pause of a run, which renews them, changes no bit.
+// added in this order, so that no bit depends on when a list is made.
 #include "crack_passes.hpp"
 
 #include "../../registered.hpp"

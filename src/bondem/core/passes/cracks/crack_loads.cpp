@@ -1,4 +1,4 @@
-// Forces, torques and dissipation of cracks, and their sums on cells.
+// Passes for forces, torques and dissipation of active cracks, their sums on cells, and events of breaking.
 #include "crack_passes.hpp"
 
 #include "../../ledger.hpp"

@@ -1,5 +1,5 @@
-// Rows of the tables of cracks. A row is one cache line, because a pass reads a few numbers of each of many cracks.
-// Levers, shares and H are stored in four bytes each, in which they are exact.
+// Rows of the tables of cracks, each one cache line, because a pass reads a few numbers of each of many cracks.
+// Levers, shares and H (`laws/cell.hpp`) have four bytes per number, in which they are exact.
 #pragma once
 #include "../../laws/crack.hpp"
 #include "../../laws/softening.hpp"

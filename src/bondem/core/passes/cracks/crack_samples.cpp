@@ -1,4 +1,4 @@
-// Laws of cracks and yielding over arrays: each sample by itself, or as many at once as there are lanes.
+// Laws of cracks and of yielding cells, evaluated for arrays of samples that do not depend on each other.
 #include "../../laws/crack.hpp"
 #include "../../laws/plasticity.hpp"
 #include "../../laws/softening.hpp"

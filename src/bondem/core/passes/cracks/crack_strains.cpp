@@ -1,4 +1,4 @@
-// Stress-free strains at cracks: ∂U/∂ε* = f · (R_j b_j - R_i b_i) with the force f of the crack, as for other facets.
+// Passes that sum the derivatives of the energy by stress-free strains at active cracks (`strained_cracks.hpp`).
 #include "../../registered.hpp"
 #include "../../tables/cell_tables.hpp"
 #include "../../tables/crack_tables.hpp"

@@ -1,4 +1,4 @@
-// Forces, torques and dissipation of cracks: of one crack, or of as many as there are lanes.
+// Forces, torques and dissipation of cracks, for one crack or for one crack per SIMD lane.
 #pragma once
 #include "../../ledger.hpp"
 #include "../damage/pipeline.hpp"

@@ -1,4 +1,4 @@
-// Facets that begin to crack (`onset_of_facets.hpp`).
+// Passes that find the facets that begin to crack, and begin their cracks (`onset_of_facets.hpp`).
 #include "../../registered.hpp"
 #include "../../tables/cell_tables.hpp"
 #include "../../tables/crack_tables.hpp"

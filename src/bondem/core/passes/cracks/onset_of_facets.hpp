@@ -1,10 +1,10 @@
-// Condition for facets to begin to crack: they are pulled or sheared, and σ1 of a stress σ* reaches their strength.
+// Conditions for facets to begin to crack. Facets of a material plane begin by their own traction (`plane_begins`).
+// Any other facet has to be in tension or shear, and σ1 of a stress σ* has to reach its strength.
 //
-// σ* is the mean stress σ of both cells made to agree with the traction t of the facet (`laws/agreed_stress.hpp`),
-// with the opening part of bending (`laws/softening.hpp`) added to its normal traction.
-//
-// For most facets a bound is enough: σ1(σ*) is at most (1 + √2) |σ| + √2 (|t| + T_b), with T_b the rms of the
-// tractions by bending.
+// σ* is the mean stress σ of both cells, corrected to agree with the traction t of the facet
+// (`laws/agreed_stress.hpp`). The opening part of bending (`laws/softening.hpp`) is first added to the normal part of
+// t. A bound of σ1 excludes most facets without σ*: (1 + √2) |σ| + √2 (|t| + T_b), with T_b the rms of the tractions
+// by bending.
 #pragma once
 #include "../../laws/agreed_stress.hpp"
 #include "single_cracks.hpp"

@@ -1,4 +1,4 @@
-// Opening of active cracks in a step, and the stresses of their cells (`opening_cracks.hpp`).
+// Passes that find the opening of active cracks, and the stresses of their cells (`opening_cracks.hpp`).
 #include "crack_passes.hpp"
 
 #include "../../registered.hpp"

@@ -1,8 +1,8 @@
-// Faces of cracks, and the stresses of their cells as cracks open or press: of one crack or cell, or of as many as
-// there are lanes.
+// Faces of active cracks, and the stresses of their cells, for one crack or cell or for one per SIMD lane.
 //
-// V θ = Σ g·δ - g·L / k of the halves of a cell (`laws/crack.hpp`), and σ = weight · V θ. Newton's method solves this
-// piecewise linear equation; a step is exact where no half closes or opens on the way.
+// The stress of a cell is σ = weight · V θ, with the weight λ / V. V θ is less where the halves of its cracks lose a
+// part of their force, and this part depends on σ (`laws/crack.hpp`). Newton's method solves the piecewise linear
+// equation for σ. An iteration is exact if no half closes or opens in it.
 #pragma once
 #include "crack_axes.hpp"
 

@@ -1,5 +1,5 @@
-// Transitions of a crack between `active` (evaluated by itself in each step), `resting` (a facet of reduced
-// stiffness) and `parted` (faces apart, no force).
+// Transitions of a crack between `active` (passes over cracks compute its force), `resting` (a facet of reduced
+// stiffness) and `parted` (faces apart, no force). `crack_states.cpp` has the conditions.
 #pragma once
 #include "single_cracks.hpp"
 

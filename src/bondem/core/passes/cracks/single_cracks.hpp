@@ -1,4 +1,4 @@
-// One crack at a time, for rare changes: onset, rest, waking and parting.
+// One crack at a time, for its onset and for changes of its status (`crack_states.cpp`).
 #pragma once
 #include "../damage/integrity.hpp"
 #include "crack_places.hpp"

@@ -1,4 +1,4 @@
-// Softening of active cracks, and waking of resting cracks, for one crack or for as many as there are lanes.
+// Softening of active cracks, and detection of resting cracks that become active (`crack_states.cpp`).
 #pragma once
 #include "resting_cracks.hpp"
 

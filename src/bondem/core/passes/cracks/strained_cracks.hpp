@@ -1,4 +1,4 @@
-// Derivatives ∂U/∂factor of the energy by stress-free strains at a crack.
+// Derivative ∂U/∂factor of the energy by the factor of a stress-free strain, at one crack (`cell_strains.cpp`).
 #pragma once
 #include "../cells/strained_cells.hpp"
 #include "crack_rows.hpp"

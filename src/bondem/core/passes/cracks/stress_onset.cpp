@@ -1,5 +1,5 @@
-// Facets that begin to crack by a function of the stress, on the CPU: a pass lists candidates by portion, and others
-// evaluate those of all portions.
+// Passes that find facets that begin to crack by a function of the stress, on the CPU. A pass over portions (ranges
+// of consecutive facets) writes candidates, and further passes evaluate them together (`stress_onset_of_facets.hpp`).
 #include "../../laws/criteria/cone.hpp"
 #include "../../laws/criteria/mean_stress.hpp"
 #include "../../registered.hpp"

@@ -1,14 +1,14 @@
-// Facets that begin to crack by a function of the stress, such as Drucker and Prager's cone.
+// Facets that begin to crack by a function of the stress, such as the cone of Drucker and Prager.
 //
-// Facets in tension are candidates, by σ* (`laws/agreed_stress.hpp`) with the opening part of bending added to their
-// normal traction. The function evaluates σ* times f_t over that of the facet. For facets that fail it is evaluated
-// once more, with the mean stress of their cells: the largest principal stress over this index is the strength of the
-// direction in which the facet cracks.
+// Facets in tension are candidates. For a candidate the function evaluates a stress σ* (`laws/agreed_stress.hpp`),
+// with the opening part of bending added to the normal traction. σ* is multiplied by the strength without scatter
+// over that of the facet. For facets that fail, the function also evaluates the mean stress of the two cells. The
+// largest principal stress over this index is the strength along the direction in which the facet cracks.
 //
 // Facets of a cell without cracks are evaluated only if the stress of the cell is near to the criterion. The stress
 // is near if it reaches the criterion at a reduced strength, by itself or with an added tension from all sides. This
-// tension allows for the difference between σ* and the stress, and for the bending of facets. For the function of a
-// user only the sizes of the stresses count.
+// tension allows for the difference between σ* and the stress, and for the bending of facets. For a function of the
+// user, the stress is near if its size √(σ:σ) with the added tension is large enough.
 #pragma once
 #include "../../laws/agreed_stress.hpp"
 #include "../../tables/stress_onset_tables.hpp"

@@ -1,8 +1,8 @@
-// Mean stresses of cells, V σ = sym Σ b⊗f, from the forces of the last step on their facets, cracks, walls and loaded
-// free facets; and the cells whose facets are evaluated by these stresses.
+// Mean stresses σ of cells of volume V, V σ = sym Σ b⊗f, by the forces f of the last step on facets, cracks, walls
+// and loaded free facets, at levers b from the centre; and the cells whose facets are evaluated by these stresses.
 //
-// For facets, the levers b and forces f are those of the same instant along fixed axes. For cracks, the levers are
-// those of the reference and turn with the cell: R Σ b⊗f with its rotation R is the sum along fixed axes.
+// For facets, b and f are those of the same instant along fixed axes. For cracks, the levers b are in the frame of
+// the cell, and R Σ b⊗f with the rotation R of the cell is the sum along fixed axes.
 #include "stress_state.hpp"
 
 #include "../../registered.hpp"

@@ -1,5 +1,5 @@
-// Cells that yield under their mean stress. Plastic deformation stretches the levers of a cell, the vectors from its
-// centre to its facets.
+// Passes over cells that yield under their mean stress. Plastic deformation stretches the levers of a cell, which are
+// the vectors from its centre to its facets.
 #include "../../registered.hpp"
 #include "yielding_cells.hpp"
 

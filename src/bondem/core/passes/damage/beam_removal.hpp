@@ -1,4 +1,4 @@
-// Changes by the removal of a beam: loads on its ends, event, integrity, and loads of its dashpot.
+// Changes by the removal of a beam that fails: loads on its ends, released energy, and loads of its dashpot.
 #pragma once
 #include "../../laws/damping.hpp"
 #include "../beams/bonds.hpp"

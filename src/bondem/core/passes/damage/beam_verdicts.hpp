@@ -1,4 +1,4 @@
-// Index of a criterion for one beam, or for as many as there are lanes.
+// Loads of beams for a failure criterion. For one beam, also its index (1 at failure) and its mode of failure.
 #pragma once
 #include "../../laws/angles.hpp"
 #include "../../laws/criteria/bond_criteria.hpp"

@@ -1,33 +1,34 @@
 // The damage pipeline: failure of bonds, facets and pairs in an explicit step, with the kind of bond as a parameter.
 //
-// Bonds fail at the end of a step. A velocity changes twice per step: as it is closed, and as the next one is opened
-// (`passes/motion/moving.hpp`). The two elements of a failing bond close the step with its full force and open the
-// next one without it. The energy of a bond is thus released between two steps, and the energy balance is as exact as
-// the time integration.
+// Bonds fail at the end of a step. The velocity of an element changes twice per step: at its end, by the forces of
+// the new positions, and as the next step begins (`passes/motion/moving.hpp`). The two elements of a failing bond end
+// the step with its full force and begin the next one without it. The energy of a bond is thus released between two
+// steps, and the energy balance is as exact as the time integration.
 //
-// In the order of a step (stages of `bondem/interactions/step_part.py`):
+// A step has these stages (`bondem/interactions/step_part.py`). A block is a range of consecutive bonds:
 //
 //     loads    The pass over forces compares a size of the load of each bond with its bound, block by block, and
 //              `mark`s bonds that reach it. Nearly all bonds do not.
 //     judge    `judge` evaluates the criterion of the marked bonds of a block, index(k) → (index, mode), and keeps
 //              those with index ≥ 1. `postpone(k)` postpones the elements that the failure changes.
 //     divide   `postpone_elements` divides the elements of each block into those that continue, and postponed ones,
-//              which close the step and do not open the next. `keep_sums` keeps the sums of their forces.
+//              which end the step and do not begin the next. `keep_sums` keeps the sums of their forces.
 //     apply    `remove` calls apply(k) → (energy, gap, place) for each bond that fails, in the order of bonds. This
 //              subtracts the force of the bond from the kept sums of its ends, and sets the integrity. `remove` logs
 //              the event, and adds its energy to the energy released in the run. A further pass may follow for each
 //              of these bonds (`for_each_event`): contact where its ends press on each other, which adds to the kept
 //              sums, and stores a part of the energy.
-//     resume   `list_postponed` lists all postponed elements, and ends the failures of the step. The passes of motion,
-//              with a time step of 0, then find the acceleration of these elements and open their next step.
+//     resume   `list_postponed` lists all postponed elements, and ends the failures of the step. The passes of
+//              motion, with a time step of 0, then find the acceleration of these elements and begin their next step.
 //
 // Each criterion and each kind of bond provide two functions:
 //
 //     index(k) → Verdict<double>     at the poses of the step, before any element postponed by k moves
 //     apply(k) → Removal             at the same poses, on one thread
 //
-// Beams: `beam_failure.cpp`. Facets of cells postpone the neighbours of both cells too, as their stresses change;
-// pairs of the non-local law postpone their ends. Softening beams postpone no element, as their force does not jump.
+// Beams: `beam_failure.cpp`. Facets of cells (`passes/cells/facet_failure.cpp`) postpone the neighbours of both cells
+// too, as their stresses change. Pairs of the non-local law (`passes/non_local/pair_failure.cpp`) postpone their
+// ends. Softening beams postpone no element, as their force does not jump.
 //
 // No bit depends on threads, on blocks or on pauses: failure is decided bond by bond, from the poses alone.
 #pragma once

@@ -1,9 +1,9 @@
 // Onset and softening of facets in a body whose loads are all proportional to a load factor.
 //
-// A facet of the material begins to crack if σ1(σ*) reaches its strength f (`laws/agreed_stress.hpp`), if it is in
-// tension or shear, and if its opening along a principal direction of the mean stress σ of its cells is enough for
-// softening (`laws/softening.hpp`). With r = t - σ n and the traction of bending added to r, σ1(σ*) is at most
-// |σ| + √2 |r|: facets far below that bound are not evaluated. Material planes begin by their traction.
+// A facet of a material plane begins to crack by its own traction. Any other facet has to be in tension or shear, and
+// σ1 of a stress σ* (`laws/agreed_stress.hpp`) has to reach its strength. Its opening along a principal direction of
+// the mean stress σ of its cells also has to be enough for softening (`laws/softening.hpp`). With r = t - σ n from
+// its traction t and normal n, and the traction of bending added to r, σ1(σ*) is at most |σ| + √2 |r|.
 #include "../../laws/agreed_stress.hpp"
 #include "../../laws/softening.hpp"
 #include "../../registered.hpp"

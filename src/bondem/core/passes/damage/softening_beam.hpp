@@ -1,4 +1,4 @@
-// One beam that softens: its onset, its row, its loss of integrity in a step, and the list of a portion of bonds.
+// One beam that softens: onset, row of data, loss of integrity, and its place in a list of softening beams.
 #pragma once
 #include "../../laws/beam_softening.hpp"
 #include "../../tables/beam_softening_tables.hpp"

@@ -1,4 +1,4 @@
-// Indices of stresses by a criterion of the core or by the function of a user (`stress_criteria.hpp`).
+// Passes that evaluate a criterion of the core, or a function of the user, for many stresses (`stress_criteria.hpp`).
 #include "stress_criteria.hpp"
 
 #include "../../laws/criteria/cone.hpp"

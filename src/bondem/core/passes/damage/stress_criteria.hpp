@@ -1,7 +1,7 @@
 // Criteria that are functions of a stress tensor, evaluated once per step for all bonds or facets that reach a bound.
 //
-// A pass over portions of bonds writes the candidates (`write_candidate`) and their numbers. `index_candidates_by_…`
-// moves them together and evaluates the function: one of the core, or that of a user, a C function
+// A pass over bonds writes the candidates (`write_candidate`) in several parts. `index_candidates_by_…` moves the
+// parts together and evaluates the function: one of the core, or that of a user, a C function
 //
 //     void function(int64_t count, const double *stress, const double *parameter, double *index)
 //

@@ -1,4 +1,4 @@
-// Beams of the incremental formulation: their stored loads advance by a step, and act on their elements.
+// Passes that integrate the stored loads of beams over a step (`laws/incremental.hpp`), and apply them.
 #include "stored_columns.hpp"
 
 #include "../../ledger.hpp"

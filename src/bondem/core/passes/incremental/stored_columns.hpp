@@ -1,5 +1,5 @@
-// Access of passes to the stored loads of beams of the incremental formulation: to one beam, or to as many as there
-// are lanes.
+// Access of passes to the stored forces and moments of beams of the incremental formulation, for one beam or for one
+// beam per SIMD lane.
 #pragma once
 #include "../../laws/incremental.hpp"
 #include "../../tables/incremental_tables.hpp"

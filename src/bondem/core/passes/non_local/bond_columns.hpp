@@ -1,5 +1,4 @@
-// Access of passes to bonds of the non-local law and to stresses of elements, one at a time or as many as there are
-// lanes.
+// Access of passes to bonds of the non-local law and to stresses of elements, for one or for one per SIMD lane.
 #pragma once
 #include "../../laws/non_local.hpp"
 #include "../../select.hpp"

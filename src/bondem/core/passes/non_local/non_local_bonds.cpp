@@ -1,9 +1,9 @@
-// Bonds of the non-local law: extra forces by stresses of the step before, then contributions to the present ones.
+// Bonds of the non-local law (`laws/non_local.hpp`): their forces, and their contributions to the present stresses.
 //
-// A step computes the forces of all bonds, then the stresses of all elements, and then adds the forces block by block
-// like those of other bonds. Without failure and contacts no pass needs the stresses before the elements move: forces
-// are then added as soon as they are computed, and not stored. A time step of 0 computes the forces of a state again,
-// without a change of extra forces, gaps and stresses.
+// A step computes the forces of all bonds, then the stresses of all elements, and then adds the forces to the sums of
+// the elements. Without failure and contacts no pass needs the stresses before the elements move. Forces are then
+// added as soon as they are computed, and not stored. A time step of 0 computes the forces of a state again, without
+// a change of extra forces, gaps and stresses.
 #include "non_local_passes.hpp"
 
 #include "../../ledger.hpp"

@@ -1,4 +1,4 @@
-// Passes of the non-local law that several source files or a device use.
+// Passes of the non-local law that are called by several source files or run on a device (GPU).
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/contact_tables.hpp"

@@ -1,4 +1,4 @@
-// Changes by the removal of a bond of the non-local law: loads on its ends, event, and stresses of its ends.
+// Changes by the failure of a bond of the non-local law: loads and stresses of its ends, and released energy.
 #pragma once
 #include "../damage/integrity.hpp"
 #include "../damage/pipeline.hpp"

@@ -1,4 +1,4 @@
-// Index of the criterion for a bond of the non-local law, by the stresses of its two elements in space.
+// Failure index (1 at failure) of a bond of the non-local law, by the mean stress of its two elements.
 #pragma once
 #include "../../laws/criteria/principal_stress.hpp"
 #include "../../laws/principal.hpp"
