@@ -45,10 +45,10 @@ def _index_passes() -> list[str]:
 
 def _text_of_criteria() -> str:
     lines = [
-        "// Lists of criteria on single bonds, written by `python -m tests.core.tables` from the headers beside it.",
+        "// Lists of criteria on single bonds, which `python -m tests.core.tables` writes from the headers here.",
         "//",
-        "// A list calls DO(with, name, Criterion) for each. Names of passes end with `name`, which is that of the",
-        "// header, as in `judge_beams_by_mohr_coulomb`; Python finds the passes by it (`BondCriterion.kind`).",
+        "// A list expands DO(with, name, Criterion) for each criterion. `name` is that of the header. It ends names",
+        "// of passes, as in `judge_beams_by_mohr_coulomb`, by which Python finds the passes (`BondCriterion.kind`).",
         "#pragma once", *(f'#include "{name}.hpp"' for name, _ in _criteria()["BEAM"]), "",
     ]  # fmt: skip
     for title, found in _criteria().items():

@@ -1,7 +1,7 @@
-// Lists of criteria on single bonds, which `python -m tests.core.tables` writes from the headers of this folder.
+// Lists of criteria on single bonds, which `python -m tests.core.tables` writes from the headers here.
 //
-// A list expands DO(with, name, Criterion) for each criterion. `name` is that of the header, and ends names of
-// passes, as in `judge_beams_by_mohr_coulomb`. Python finds the passes by it (`BondCriterion.kind`).
+// A list expands DO(with, name, Criterion) for each criterion. `name` is that of the header. It ends names
+// of passes, as in `judge_beams_by_mohr_coulomb`, by which Python finds the passes (`BondCriterion.kind`).
 #pragma once
 #include "elliptic.hpp"
 #include "linear_sum.hpp"
