@@ -26,7 +26,7 @@
 // Signs: tension is positive. The force acts on j, and its opposite on i.
 //
 // The second derivative of U at rest is the stiffness matrix of the law. U does not change under rigid motion, so
-// that the forces conserve momentum and angular momentum to rounding.
+// that the forces, its exact gradient, conserve momentum and angular momentum to rounding.
 //
 // Limits: the moment of shear has its maximum at 45°, and X = -X0 is a false minimum of U. Relative rotations have to
 // stay moderate: c1 and c2 above 0.7, w² above 0.75. A similar model: Kuzkin and Asonov (2012).

@@ -11,7 +11,8 @@
 //
 // per unit of lost integrity. The root λ = √Y is the opening: it grows along any straight path from rest. Integrity
 // falls where λ exceeds its previous maximum. The product s λ, proportional to the force, then falls on a line from
-// λ0, where the criterion is reached, to λf, where it is zero. Below its maximum of λ the beam unloads to its origin:
+// λ0, where the criterion is reached, to λf, where it is zero. Below the previous maximum the beam unloads to its
+// origin:
 //
 //     s = λ0 (λf - λ) / (λ (λf - λ0))        ∫ Y (-ds) = λ0 λf = G A
 //

@@ -19,8 +19,8 @@
 //     G = E / (2 (1 + ν))      λ = E ν / ((1 + ν) (1 - 2 ν))      c_p = 1/V_p Σ A d |m|²   over free facets
 //
 // v is the vector part of the relative rotation q_i* q_j and S the second moment of the facet about its centroid.
-// 2 v · H v is exactly (2 G / L) tr((1 - R_iᵀ R_j) S), the energy of a facet whose points open differently, and ½ ρ ·
-// H ρ for a small rotation ρ. λ_p is smaller than λ because free facets open until their traction vanishes.
+// 2 v · H v is exactly (2 G / L) tr((1 - R_iᵀ R_j) S), the energy of a facet whose points open differently, and
+// ½ ρ · H ρ for a small rotation ρ. λ_p is smaller than λ because free facets open until their traction vanishes.
 // `bondem/interactions/cells/cell_constants.py` computes the constants once.
 //
 // With the stress σ = λ_p θ_p of a cell and g = σ R s, the loads on both cells, minus the gradient of U, are

@@ -15,8 +15,9 @@
 //
 //     σ = (1/V) Σ b ⊗ F                                                     eq (1)
 //
-// n is the mean of the normals of the reference that turn with i and with j. A bond stores δ and e in the frame of
-// its element i, and an element stores its stress in its own frame. A rotation of the whole body changes neither.
+// n is along the mean of the two normals of the reference that turn with i and with j. A bond stores δ and e in the
+// frame of its element i, and an element stores its stress in its own frame. A rotation of the whole body changes
+// neither.
 //
 // Energy: ½ kn δ_n² + ½ kt δ_t² in the springs. The law has no potential. The work of e is an entry of its own in the
 // energy balance, by the trapezoidal rule in the frame of i.

@@ -7,7 +7,7 @@
 //     F = ½ (σ_1 - σ_3) + ½ (σ_1 + σ_3) sin φ - r c cos φ       Δε = ½ Δγ [(1 + sin ψ) e_1⊗e_1 - (1 - sin ψ) e_3⊗e_3]
 //     H = G + (λ + G) sin φ sin ψ                               r = ⟨1 - γ B c / 2 G_II⟩
 //
-// By Drucker and Prager, for a mean stress that is compressive, with the deviator s, and k in place of c in r:
+// By Drucker and Prager, for a compressive mean stress, with the deviator s, constants α, β and k, and k for c in r:
 //
 //     F = √J2 + α I1 - r k        H = G + 9 K α β               Δε = Δγ [s / 2 √J2 + β 1]
 //

@@ -1,4 +1,4 @@
-// Tables of the passes over beams of the incremental formulation, in addition to `Beams`.
+// Tables of the passes over beams of the incremental formulation, in addition to `Beams` (`step_tables.hpp`).
 #pragma once
 #include "../array.hpp"
 

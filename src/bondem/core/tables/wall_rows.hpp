@@ -1,4 +1,4 @@
-// Rows of the tables of walls. Python reads names and places of their numbers from here
+// Rows of the tables of walls. Python reads the names and columns of their numbers from this file
 // (`bondem/boundary/wall_rows.py`).
 #pragma once
 #include "../laws/rotations.hpp"

@@ -1,4 +1,4 @@
-// Contribution of a contact to the stress of an element: its force, at the lever from the centre to the contact.
+// Contribution of a contact to the stress of an element: the force, at the lever from the centre to the contact.
 #pragma once
 #include "../contacts/pairs.hpp"
 #include "bond_columns.hpp"
