@@ -1,4 +1,4 @@
-// Calls of a pass over an index for all indices: by a loop on the CPU, by one thread per index on a device.
+// Calls of a pass that computes one index, such as one bond, for all: by threads of a GPU, or by a loop on a CPU.
 #pragma once
 #include "../steps.hpp"
 

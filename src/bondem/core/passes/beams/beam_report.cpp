@@ -1,4 +1,4 @@
-// Counts and energies of beams for the guard and the history.
+// Energies of beams for the history of a run, and counts of beams beyond the valid angles for its check.
 #include "beam_passes.hpp"
 
 #include "../../ledger.hpp"

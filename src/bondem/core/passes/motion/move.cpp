@@ -1,6 +1,5 @@
-// Passes that close the step of elements with complete forces, and open their next step where the run continues
-// without a pause: both change velocities, and opening also changes positions (`moving.hpp`). The sums of the forces
-// are set to zero.
+// Passes that close the step of elements whose forces are known, and open their next step if the run does not pause
+// (`moving.hpp`). They set the sums of the forces to zero.
 #include "../../registered.hpp"
 #include "moving.hpp"
 

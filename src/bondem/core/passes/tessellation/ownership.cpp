@@ -1,4 +1,4 @@
-// Division among elements of pieces that a wall separates from the centre of their cell.
+// Division of pieces that a wall separates from the centre of their cell, each point to the element of least power.
 #include "../../registered.hpp"
 #include "../../tables/tessellation_tables.hpp"
 #include "section.hpp"
