@@ -178,7 +178,7 @@ def _columns() -> str:
 
 
 def _described(headers: list[Path], found: list[Table]) -> str:
-    lines = ["// Descriptions of the fields of all tables (`tables/*.hpp`), written by `python -m tests.core.tables`.",
+    lines = ["// Descriptions of the fields of tables (`tables/*.hpp`), written by `python -m tests.core.tables`.",
              "#pragma once", '#include "described.hpp"', *(f'#include "tables/{path.name}"' for path in headers), "",
              "namespace bondem {", "", "#define F BONDEM_FIELD"]  # fmt: skip
     for table in found:

@@ -1,4 +1,4 @@
-// Descriptions of the fields of all tables (`tables/*.hpp`), written by `python -m tests.core.tables`.
+// Descriptions of the fields of tables (`tables/*.hpp`), written by `python -m tests.core.tables`.
 #pragma once
 #include "described.hpp"
 #include "tables/beam_softening_tables.hpp"

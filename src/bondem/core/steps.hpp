@@ -1,20 +1,17 @@
 // A step as a list of passes, which Python composes and the core runs without returning to Python.
 //
 // A pass is a function over tables (structs of arrays and numbers). The list has no pass for a feature that the model
-// lacks. `take_steps` calls each pass with the tables that its entry names, and with a `Range`: the part of the step
-// that it has to process. The order of calls is that of the list. The kind of a pass (`PassKind`) decides over which
-// parts.
+// lacks. `take_steps` calls the passes in their order, each with the tables that its entry names, and with a `Range`:
+// the part of the step to process. The kind of the pass (`PassKind`) decides over which parts it runs.
 //
 // A block is a range of consecutive bonds, with the elements whose last bond is in the block. A domain is a range of
 // blocks that one thread processes. Successive passes are called block by block, so that the data of a block remain
-// in the cache. A pass over bonds that follows a pass over elements begins after that pass has processed all
-// elements.
+// in the cache. A pass over bonds that follows a pass over elements begins after that has processed all elements.
 //
 // An element opens a step by the first change of its velocity and the change of its position. The second change of
 // its velocity closes the step (`passes/motion/moving.hpp`). Elements whose bonds fail are postponed: they close the
 // step with the others, but do not open the next one. At the end of the step a pass lists all postponed elements.
-// Passes over elements then compute their accelerations, with a time step of 0, and further passes open their next
-// step.
+// Passes over elements then find their accelerations, with a time step of 0, and further passes open their next step.
 #pragma once
 #include "tables/columns.hpp"
 #include "tables/step_tables.hpp"

@@ -3,8 +3,8 @@
 //
 // The thread of a beam computes the loads of the beam. For a beam near failure, a thread evaluates the criterion.
 // Beams that fail are listed in any order; passes with one thread per failed beam sort the list and remove the beams.
-// The two elements of a failed beam open the next step later than the others. The thread of such an element subtracts
-// the loads of its failed beams, in the order of beams. A single thread adds up released energies.
+// The two elements of a failed beam start the next step later than the others. The thread of such an element
+// subtracts the loads of its failed beams, in the order of beams. A single thread adds up released energies.
 #pragma once
 #include "../passes/damage/beam_verdicts.hpp"
 #include "../passes/damage/pipeline.hpp"

@@ -2,7 +2,7 @@
 // thread per facet mark facets near failure, evaluate marked facets, and record events. Passes with one thread per
 // cell remove failed facets, and change the loads of cells that lose facets and of their neighbours.
 //
-// These cells open the next step later than the others. Where the CPU has lists of such cells, a flag of each cell
+// These cells start the next step later than the others. Where the CPU has lists of such cells, a flag of each cell
 // states the reason. Facets of one step count as failing one after the other: the energy of a facet is that without
 // the facets of smaller numbers that fail in this step.
 #pragma once

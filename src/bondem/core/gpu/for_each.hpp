@@ -1,4 +1,5 @@
-// Calls of a pass that computes one index, such as one bond, for all: by threads of a GPU, or by a loop on a CPU.
+// Calls of a pass that computes one index, such as one bond, for all indices: by threads of a GPU, or by a loop on
+// the CPU that simulates a GPU in tests.
 #pragma once
 #include "../steps.hpp"
 

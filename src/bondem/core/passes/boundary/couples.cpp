@@ -2,9 +2,8 @@
 //
 //     f = w ω × s      J ω = M      J = Σ w (s² 1 - s⊗s)
 //
-// w is the share of a point in the moment, and s its present position from the centroid. The forces have no
-// resultant. Torques on the elements supply the part of M that forces cannot, such as the moment about a row of
-// points.
+// w is the share of a point in the moment, s its present position from the centroid, and ω the solution of J ω = M.
+// The forces have no resultant. Torques supply the part of M that forces cannot, such as that about a row of points.
 #include "../../registered.hpp"
 #include "following.hpp"
 

@@ -1,6 +1,5 @@
 // Adhesion between spheres that touch or are near, and between spheres and walls: a normal force that depends on the
-// present gap only (`laws/adhesion.hpp`). Spheres that a bond joins or has joined do not adhere, because broken
-// surfaces do not heal.
+// present gap only (`laws/adhesion.hpp`). Broken surfaces do not heal: spheres that a bond has joined do not adhere.
 #pragma once
 #include "../../laws/adhesion.hpp"
 #include "../../steps.hpp"

@@ -1,4 +1,4 @@
-// Motion of an element at a wall, and the memory of their contact, in the frame of the wall, which may turn.
+// Motion of an element at a wall, and the tangential spring and dashpot of their contact, in the frame of the wall.
 #pragma once
 #include "../../laws/contact.hpp"
 #include "../beams/bonds.hpp"

@@ -1,5 +1,5 @@
-// Passes that close the step of elements whose forces are known, and open their next step if the run does not pause
-// (`moving.hpp`). They set the sums of the forces to zero.
+// Passes that move elements by the forces on them (`moving.hpp`), by the second change of velocity of a step. If the
+// run does not pause, the first changes of velocity and position of the next step follow. Sums of forces are cleared.
 #include "../../registered.hpp"
 #include "moving.hpp"
 

@@ -5,8 +5,8 @@
 // therefore harmless, and volumes and areas are exact to rounding.
 //
 // ρ is the distance of the farthest corner from the centre, and R_max the largest radius. A neighbour at distance L
-// cuts only if ½ (L - (R_max² - R²) / L) < ρ, so that the search ends at the first L beyond. It ends earlier by a
-// bound of the radii near each element: no sphere at distance L from the element has a radius above B + κ L.
+// cuts only if ½ (L - (R_max² - R²) / L) < ρ. The search ends at the first L beyond, or earlier by a bound B of each
+// element, with κ = ½: no sphere at distance L from the element has a radius above B + κ L.
 #include "../../registered.hpp"
 #include "../../tables/tessellation_tables.hpp"
 #include "pile.hpp"
