@@ -59,8 +59,8 @@ def _text_of_criteria() -> str:
 
 def _text_of_index_passes() -> str:
     lines = [
-        "// List of the passes over an index, of which one thread of a device executes one index, written by",
-        "// `python -m tests.core.tables` from the headers beside it. `X(pass)` is called for each.",
+        "// List of the passes for a GPU, each of which computes one index, such as one bond, in a thread.",
+        "// Written by `python -m tests.core.tables` from the headers beside it. The macro applies X to each pass.",
         "#pragma once", *(f'#include "{path.name}"' for path in _beside(INDEX_PASSES)), "",
         "#define BONDEM_INDEX_PASSES(X) \\",
     ]  # fmt: skip

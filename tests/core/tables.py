@@ -178,7 +178,7 @@ def _columns() -> str:
 
 
 def _described(headers: list[Path], found: list[Table]) -> str:
-    lines = ["// Descriptions of all tables, written by `python -m tests.core.tables` from their headers.",
+    lines = ["// Descriptions of the fields of tables (`tables/*.hpp`), written by `python -m tests.core.tables`.",
              "#pragma once", '#include "described.hpp"', *(f'#include "tables/{path.name}"' for path in headers), "",
              "namespace bondem {", "", "#define F BONDEM_FIELD"]  # fmt: skip
     for table in found:
@@ -190,7 +190,7 @@ def _described(headers: list[Path], found: list[Table]) -> str:
 
 
 def _names(found: list[Table]) -> str:
-    lines = ["// Names of all tables, written by `python -m tests.core.tables` from their headers.", "#pragma once",
+    lines = ["// Names of all tables (`tables/*.hpp`), written by `python -m tests.core.tables`.", "#pragma once",
              "", "namespace bondem {", "", "template <class T> struct TableName;", "#define T(table) \\",
              "    struct table; \\",
              "    template <> struct TableName<table> { static constexpr const char *name = #table; };"]  # fmt: skip

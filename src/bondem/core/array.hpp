@@ -1,7 +1,7 @@
-// An array that Python owns: its address and the lengths of its axes. The core allocates nothing.
+// An array in memory that Python owns: its address and the lengths of its axes. The core allocates no memory.
 //
-// Arrays are contiguous, last axis fastest. `_core.py` checks type, axes and lengths once, as it fills a table; with
-// BONDEM_CHECKED (the debug build) every access is checked as well.
+// Arrays are contiguous, with the last axis fastest. As `_core.py` fills a table (a struct of arrays and numbers), it
+// checks type and lengths of each array once. The debug build (BONDEM_CHECKED) also checks every access.
 #pragma once
 #include "scalars.hpp"
 

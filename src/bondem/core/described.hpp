@@ -1,5 +1,5 @@
-// Descriptions of tables for Python: `_core.py` reads names, types, shapes and offsets from the library that it has
-// loaded, and checks its own tables against them.
+// Descriptions of tables, the structs of arrays and numbers that passes take. `_core.py` reads names, types, shapes
+// and offsets of their fields from the library, and checks its own tables against these.
 #pragma once
 #include "array.hpp"
 #include "laws/rotations.hpp"

@@ -1,4 +1,4 @@
-// Descriptions of all tables, written by `python -m tests.core.tables` from their headers.
+// Descriptions of the fields of tables (`tables/*.hpp`), written by `python -m tests.core.tables`.
 #pragma once
 #include "described.hpp"
 #include "tables/beam_softening_tables.hpp"

@@ -1,5 +1,5 @@
-// A number with its derivative in one direction. Laws evaluated with such numbers also return their derivatives,
-// exact to rounding.
+// Dual numbers: a value with its derivative in one direction, for automatic differentiation. Laws evaluated with dual
+// numbers also return derivatives of their results, exact to rounding.
 #pragma once
 #include "symmetric3.hpp"
 

@@ -1,4 +1,4 @@
-// Export of functions from the library.
+// Macro that exports a function from the library, so that Python can call it.
 #pragma once
 
 #if defined(_WIN32)

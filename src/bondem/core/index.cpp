@@ -1,4 +1,4 @@
-// Contents of the library for Python: its tables, its passes, and the level of instructions of the CPU.
+// Functions by which Python reads what the library contains: tables, passes, and the level of CPU instructions.
 #include "described_tables.hpp"
 #include "exported.hpp"
 #include "gpu/for_each.hpp"

@@ -1,4 +1,4 @@
-// Instructions that a CPU offers: the microarchitecture levels of x86-64 (psABI), by cpuid and xgetbv.
+// Level of instructions of a CPU: a microarchitecture level of x86-64 (psABI) by cpuid and xgetbv, 0 for other CPUs.
 #pragma once
 #include "scalars.hpp"
 

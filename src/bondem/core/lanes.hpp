@@ -1,7 +1,7 @@
-// Several numbers in one register: the number type of the laws in passes over many bonds or elements.
+// Vector registers of several numbers (lanes), as the number type of the laws in passes over many bonds or elements.
 //
-// The templates of laws/ use `Lanes` as a number with + - * /, negation, square root and rounding; each lane has the
-// bits of the scalar result. Rows of eight numbers are transposed to eight columns of lanes, and back.
+// The templates of `laws/` use `Lanes` as a number with + - * /, negation, square root and rounding. Each lane has
+// the bits of the scalar result. Rows of eight numbers, one per lane, are transposed to eight `Lanes`, and back.
 #pragma once
 #include "scalars.hpp"
 

@@ -1,4 +1,4 @@
-// The energy balance of a run. Passes add to its entries in any order, for a row of the history or an energy check.
+// Exact sums of the energy balance of a run, to which passes add, for a row of the history or a check of the run.
 #pragma once
 #include "exact_sum.hpp"
 #include "tables/step_tables.hpp"

@@ -1,5 +1,5 @@
-// Loops that call each pass over an index for all indices on the CPU, which thereby simulates a device for tests.
-// Libraries of source trees contain these loops, those of wheels do not.
+// Loops on the CPU that call a pass of a GPU for all indices, where one thread of a GPU computes one index. With
+// these loops the CPU simulates a GPU in tests. The libraries of wheels do not contain them.
 #include "exported.hpp"
 #include "gpu/for_each.hpp"
 #include "gpu/index_passes.hpp"

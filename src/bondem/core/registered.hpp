@@ -1,12 +1,12 @@
-// A pass registers itself where it is defined: names of its tables follow from the type of the function.
+// Registration of passes where they are defined. The names of their tables follow from the types of the functions.
 //
 //     BONDEM_PASS(stress_cells, elements_of_blocks, "own swelling; writes pose.stress")    after a pass of a step
 //     BONDEM_CALL(relax_spheres, "converged loose")    after a pass that Python calls: names of its outcomes, or ""
 //
-// A pass of a step states the parts that it runs over, and the columns of elements that it reads and writes
-// (docs/decisions/0065-columns-that-passes-read-and-write.md). Each pass adds a node to a list before main. Nodes are
-// never destroyed and use nothing of the C++ library. Python reads the list and finds passes by their names, so that
-// the order of the list does not matter. A device needs no list.
+// A pass of a step states the parts of the step that it runs over (`PassKind`), and the columns of elements that it
+// reads and writes (docs/decisions/0065-columns-that-passes-read-and-write.md). Each pass adds a node to a list as
+// the library is loaded. Nodes are never destroyed and use nothing of the C++ library. Python reads the list and
+// finds passes by their names, so that the order of the list does not matter. The program of a GPU has no such list.
 #pragma once
 #include "steps.hpp"
 #include "table_names.hpp"

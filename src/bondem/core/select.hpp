@@ -1,4 +1,5 @@
-// Decisions without branches: a comparison of numbers is a mask, and a mask selects one of two numbers, lane by lane.
+// Choice between two numbers without branches: a comparison gives a mask, by which `select` chooses one of the
+// numbers in each lane of a vector register.
 #pragma once
 #include "lanes.hpp"
 #include "vector3.hpp"

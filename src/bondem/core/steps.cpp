@@ -1,4 +1,4 @@
-// The steps of a run on the CPU: lists of passes, called for blocks, for portions or once (`steps.hpp`).
+// The steps of a run on the CPU. A step is a list of passes, called for ranges of bonds or elements (`steps.hpp`).
 #include "steps.hpp"
 
 #include "registered.hpp"

@@ -1,17 +1,17 @@
 // A step as a list of passes, which Python composes and the core runs without returning to Python.
 //
-// A pass is a function over tables. The list has no pass for a feature that the model lacks. `take_steps` calls each
-// pass with the tables that its entry names, and with a `Range`: the block, portion or other part that it has to
-// process. The order of calls is that of the list. The kind of a pass (`PassKind`) decides over which parts it runs.
-// The elements of a block are those whose last bond is in the block. One pass divides these elements into two groups:
-// elements that continue to the next step, and elements whose bonds fail, which are postponed (`passes/damage/`).
-// Later passes over elements are called once per group; in calls for postponed elements the next step is not opened.
+// A pass is a function over tables (structs of arrays and numbers). The list has no pass for a feature that the model
+// lacks. `take_steps` calls the passes in their order, each with the tables that its entry names, and with a `Range`:
+// the part of the step to process. The kind of the pass (`PassKind`) decides over which parts it runs.
 //
-// Successive passes over blocks are called block by block, so that the data of a block remain in the cache from the
-// forces of its bonds to the motion of its elements. Each domain, a range of blocks, has a thread of its own. A pass
-// over bonds that follows a pass over elements begins when all elements are complete. Postponed elements resume at
-// the end of a step: a pass lists them all, passes over elements compute their accelerations with a time step of 0,
-// and further passes open their next step.
+// A block is a range of consecutive bonds, with the elements whose last bond is in the block. A domain is a range of
+// blocks that one thread processes. Successive passes are called block by block, so that the data of a block remain
+// in the cache. A pass over bonds that follows a pass over elements begins after that has processed all elements.
+//
+// An element opens a step by the first change of its velocity and the change of its position. The second change of
+// its velocity closes the step (`passes/motion/moving.hpp`). Elements whose bonds fail are postponed: they close the
+// step with the others, but do not open the next one. At the end of the step a pass lists all postponed elements.
+// Passes over elements then find their accelerations, with a time step of 0, and further passes open their next step.
 #pragma once
 #include "tables/columns.hpp"
 #include "tables/step_tables.hpp"

@@ -1,4 +1,4 @@
-// A symmetric tensor in space, of numbers or of lanes of numbers.
+// Symmetric tensors of second order in space. A component is a number, or a vector register of numbers.
 #pragma once
 #include "vector3.hpp"
 

@@ -1,4 +1,4 @@
-// Names of all tables, written by `python -m tests.core.tables` from their headers.
+// Names of all tables (`tables/*.hpp`), written by `python -m tests.core.tables`.
 #pragma once
 
 namespace bondem {

@@ -1,4 +1,4 @@
-// Threads that start at the first use and stay: they share the tasks of one caller at a time.
+// A pool of threads, which start at the first use and remain. The pool shares the tasks of one caller at a time.
 #include "threads.hpp"
 
 #include <pthread.h>

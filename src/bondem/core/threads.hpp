@@ -1,4 +1,4 @@
-// Threads of the core: work is divided into tasks, and no result depends on how many threads share them.
+// Threads of the core. Work is divided into tasks, and no result depends on how many threads share them.
 #pragma once
 #include "scalars.hpp"
 

@@ -1,7 +1,7 @@
-// A vector in space, of numbers or of lanes of numbers.
+// Vectors in space. A component is a number, a dual number, or a vector register of numbers.
 //
-// Products and sums are in one expression where they are rounded once (-ffp-contract=on fuses within an expression
-// only, so that the bits are the same with every instruction set).
+// The compiler fuses a product with a sum, rounded once, only within an expression (-ffp-contract=on). Therefore all
+// levels of instructions with fused multiply-add give the same bits.
 #pragma once
 #include "lanes.hpp"
 

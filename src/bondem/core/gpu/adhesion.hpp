@@ -1,5 +1,5 @@
-// Adhesion on a device. A pass with one thread per pair computes the forces. Passes with one thread per element add
-// the forces of its pairs and of the walls that it touches.
+// Adhesion of spheres on a GPU. Passes with one thread per pair compute the force of the pair. Passes with one thread
+// per element add the forces of all pairs of the element, and compute those of walls.
 #pragma once
 #include "../passes/contacts/adhesion.hpp"
 #include "contacts.hpp"

@@ -1,4 +1,4 @@
-// Beams on a device: a thread computes one beam or dashpot, and writes the loads on its ends into `LoadsOfBonds`.
+// Beams on a GPU. The thread of a beam writes the loads on its ends, or those of its dashpot, to `LoadsOfBonds`.
 #pragma once
 #include "../passes/beams/beam_passes.hpp"
 #include "../passes/damage/beam_removal.hpp"

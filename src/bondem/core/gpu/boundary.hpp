@@ -1,4 +1,5 @@
-// Boundary conditions on a device: a thread updates one row, driven degree of freedom or group of elements.
+// Boundary conditions and body forces on a GPU. A thread updates one element with boundary conditions, one prescribed
+// degree of freedom, or one group of elements with body forces. A single thread adds moments on regions.
 #pragma once
 #include "../passes/boundary/following.hpp"
 #include "ranges.hpp"

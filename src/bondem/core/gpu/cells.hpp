@@ -1,5 +1,5 @@
-// Bodies of cells on a device. Passes have one thread per facet, per cell, per traction, or per row of the boundary,
-// whose thread computes all walls of the row.
+// Bodies of cells on a GPU. Passes have one thread per facet, cell, wall or traction on free facets, or per range of
+// these. Where the facets of a cell that walls fix or support add to sums of the cell, they share one thread.
 #pragma once
 #include "../passes/cells/accumulation.hpp"
 #include "../passes/cells/cell_passes.hpp"

@@ -1,8 +1,8 @@
-// Contacts on a device. A pass with one thread per listed pair computes its force. Passes with one thread per element
-// add the forces of its pairs and of the walls that it touches.
+// Contacts on a GPU. Passes with one thread per listed pair compute the force of the pair. Passes with one thread per
+// element add the forces of all pairs of the element, and compute those of walls.
 //
-// Each step evaluates every pair of the list. A list is valid until an element or a wall has moved by its reach. Then
-// the run halts: launches of later passes do nothing until the CPU has made a new list.
+// Each step examines every pair of the list. The list is valid until an element or a wall has moved by a given
+// distance, the reach of the list. Then the run halts: later passes do nothing until the CPU has made a new list.
 #pragma once
 #include "../passes/contacts/contact_passes.hpp"
 #include "../passes/contacts/face_contacts.hpp"

@@ -1,9 +1,10 @@
-// Cracks on a device. Passes have one thread per facet, which computes its crack, or one per cell, which adds up its
-// cracks. There are no lists of cracks: the number of a facet is also the row of its crack and, with the side, that
-// of each half. The thread of a cell links the halves of the cell in a list.
+// Cracks on a GPU. Passes have one thread per facet, which computes its crack, or one per cell, which adds up the
+// cracks of its facets. The number of a facet is also the row of its crack. An active crack is evaluated in every
+// step. A resting one is treated as a facet of reduced stiffness. A cracked facet has two halves, one per cell
+// (`laws/crack.hpp`). The thread of a cell links the halves of its active cracks in a list.
 //
-// If several cracks of a cell change in a step, the thread of the cell adds the changes in the same order as the CPU.
-// Flags of the facets state which cracks change: `flag` for active cracks, `waking` for resting ones.
+// Flags of a facet state how its crack changes in a step: `flag` for an active crack, `waking` for a resting one. The
+// thread of a cell adds the changes in the same order as the CPU.
 #pragma once
 #include "../passes/contacts/face_contacts.hpp"
 #include "../passes/contacts/handover.hpp"

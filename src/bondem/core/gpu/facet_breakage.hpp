@@ -1,10 +1,10 @@
-// Breakage of facets of cells on a device. Passes with one thread per facet mark, evaluate or remove it. Passes with
-// one thread per cell postpone the neighbours of cells that lose facets, change the loads of postponed cells, and set
-// the weights λ / V of cells.
+// Failure of facets of cells on a GPU, in the stages of the CPU (`passes/cells/facet_failure.cpp`). Passes with one
+// thread per facet mark facets near failure, evaluate marked facets, and record events. Passes with one thread per
+// cell remove failed facets, and change the loads of cells that lose facets and of their neighbours.
 //
-// The stages are those of the CPU (`passes/cells/facet_failure.cpp`). The CPU has lists of cells; here each thread
-// reads the reason for which its cell is postponed. Facets of one step count as failing one after the other: the
-// energy of a facet is that without the facets of smaller numbers that fail in this step.
+// These cells start the next step later than the others. Where the CPU has lists of such cells, a flag of each cell
+// states the reason. Facets of one step count as failing one after the other: the energy of a facet is that without
+// the facets of smaller numbers that fail in this step.
 #pragma once
 #include "../passes/cells/cell_passes.hpp"
 #include "../passes/cells/facet_removal.hpp"

@@ -1,4 +1,5 @@
-// Calls of a pass over an index for all indices: by a loop on the CPU, by one thread per index on a device.
+// Calls of a pass that computes one index, such as one bond, for all indices: by threads of a GPU, or by a loop on
+// the CPU that simulates a GPU in tests.
 #pragma once
 #include "../steps.hpp"
 

@@ -1,4 +1,4 @@
-// Heap sort by one thread, for lists that threads have filled in any order.
+// Heap sort by one thread, for lists that many threads have filled in any order.
 #pragma once
 #include "../scalars.hpp"
 

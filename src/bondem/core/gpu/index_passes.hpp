@@ -1,5 +1,5 @@
-// List of the passes over an index, of which one thread of a device executes one index, written by
-// `python -m tests.core.tables` from the headers beside it. `X(pass)` is called for each.
+// List of the passes for a GPU, each of which computes one index, such as one bond, in a thread.
+// Written by `python -m tests.core.tables` from the headers beside it. The macro applies X to each pass.
 #pragma once
 #include "adhesion.hpp"
 #include "beams.hpp"

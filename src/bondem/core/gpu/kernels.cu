@@ -1,5 +1,5 @@
-// Program of a device, compiled by NVRTC: a kernel for the pass over an index that BONDEM_ONLY names, or one for each
-// pass without that macro. A kernel has one thread per index. Sources of passes that its threads call are included.
+// Program of a GPU, compiled by NVRTC. The program has a kernel for each pass that computes one index, such as one
+// bond, or only for the pass that BONDEM_ONLY names. Sources of passes of the CPU that kernels call are included.
 #include "../passes/beams/beam_report.cpp"
 #include "../passes/boundary/couples.cpp"
 #include "../passes/cells/cell_report.cpp"

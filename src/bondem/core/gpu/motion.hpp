@@ -1,5 +1,5 @@
-// Motion on a device: one thread per element adds up the loads on it, in the same order of bonds as the CPU, and
-// moves it.
+// Motion of elements on a GPU. The thread of an element adds up the loads on the element, in the same order of bonds
+// as the CPU, and moves the element.
 #pragma once
 #include "../passes/motion/body_forces.hpp"
 #include "../passes/motion/moving.hpp"

@@ -1,5 +1,5 @@
-// Contacts that begin where bonds have broken or cracks have parted in a step, on a device. One thread per contact
-// begins it, then one thread per element adds the forces of its new contacts.
+// Contacts on a GPU that begin in a step, where bonds or facets have failed (`passes/contacts/handover.hpp`). The
+// thread of a contact begins it. The thread of an element then adds the forces of its new contacts.
 #pragma once
 #include "../passes/contacts/handover.hpp"
 #include "breakage.hpp"

@@ -1,6 +1,6 @@
-// Bonds of the non-local law on a device. Successive passes compute the forces of bonds (one thread per bond), the
-// stresses of elements (one thread per element), and the index of each bond by the stresses of its ends. Further
-// passes remove failed bonds, and subtract them from the stresses of their elements.
+// Bonds of the non-local law on a GPU. The thread of a bond computes its force, and the thread of an element the
+// stress. The thread of a bond then evaluates the failure criterion by the stresses of both elements. Further passes
+// remove failed bonds, and subtract their forces from the stresses of their elements.
 //
 // The stress of an element is the sum over its bonds and contacts in the order of the CPU.
 #pragma once

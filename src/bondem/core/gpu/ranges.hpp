@@ -1,4 +1,4 @@
-// Calls of passes of the CPU on a device: each thread calls the pass for a single index.
+// Passes of the CPU as passes of a GPU, called by each thread for one element, or for a range of elements or bonds.
 #pragma once
 #include "../steps.hpp"
 #include "../tables/device_tables.hpp"

@@ -1,6 +1,6 @@
-// Energy balance and gauges on a device. One thread per portion of elements, or per part of a gauge, adds its values
-// to exact sums. A single thread checks the energy, or writes the balance. One thread per component of a gauge writes
-// the value.
+// Energy balance and gauges on a GPU. The thread of a range of elements, or of a part of the elements of a gauge,
+// adds their values to exact sums. A single thread checks the energy, or writes the balance. The thread of a
+// component of a gauge writes its value to the history.
 #pragma once
 #include "../passes/record/reading.hpp"
 #include "../passes/record/record.hpp"

@@ -1,5 +1,5 @@
-// Rolling resistance on a device. A pass with one thread per pair computes its moments. Passes with one thread per
-// element add the moments of its pairs and of the walls that it touches.
+// Resistance of spheres to rolling on a GPU. Passes with one thread per pair compute the moments of the pair. Passes
+// with one thread per element add the moments of all pairs of the element, and compute those of walls.
 #pragma once
 #include "../passes/contacts/rolling.hpp"
 #include "contacts.hpp"

@@ -1,9 +1,9 @@
-// Beams that soften, on a device. One thread per listed beam lowers its integrity and adds its dissipation to an
-// exact sum; one per portion moves broken beams to the end of its list. One thread per beam computes the loads and
-// marks beams near their criterion. Before the loads are gathered, one thread per beam starts the softening of a
-// marked beam that has reached its criterion. A single thread logs broken beams and adds beams to the lists.
+// Beams that soften, on a GPU, in the stages of the CPU (`passes/damage/beam_softening.cpp`).
 //
-// The stages are those of the CPU (`passes/damage/beam_softening.cpp`), in the same order of rows and bonds.
+// Softening beams are in lists, one per range of bonds. The thread of a listed beam lowers its integrity and adds its
+// dissipation to an exact sum. The thread of a list moves broken beams to its end. The thread of any beam computes
+// its loads, and starts to soften a beam that has reached its criterion, before loads are added to elements. A single
+// thread logs broken beams, and adds beams that have started to soften to the lists, in the order of the CPU.
 #pragma once
 #include "../passes/contacts/handover.hpp"
 #include "../passes/damage/softening_beam.hpp"

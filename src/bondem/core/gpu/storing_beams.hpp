@@ -1,5 +1,5 @@
-// Beams of the incremental formulation on a device: a thread integrates the stored loads of one beam
-// over the step, and writes the loads on its ends.
+// Beams of the incremental formulation on a GPU. The thread of a beam integrates the loads stored for the beam over
+// the step, and writes forces and torques on both of its ends.
 #pragma once
 #include "../passes/incremental/stored_columns.hpp"
 #include "beams.hpp"

@@ -1,6 +1,6 @@
-// Stress-free strains that change, on a device (`passes/boundary/strains.cpp`, `passes/cells/cell_strains.cpp`). A
-// single thread updates the factors of the strains and adds up their work. Other passes have one thread per facet,
-// beam or portion.
+// Stress-free strains that change in time, on a GPU (`passes/boundary/strains.cpp`, `passes/cells/cell_strains.cpp`).
+// A single thread sets the factors of the strains by their schedules, and adds up their work. Other passes have one
+// thread per beam, facet or wall, or per range of facets.
 #pragma once
 #include "../passes/boundary/strained_beam.hpp"
 #include "../passes/cells/cell_passes.hpp"

@@ -1,9 +1,10 @@
-// Facets that begin to crack by a function of the stress, on a device, with one thread per cell, facet or candidate.
+// Facets that begin to crack by a failure criterion that is a function of the stress, on a GPU. Passes have one
+// thread per cell, facet or candidate.
 //
-// Candidates are facets in tension beside a cell whose stress is near the criterion; their order in the list is
-// arbitrary. The function is evaluated once to find those that fail, and a second time, with the mean stress of both
-// cells, to find the strength in the direction of their cracks. The facet number of a candidate that does not fail is
-// set to -1, so that the second evaluation omits it. A user's function is evaluated on the CPU between two passes.
+// Candidates are facets in tension beside a cell whose stress is near the criterion. Their order in the list is
+// arbitrary. The function is evaluated to find candidates that fail; the facet number of the others is set to -1. For
+// candidates that fail, the function is evaluated again, with the mean stress of both cells, to find the strength in
+// the direction of their cracks. A user's function is evaluated on the CPU between two passes.
 #pragma once
 #include "../laws/criteria/cone.hpp"
 #include "../laws/criteria/mean_stress.hpp"

@@ -1,5 +1,5 @@
-// Cells that yield, and cracks under stress-free strains that change, on a device. Passes have one thread per cell,
-// facet or wall. Loads on free facets add their work to the rows of their cells.
+// Yielding of cells on a GPU, and its effect on the vectors (levers) from the centre of a cell to facets, walls and
+// cracks. Also the work of strains at loaded free facets and cracks. Passes have one thread per cell, facet or wall.
 #pragma once
 #include "../passes/cracks/strained_cracks.hpp"
 #include "../passes/cracks/yielding_cells.hpp"

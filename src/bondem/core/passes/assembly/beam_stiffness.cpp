@@ -1,4 +1,4 @@
-// Stiffness matrix of beams at rest, assembled directly in block rows.
+// Stiffness matrix of beams at rest, assembled in blocks of 6 × 6 by rows of blocks (`block_rows.hpp`).
 #include "../../registered.hpp"
 #include "../../tables/stiffness_tables.hpp"
 #include "../../vector3.hpp"

@@ -1,4 +1,4 @@
-// Loop over the rows of a block matrix, which all assemblies share. A task fills all blocks of its rows.
+// Loop over the rows of a stiffness matrix of 6 × 6 blocks, one row per element. One thread fills a row of blocks.
 #pragma once
 #include "../../tables/stiffness_tables.hpp"
 #include "../../threads.hpp"

@@ -1,4 +1,4 @@
-// Derivatives of the loads of bonds by duals: the product of stiffness and motion, and the tangent of each bond.
+// Derivatives of the loads of bonds by dual numbers: product of stiffness and motion, and tangent of each bond.
 #pragma once
 #include "../../tables/stiffness_tables.hpp"
 #include "../beams/bonds.hpp"

@@ -1,5 +1,5 @@
-// The stiffness matrix of the facets of cells at rest, and the linear forms of the motion whose sum over the facets
-// of a cell is its dilatation.
+// Stiffness matrix of the facets of cells at rest. Also, for each cell, the linear forms of the motion whose sum over
+// its facets is volume times dilatation.
 #include "../../registered.hpp"
 #include "../../tables/stiffness_tables.hpp"
 #include "../../vector3.hpp"

@@ -1,4 +1,4 @@
-// Forces and torques of beams, added to the sums of their elements in the order of the beams.
+// Forces and torques of beams, added to those on the elements in the order of the beams, and their derivatives.
 #include "beam_passes.hpp"
 
 #include "../../laws/damping.hpp"

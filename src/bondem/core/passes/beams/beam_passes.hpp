@@ -1,4 +1,4 @@
-// Passes over beams that several source files or a device use.
+// Declarations of passes over beams that other source files or a GPU call.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/beam_softening_tables.hpp"

@@ -1,4 +1,4 @@
-// Counts and energies of beams for the guard and the history.
+// Energies of beams for the history of a run, and counts of beams that have turned too far for the check of the run.
 #include "beam_passes.hpp"
 
 #include "../../ledger.hpp"

@@ -1,4 +1,4 @@
-// Access of passes to the bonds of a table: to one bond, or to as many as there are lanes.
+// Data of the bonds of a table: of one bond, or of as many as a vector register has lanes.
 #pragma once
 #include "../../laws/beam.hpp"
 #include "../motion/moved_poses.hpp"

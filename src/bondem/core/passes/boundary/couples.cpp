@@ -1,8 +1,9 @@
-// Moments of loads on regions that turn: the smallest forces on their points with the moment about the centroid.
+// Moments M on regions, as the smallest forces f on points of elements that have this moment about their centroid:
 //
-// With the shares w of the points and their places s from the present centroid, f = w ω × s, J ω = M, and
-// J = Σ w (s² 1 - s⊗s). The forces have no resultant. Torques on the elements supply the part of M that forces
-// cannot, such as the moment about a row of points, so that the total is M.
+//     f = w ω × s      J ω = M      J = Σ w (s² 1 - s⊗s)
+//
+// w is the share of a point in the moment, s its present position from the centroid, and ω the solution of J ω = M.
+// The forces have no resultant. Torques supply the part of M that forces cannot, such as that about a row of points.
 #include "../../registered.hpp"
 #include "following.hpp"
 

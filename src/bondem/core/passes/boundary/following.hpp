@@ -1,4 +1,4 @@
-// Contribution of one load, and of one driven degree of freedom, to its row of the boundary at the time of a clock.
+// One load or one prescribed velocity of an element at the time of a step, in the row of the element in `Rows`.
 #pragma once
 #include "../motion/elements.hpp"
 #include "timeline.hpp"

@@ -1,5 +1,5 @@
-// Loads and prescribed velocities at the time of the clock, for the rows of the boundary: one per element with a
-// boundary condition.
+// Loads and prescribed velocities at the time of a step, for the rows of the table `Rows`: one row per element with
+// boundary conditions.
 #include "../../registered.hpp"
 #include "following.hpp"
 

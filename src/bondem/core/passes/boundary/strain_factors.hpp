@@ -1,8 +1,8 @@
-// Factors of stress-free strains that change in time, of beams and of cells, and the work of these strains.
+// Factors of stress-free strains of beams or cells, which follow schedules, and the work of these strains.
 //
-// The work in a step is the mean of ∂U/∂factor before and after it, times the change of the factor; U is the energy.
-// ∂U/∂factor is therefore computed in each step in which a factor changes and in the step before it, and also in the
-// first step of a call of the core.
+// The work in a step is the mean of ∂U/∂factor before and after the step, times the change of the factor, with U the
+// elastic energy. ∂U/∂factor is therefore computed in each step in which a factor changes and in the step before. The
+// first step of a call of the core computes ∂U/∂factor too.
 #pragma once
 #include "../../exact_sum.hpp"
 #include "../../steps.hpp"

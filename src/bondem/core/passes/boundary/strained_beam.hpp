@@ -1,4 +1,4 @@
-// One beam with a stress-free strain that changes: its rest length L (1 + ε*), and the work of its tension.
+// A beam with a stress-free strain ε* that changes in time: its rest length L (1 + ε*), and the work of the strain.
 #pragma once
 #include "../beams/bonds.hpp"
 #include "strain_factors.hpp"

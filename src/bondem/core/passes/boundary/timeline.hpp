@@ -1,4 +1,4 @@
-// The value of a schedule: piecewise linear in time, constant beyond its ends; at a jump, the later value.
+// Value and integral of a schedule: piecewise linear in time, constant beyond its ends, at a jump the later value.
 #pragma once
 #include "../../tables/step_tables.hpp"
 

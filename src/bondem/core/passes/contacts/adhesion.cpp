@@ -1,4 +1,4 @@
-// Passes of adhesion over pairs of spheres, and over spheres at walls (`adhesion.hpp`).
+// Passes of adhesion between spheres, and between spheres and walls (`adhesion.hpp`).
 #include "adhesion.hpp"
 
 #include "../../ledger.hpp"

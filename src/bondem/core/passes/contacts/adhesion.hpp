@@ -1,6 +1,5 @@
-// Adhesion of spheres that touch or are near, and of spheres at walls: a force along the normal without memory.
-//
-// Pairs that a bond joins or joined do not adhere: broken surfaces do not heal.
+// Adhesion between spheres that touch or are near, and between spheres and walls: a normal force that depends on the
+// present gap only (`laws/adhesion.hpp`). Broken surfaces do not heal: spheres that a bond has joined do not adhere.
 #pragma once
 #include "../../laws/adhesion.hpp"
 #include "../../steps.hpp"

@@ -1,6 +1,6 @@
-// Candidates for contact: pairs, and elements at walls, that may touch before the list is renewed.
+// Lists of the pairs of elements, and of the elements at walls, that may touch before the lists are made anew.
 //
-// Each pair is listed once, sorted by its later element, then by its earlier one, as bonds are.
+// Each pair is listed once. Pairs are sorted by the element of the larger number, then by the other, as bonds are.
 #include "../../registered.hpp"
 #include "../../tables/contact_tables.hpp"
 #include "../../tables/step_tables.hpp"

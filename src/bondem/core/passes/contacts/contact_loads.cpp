@@ -1,8 +1,8 @@
-// Contacts of pairs. A pass computes force and memory of each touching pair; others add the forces to the elements.
+// Contacts of pairs of elements. A pass computes force and memory (stretch of the tangential spring, and force of the
+// dashpots) of each touching pair; others add the forces to the elements.
 //
-// Most pairs of a list are bonded, or too far apart to touch before distances are measured again. Only the others are
-// evaluated in every step, in the order of the list; touching pairs are evaluated in groups of lanes. Forces are
-// summed in the order of the list, so that no bit depends on threads.
+// Most pairs of the list are bonded, or too far apart to touch before distances are measured again. Only the others
+// are evaluated in every step, as many at once as a vector register has lanes. Forces are summed in a fixed order.
 #include "contact_passes.hpp"
 
 #include "../../ledger.hpp"

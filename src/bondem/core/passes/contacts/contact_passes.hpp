@@ -1,4 +1,4 @@
-// Passes over contacts and walls that several source files or a device use.
+// Declarations of passes over contacts and walls that other source files or a GPU call.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/contact_tables.hpp"

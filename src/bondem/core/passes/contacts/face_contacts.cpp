@@ -1,4 +1,4 @@
-// Forces and energies of pairs of cells that touch by faces (`face_contacts.hpp`).
+// Passes that add up forces and energies of pairs of cells that touch by faces (`face_contacts.hpp`).
 #include "face_contacts.hpp"
 
 #include "../../ledger.hpp"

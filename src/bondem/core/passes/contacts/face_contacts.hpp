@@ -1,15 +1,16 @@
 // Contact of cells by the faces of material planes, such as joints.
 //
-// A facet of a material plane has a face on each of its two cells. Once these faces have parted (`crack_states.cpp`),
-// the facet no longer joins the cells. Each face may then touch an opposite cracked face of a cell that no facet
-// joins to its own. A pair of faces has the weight ½ for each face that has parted. The rest of an unparted face is
-// loaded by its own crack. Two cells touch by one pair of faces at a time: the pair with the largest common area,
-// until it separates. Cells with opposite cracked faces do not touch as spheres, which would protrude from the plane.
+// A facet of a material plane has a face on each of its two cells. When its crack is broken and these faces no longer
+// face each other, they have parted: the facet no longer joins the cells. Each face may then touch an opposite
+// cracked face of a cell that no facet joins to its own. A pair of faces has the weight ½ for each face that has
+// parted. A face that has not parted is also loaded by its own crack. Two cells touch by one pair of faces at a time:
+// the pair with the largest common area, until it separates. Cells with opposite cracked faces do not touch as
+// spheres, which would protrude from the plane.
 //
 // If faces overlap already when they may first touch, this initial overlap causes no force. Faces in one plane of the
-// reference, such as those of a joint, are an exception: they take over the pressure of facets that part, and the
-// next faces are found before they overlap. The choice of faces depends on positions, parted facets and the memory of
-// the pair, but not on when lists of contacts are made.
+// reference, such as those of a joint, are an exception. They take over the pressure of facets that part. As the
+// joint slides, the next faces are found before they overlap. The choice of faces does not depend on when lists of
+// contacts are made.
 #pragma once
 #include "../../laws/crack.hpp"
 #include "../../laws/face_contact.hpp"

@@ -1,4 +1,4 @@
-// Passes that begin contact where bonds have failed or cracks have parted in a step (`handover.hpp`).
+// Passes that begin the contact of elements whose bond or facet has failed in a step (`handover.hpp`).
 #include "handover.hpp"
 
 #include "../../exact_sum.hpp"

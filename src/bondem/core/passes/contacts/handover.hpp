@@ -1,9 +1,11 @@
-// Contact of two elements whose bond or facet has failed. The pair was in the list of contacts, but not evaluated.
+// Contact of two elements whose bond or facet has failed. Until then their pair is in the list of contacts, but is
+// not evaluated.
 //
 // The elements press on each other immediately, with the tangential spring at rest. If a bond fails without
-// softening, the contact acts from the end of that step, and the energy that it stores is subtracted from that of the
-// event. If a softening beam breaks, the contact replaces the pressure on the beam. Cells whose crack has parted
-// touch without a force at their present distance. Cells with faces on a material plane touch by these faces.
+// softening, the contact acts from the end of that step. The energy that the contact stores is subtracted from that
+// of the failure event. If a softening beam breaks, the contact replaces the pressure on the beam. If a crack has
+// parted (its faces no longer face each other), the cells touch at their present distance without a force. Cells with
+// faces on a material plane touch by these faces.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/beam_softening_tables.hpp"

@@ -1,4 +1,4 @@
-// Access of passes to pairs of spheres in contact: to one pair, or to as many as there are lanes.
+// Contacts of pairs of spheres: of one pair, or of as many as a vector register has lanes.
 //
 // The contact point divides the distance of the centres as the radii do, so that a contact has no net moment.
 #pragma once

@@ -1,12 +1,12 @@
-// Walls as rigid bodies: their motion, and the forces between walls and elements.
+// Walls as rigid bodies: their motion, and the forces between walls and elements. A contact is evaluated in the frame
+// of its wall, which moves and turns with the wall.
 //
-// A contact is evaluated in the frame of its wall, which moves and turns with the wall: there the wall is at rest. A
-// driven wall follows its schedules. A servo is a platen of some mass that is pushed along its normal by a prescribed
-// force against the force of the elements; a share of the missing force resists its motion, and its speed is limited.
-// A free wall moves by the force of the elements and a given force. Half of the change of momentum is added before it
-// moves, and half when the forces on it are known; likewise for its angular momentum. In between it turns about its
-// principal axes in the order 1 2 3 2 1 (Dullweber, Leimkuhler and McLachlan, J. Chem. Phys. 107, 1997). The work of
-// a wall is the trapezoidal sum of its power.
+// A driven wall follows its schedules. A servo is a wall of some mass on which a prescribed force acts against the
+// force of the elements. A flat servo moves along its normal, and a round one changes its radius. A share of the
+// unbalanced force resists this motion, and the speed is limited. A free wall moves by the forces of the elements and
+// by given forces. One half of the change of its momentum and angular momentum precedes the motion of a step, the
+// other half follows. In between the wall turns about its principal axes in the order 1 2 3 2 1 (Dullweber,
+// Leimkuhler and McLachlan, J. Chem. Phys. 107, 1997). The work of a wall is the trapezoidal sum of its power.
 #include "contact_passes.hpp"
 
 #include "../../ledger.hpp"

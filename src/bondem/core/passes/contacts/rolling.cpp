@@ -1,4 +1,4 @@
-// Resistance to rolling and twisting in a step (`rolling.hpp`): moments on elements in contact with each other or
+// Passes of the resistance to rolling and twisting (`rolling.hpp`): moments on elements in contact with each other or
 // with walls, and stored energies.
 #include "rolling.hpp"
 

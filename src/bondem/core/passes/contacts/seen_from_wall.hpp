@@ -1,4 +1,4 @@
-// An element, and the memory of its contact with a wall, in the frame of the wall, which may turn.
+// Motion of an element at a wall, and the tangential spring and dashpot of their contact, in the frame of the wall.
 #pragma once
 #include "../../laws/contact.hpp"
 #include "../beams/bonds.hpp"

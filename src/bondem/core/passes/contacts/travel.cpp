@@ -1,8 +1,8 @@
-// Check whether a list of contacts is still valid. A list has the pairs with a gap of at most twice its reach, so
-// that no other pair touches before an element or a wall has moved by the reach.
+// Check whether a list of contacts is still valid. The list has all pairs with a gap of at most twice its reach. No
+// other pair therefore touches before an element or a wall has moved by the reach.
 //
-// The motion of an element since the list was made is at most the sum of its motion until distances were last
-// measured and that since then. One pass over the elements therefore checks both the list and the distances.
+// Distances of listed pairs are measured after some motion only. The largest motion since the list was made is at
+// most the sum of the largest motions before and after this measurement. One pass over the elements thus checks both.
 #include "contact_passes.hpp"
 
 #include "../../registered.hpp"

@@ -1,4 +1,4 @@
-// Place, power and readings of a wall, and its distance from the surface of a sphere.
+// Shape and place of a wall: its distance from the surface of a sphere, its power, and quantities that gauges record.
 #pragma once
 #include "../../tables/contact_tables.hpp"
 #include "../record/reading.hpp"

@@ -1,4 +1,4 @@
-// Body forces and their work, on the CPU and on a device.
+// Declarations of passes that add body forces and their work, on the CPU or a GPU.
 #pragma once
 #include "../../steps.hpp"
 

@@ -1,4 +1,4 @@
-// Effect of a boundary condition on the motion of an element that owns a row.
+// Loads, reactions and prescribed velocities of an element with boundary conditions, in its row of the table `Rows`.
 #pragma once
 #include "elements.hpp"
 

@@ -1,4 +1,4 @@
-// Elements that a pass computes at once: one, or as many as a register has lanes. Passes are templates for both.
+// One element, or as many as a vector register has lanes. Passes are templates for both.
 #pragma once
 #include "../../lanes.hpp"
 #include "../../laws/rotations.hpp"

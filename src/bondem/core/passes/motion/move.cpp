@@ -1,6 +1,5 @@
-// Passes that close the step of elements with complete forces, and open their next step where the run continues
-// without a pause: both change velocities, and opening also changes positions (`moving.hpp`). The sums of the forces
-// are set to zero.
+// Passes that move elements by the forces on them (`moving.hpp`), by the second change of velocity of a step. If the
+// run does not pause, the first changes of velocity and position of the next step follow. Sums of forces are cleared.
 #include "../../registered.hpp"
 #include "moving.hpp"
 

@@ -1,4 +1,4 @@
-// Poses of elements with a small motion of each, as rows of duals.
+// Positions and orientations of elements as dual numbers (`dual.hpp`), whose derivatives are small motions.
 #pragma once
 #include "../../dual.hpp"
 #include "elements.hpp"

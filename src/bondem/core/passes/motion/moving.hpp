@@ -1,9 +1,10 @@
-// Motion of an element with complete forces, which closes the step and, without a pause, opens the next one:
+// Motion of an element by the forces f on it, which closes a step and, unless the run pauses, opens the next one:
 //
 //     close    v += finish a                       with a = f / m; angular velocities likewise
 //     open     v += begin a,   x += dt v + extra a
 //
-// Velocities change twice also where one change would do, so that no bit depends on where a run pauses.
+// The coefficients are those of `StepScheme`. Velocities change twice also where one change would do, so that no bit
+// depends on where a run pauses.
 #pragma once
 #include "resisted.hpp"
 

@@ -1,5 +1,5 @@
-// Sums of loads and of forces of dashpots on elements that domains share. A domain is the part of a body that one
-// thread computes.
+// Sums of loads and of forces of dashpots on elements with bonds in several domains. A domain is the part of a body
+// that one thread computes.
 #include "../../registered.hpp"
 #include "elements.hpp"
 

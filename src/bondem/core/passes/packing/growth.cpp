@@ -1,9 +1,8 @@
-// Hard spheres that fly, collide and grow: event-driven molecular dynamics.
+// Hard spheres that fly, collide and grow: event-driven molecular dynamics (Lubachevsky and Stillinger, J. Stat.
+// Phys. 60, 1990), with one event per sphere (Lubachevsky, J. Comput. Phys. 94, 1991).
 //
-// Lubachevsky and Stillinger, J. Stat. Phys. 60 (1990); one event per sphere, as Lubachevsky, J. Comput. Phys. 94
-// (1991). All radii grow in proportion at a constant rate. Between collisions a sphere flies straight. The next event
-// of each sphere is stored in a heap by time. One thread computes all events, because they depend on each other and
-// their order determines the bits.
+// All radii grow in proportion at a constant rate. Between collisions a sphere flies straight. The next event of each
+// sphere is stored in a heap by time. One thread computes all events, because each depends on those before.
 #include "../../registered.hpp"
 #include "../../tables/columns.hpp"
 #include "../../tables/packing_tables.hpp"

@@ -1,4 +1,4 @@
-// Rigid walls around a packing: the part of the force on a sphere that they carry, and the return of spheres to them.
+// Rigid walls around a packing: force on a sphere without the part that walls carry, and return of spheres to walls.
 //
 // `PackingWalls` describes flat walls, a round wall, and any other shape by the depth below its walls on a grid.
 #pragma once

@@ -1,4 +1,4 @@
-// Separations in a periodic cell.
+// Vectors between points of a periodic cell, over the nearest images.
 #pragma once
 #include "../../array.hpp"
 #include "../../vector3.hpp"

@@ -1,8 +1,8 @@
-// Conjugate gradients for successive equilibria, preconditioned by a coarse correction. A scaling S of the unknowns
-// makes the diagonal blocks of Sᵀ K S, with the stiffness K, unit matrices.
+// Conjugate gradients for successive equilibria, preconditioned by a coarse correction in which clumps of cells move
+// rigidly. A scaling S of the unknowns makes the diagonal blocks of Sᵀ K S unit matrices, with K the stiffness.
 //
-// Memory traffic determines the time of an iteration. The residual of the guess is exact. Corrections are much
-// smaller than the solution, so that a matrix in single precision is accurate enough for them.
+// Memory traffic determines the time of an iteration. The residual of a guess is computed in double precision.
+// Corrections are much smaller than the solution, so that a matrix in single precision is accurate enough for them.
 #include "../../registered.hpp"
 #include "../../tables/quasistatic_tables.hpp"
 

@@ -1,8 +1,9 @@
 // Facets of any integrity s in small motions about the reference, without friction.
 //
-// A facet is two halves. Each softens in all directions where it opens, and keeps its stiffness along the normal
-// where it presses. With F the force of the half at full integrity, w its part of the compliance, s_p the share
-// vector of the facet in V θ of cell p, δ the gap and σ the stress of the cell,
+// A facet is two halves, one per cell p. Each softens in all directions where it opens, and keeps its stiffness along
+// the normal n where it presses. k is the stiffness of the facet, δ its gap, and s_p its share of V θ, the volume of
+// a cell times its dilatation. F is the force of a half at full integrity, w the part of the half in the compliance
+// of the facet, and σ the stress of the cell.
 //
 //     F = k δ + σ s_p / w       opens: s F       presses: s F + (1 - s) (F · n) n
 //     V θ += s (s_p · δ)        presses: and (1 - s) (s_p · n) (δ · n)

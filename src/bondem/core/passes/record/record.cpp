@@ -1,5 +1,5 @@
-// Rows of the history, with time, energy balance and gauges; and the check (guard) that the energy of a run is finite
-// and bounded.
+// Passes that write rows of the history, with time, energy balance and gauges. Also the check (guard) that the energy
+// of a run is finite and bounded.
 #include "record.hpp"
 
 #include "../../ledger.hpp"

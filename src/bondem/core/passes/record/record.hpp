@@ -1,4 +1,4 @@
-// Check of the energy (guard) and rows of the history, on the CPU and on a device.
+// Declarations of passes that check the energy of a run or write its history, on the CPU or a GPU.
 #pragma once
 #include "../../steps.hpp"
 

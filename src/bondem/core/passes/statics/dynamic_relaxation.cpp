@@ -1,7 +1,7 @@
-// Dynamic relaxation: motion with masses of no physical meaning and a time step of 1, damped until it rests.
+// Dynamic relaxation: damped motion to equilibrium, with masses m of no physical meaning and a time step of 1.
 //
-// Each step damps by c = 2 ω, the critical rate of the frequency at which the free elements move at present,
-// Rayleigh's quotient of the last steps:
+// Each step damps at the critical rate c = 2 ω. ω is the frequency at which the free elements move at present, by
+// Rayleigh's quotient of their velocities v and the stiffness K:
 //
 //     ω² = Σ v·ΔF / Σ m v²      ΔF = K v
 //

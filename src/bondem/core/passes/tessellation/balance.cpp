@@ -1,6 +1,6 @@
-// The operator of the balanced shares (`bondem/specimen/tessellation/balanced_shares.py`): with a symmetric tensor Y
-// of each cell and the weighted branch b of each facet, N Y = Σ sym((Y_p - Y_q) b ⊗ b) over the facets of cell p.
-// The sum over the facets of a cell is made by one thread, so that no result depends on the number of threads.
+// The operator N of balanced shares (`bondem/specimen/tessellation/balanced_shares.py`), with a symmetric tensor Y of
+// each cell: N Y = Σ sym((Y_p - Y_q) b ⊗ b) over the facets of cell p. q is the cell behind the facet, and b the
+// vector between both centres times a weight. One thread adds up the facets of a cell.
 #include "../../registered.hpp"
 #include "../../symmetric3.hpp"
 #include "../../tables/tessellation_tables.hpp"

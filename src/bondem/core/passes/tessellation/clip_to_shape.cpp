@@ -1,8 +1,8 @@
 // Cells cut by walls: split by the planes of all wall triangles that reach into them, until none does.
 //
-// Each piece has a list of the wall triangles within it, cut to the piece. The plane of the largest triangle splits
-// the piece and its other triangles (binary space partition). A piece without triangles lies on one side of every
-// wall.
+// Each piece of a cell has a list of the wall triangles within it, cut to the piece. The plane of the largest
+// triangle splits the piece and its other triangles (binary space partition). A piece without triangles lies on one
+// side of every wall.
 #include "../../registered.hpp"
 #include "../../tables/tessellation_tables.hpp"
 #include "section.hpp"

@@ -1,7 +1,7 @@
-// Interfaces of pieces of cells: faces in one plane, intersected with each other.
+// Interfaces between pieces of cells, by intersection of faces in one plane.
 //
-// Two pieces that face each other across a plane share the intersection of their faces; the uncovered rest is free.
-// Both are patches, convex polygons again.
+// Two pieces that face each other across a plane share the intersection of their faces. The rest of each face is
+// free. Both the shared and the free parts are convex polygons (patches).
 #include "../../registered.hpp"
 #include "../../tables/tessellation_tables.hpp"
 #include "pile.hpp"

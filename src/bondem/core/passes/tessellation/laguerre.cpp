@@ -1,12 +1,12 @@
 // Laguerre cells of spheres: the points whose power |x - c|² - R² is least for the sphere of centre c and radius R.
 //
 // A cell begins as a box and is cut by the radical plane of one neighbour after another, in the order of their
-// distance. Every face is a polygon of its own, cut by planes, without a record of connections: degenerate cases are
-// harmless, and volumes and areas are exact to rounding.
+// distance. Every face is a polygon of its own, cut by planes, without a record of connections. Degenerate cases are
+// therefore harmless, and volumes and areas are exact to rounding.
 //
-// With ρ the distance of the farthest corner from the centre, a neighbour at distance L cuts only if
-// ½ (L - (R_max² - R²) / L) < ρ, so the search ends at the first L beyond. The search ends earlier by a bound of
-// radii near the element: no sphere at distance L from it has a radius above B + κ L.
+// ρ is the distance of the farthest corner from the centre, and R_max the largest radius. A neighbour at distance L
+// cuts only if ½ (L - (R_max² - R²) / L) < ρ. The search ends at the first L beyond, or earlier by a bound B of each
+// element, with κ = ½: no sphere at distance L from the element has a radius above B + κ L.
 #include "../../registered.hpp"
 #include "../../tables/tessellation_tables.hpp"
 #include "pile.hpp"

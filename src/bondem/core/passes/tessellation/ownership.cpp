@@ -1,4 +1,5 @@
-// Division among elements of pieces that a wall separates from the centre of their cell.
+// Division of pieces of cells that a wall separates from the centre of the cell. Each point of a piece goes to the
+// element of least power |x - c|² - R², with centre c and radius R.
 #include "../../registered.hpp"
 #include "../../tables/tessellation_tables.hpp"
 #include "section.hpp"

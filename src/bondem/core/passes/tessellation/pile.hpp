@@ -1,4 +1,4 @@
-// A pile of polygons that grows as one after another is put on it (`PolygonBuffer`).
+// A stack of polygons in the arrays of a `PolygonBuffer`, and access to the faces of solids.
 #pragma once
 #include "../../tables/tessellation_tables.hpp"
 #include "polygon.hpp"

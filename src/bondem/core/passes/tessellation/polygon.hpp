@@ -1,4 +1,4 @@
-// Convex polygons in space, by their corners in counter-clockwise order as seen against the normal.
+// Convex polygons in space. Corners are in counter-clockwise order for a viewer to whom the normal points.
 #pragma once
 #include "../../array.hpp"
 #include "../../vector3.hpp"

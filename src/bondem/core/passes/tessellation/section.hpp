@@ -1,4 +1,4 @@
-// A piece of a cell, as a pile of its faces and of the wall triangles within it, cut by a plane.
+// Cut of a piece of a cell by a plane. The piece is a stack of its faces and of the wall triangles within it.
 #pragma once
 #include "pile.hpp"
 
