@@ -1,4 +1,4 @@
-"""CUDA device, for which NVRTC compiles passes over an index from the sources of the core.
+"""CUDA device, for which NVRTC compiles passes of the core with one thread per element, bond or facet.
 
 This module is loaded for `device="gpu"` only; no other module imports NVIDIA's `cuda.core`. Each pass is a separate
 program, compiled when a run first needs it. Compiled passes are stored in the folder `kernels` of bondem's cache, by

@@ -1,4 +1,4 @@
-"""Passes over an index on a device, and the tables of a run in its memory.
+"""Passes with one thread per element, bond or facet on a device, and the tables of a run in its memory.
 
 A device is a GPU (`bondem._cuda`), or the CPU (`Host`), on which tests run the same passes in a loop. Tables are
 those of the core, named tuples of NumPy arrays. `DeviceTables` checks them and copies them to the device.

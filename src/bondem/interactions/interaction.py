@@ -1,6 +1,6 @@
 """Interface between a law of bonds and the rest of the package.
 
-An interaction knows the elements and bonds of a specimen, but neither model nor state. Its methods receive the arrays
+An interaction has the elements and bonds of a specimen, but neither model nor state. Its methods receive the arrays
 of the state that belong to the law. Defaults are those of beams, which have a potential and no memory. A solver that
 needs more checks `Interaction.has_potential` or the class `LaggedInteraction`.
 """
@@ -66,7 +66,7 @@ class StateField:
 
 
 class SurfaceState(NamedTuple):
-    """Walls that hold facets, and tractions on facets, at one time.
+    """Walls that constrain facets, and tractions on facets, at one time.
 
     `base` are initial places of the walls, (g, 7), and `motion` their displacements [m], (g, 3). `pressed` is the
     contribution of tractions to V θ, volume times dilatation, of each cell [m³], internal order, (n,).
@@ -311,7 +311,7 @@ class Interaction(ABC):
     def of_walls(
         self, displacement: PerElement3, rotation: PerElement3, strain: PerBond, pressed: PerElement
     ) -> PerElement6:
-        """Return force and torque on elements by the walls that hold facets [N, N·m], user's order, (n, 6)."""
+        """Return force and torque on elements by walls that constrain facets [N, N·m], user's order, (n, 6)."""
         return np.zeros((len(displacement), 6))
 
     def small_energy(

@@ -165,7 +165,7 @@ class Model:
 
     @property
     def cell_law(self) -> CellInteraction:
-        """Law of the bonds of a `CellBond` model."""
+        """Interaction of the cells of a `CellBond` model."""
         return cast(CellInteraction, self.interaction)
 
     @property

@@ -68,7 +68,7 @@ class State(StateMotion):
     - `walls`: positions, velocities and loads of the walls (`bondem.boundary.wall_rows`), shape (w, 27).
     - `broken`: breakages in order of time (`EventColumn` of `bondem._tables.columns`), shape (e, 10).
     - `released`: energy that breaking bonds have released since the start [J], shape (1,).
-    - `crushed`: energy released before the start by facets or beams beyond their fracture energy [J], shape (1,).
+    - `crushed`: energy that facets or beams had released by crushing before the run began [J], shape (1,).
     - `cracks`: facets that have begun to crack, in order of time (`bondem.damage.crack_columns`), shape (c, 30).
     - `plastic`, `held_slip`: memory of cells that yield (`PlasticColumn`), shapes (n, 17) and (n,), or no rows.
     - `softened`: beams that have begun to soften, in order of time (`SoftColumn`), shape (c, 7).
@@ -243,7 +243,7 @@ class State(StateMotion):
 
     @property
     def bond_eigenstrain(self) -> PerBond:
-        """Stress-free strain ε* of each bond besides `Eigenstrain` [-], (m,); settable, also one value for all."""
+        """Stress-free strain ε* of each bond besides `Eigenstrain` [-], (m,). Assign as by `set_eigenstrain`."""
         if not self.eigenstrain.size:
             return freeze(np.zeros(len(self.integrity)))
         return self._bonds_by_user(self.eigenstrain)
@@ -267,7 +267,7 @@ class State(StateMotion):
 
     @property
     def plastic_deformation(self) -> Floats:
-        """Plastic deformation P of each cell in its frame, which scales its levers [-], user's order, (n, 3, 3)."""
+        """Plastic deformation P of each cell in its frame [-], user's order, (n, 3, 3); P multiplies its levers."""
         P = np.tile(np.eye(3), (len(self.pose), 1, 1))
         if len(self.plastic):
             P += self._by_user(self.plastic[:, : PlasticColumn.GAMMA]).reshape(-1, 3, 3)

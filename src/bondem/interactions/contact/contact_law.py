@@ -105,9 +105,9 @@ class ContactLaw(ABC):
 def rebound(beta: float) -> float:
     """Return the restitution e of a collision with the share β of the critical damping [-].
 
-    The collision ends where the force vanishes. The formula holds for a linear spring and dashpot. It also holds for
-    a Hertzian one, whose overlap to the power 5/4 oscillates as a linear one does (Antypov and Elliott, EPL 94,
-    2011). The force vanishes before the overlap does (Schwager and Pöschel, Granular Matter 9, 2007).
+    The collision ends where the force vanishes. The formula is valid for a linear spring and dashpot. It is also
+    valid for a Hertzian contact, because its overlap to the power 5/4 oscillates as a linear one (Antypov and
+    Elliott, EPL 94, 2011). The force vanishes before the overlap (Schwager and Pöschel, Granular Matter 9, 2007).
     """
     if beta < 1.0:
         omega = math.sqrt(1.0 - beta * beta)

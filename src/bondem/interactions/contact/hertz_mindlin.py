@@ -148,7 +148,7 @@ class HertzMindlin(ContactLaw):
 
     @property
     def deepest(self) -> float:
-        """Overlap over the smaller radius up to which the law holds [-]: 0.1, or `overlap` if larger."""
+        """Overlap over the smaller radius up to which the law is valid [-]: 0.1, or `overlap` if larger."""
         return max(_DEEPEST, self.overlap)
 
     def shortest(self, radius: Floats, mass: Floats, platens: Floats, *, walled: bool) -> float:

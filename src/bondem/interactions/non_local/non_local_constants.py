@@ -29,7 +29,7 @@ class NonLocalConstants:
         lever_i, lever_j: levers from the elements to the contact point [m], shape (m, 3).
         volume: V by which the stress of an element is divided [m³], shape (n,).
         nu: ν [-].
-        limited: True if the extra shear force is limited.
+        limited: True if the extra shear force is limited, as `NonLocal.limited` defines.
     """
 
     area: PerBond
