@@ -32,10 +32,7 @@ class Couple:
     schedule: int
 
     def places(self, pose: Floats | None) -> tuple[Floats, Floats]:
-        """Return the arms, and the points relative to their weighted centroid [m], (k, 3) each.
-
-        Both are those of the elements in `pose` (n, 8), as `State.pose`, or in the reference for None.
-        """
+        """Return the arms, and the points from their weighted centroid [m], (k, 3), in `pose` (n, 8) or at rest."""
         arm, centre = self.arm, self.centre
         if pose is not None:
             arm, centre = turned_vectors(pose[self.element, 4:], self.arm), pose[self.element, :3]

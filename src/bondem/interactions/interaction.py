@@ -311,14 +311,21 @@ class Interaction(ABC):
     def of_walls(
         self, displacement: PerElement3, rotation: PerElement3, strain: PerBond, pressed: PerElement
     ) -> PerElement6:
-        """Return force and torque on elements by walls that constrain facets [N, N·m], user's order, (n, 6)."""
+        """Return force and torque on elements by walls that constrain facets [N, N·m], user's order, (n, 6).
+
+        The arguments are those of `small_energy`.
+        """
         return np.zeros((len(displacement), 6))
 
     def small_energy(
         self, displacement: PerElement3, rotation: PerElement3, strain: PerBond, pressed: PerElement,
         traction: Floats,
     ) -> EnergyParts:  # fmt: skip
-        """Return the energy of small motions [m, rad], user's order; `traction` is the force on free facets [N]."""
+        """Return the energy of small motions of the elements [m, rad], (n, 3) each, user's order.
+
+        Strains ε* [-], (m,), are in internal order. `pressed` is the contribution of tractions to V θ [m³], (n,), and
+        `traction` the force on each free facet [N], (k, 3).
+        """
         lattice, k = self.lattice, self.bonds
         bonds = BondStrain.of(lattice, k.lever, displacement, rotation)
         elongation, order = bonds.normal.copy(), self.layout.bond_order

@@ -49,7 +49,7 @@ class CellConstants:
         volume: V [m³], shape (n,).
         weight: λ_p / V_p, the factor from V_p θ_p to the stress λ_p θ_p [Pa/m³], shape (n,).
         direction: normals of the facets, from i to j [-], shape (3, m).
-        G, lame: shear modulus and Lamé's λ of the material of each cell [Pa], shape (n,).
+        G, lame: shear modulus and Lamé's λ of each cell [Pa], shape (n,); λ is at least -2 G / q, q of `compliance`.
         supports: facets that walls constrain; their cells in the user's order.
         softness: d / 2 G of each free facet, its opening per traction [m/Pa], shape (k,); d is its distance from g.
         way: (c - g) / d along the free axes of each free facet, with its centroid c and the centre g of its cell [-],

@@ -15,7 +15,7 @@ class CellStrain:
     """Small deformation of every facet and cell from the reference, user's order.
 
     Attributes:
-        gap: δ = u_j + θ_j × b_j - u_i - θ_i × b_i, gap between the faces of each facet [m], (m, 3).
+        gap: δ = u_j + θ_j × b_j - u_i - θ_i × b_i with levers b, gap between the faces of a facet [m], (m, 3).
         turn: θ_j - θ_i [rad], (m, 3).
         wall_gap: gaps at the facets that walls constrain, along the fixed axes [m], (g, 3).
         rotation: rotations of the elements [rad], (n, 3).

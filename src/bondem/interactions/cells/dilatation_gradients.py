@@ -149,7 +149,7 @@ class GradientConstants:
         return moment, wall
 
     def coupling(self, weight: PerElement) -> csr_array | None:
-        """Return W L W, (n, n), of the diagonal `weight` W [Pa/m³] and the Laplacian L of springs; None without them."""
+        """Return W L W, (n, n), of the diagonal `weight` W [Pa/m³] and the Laplacian L of springs, or None."""
         i, j, spring = self.springs()
         if not len(spring):
             return None

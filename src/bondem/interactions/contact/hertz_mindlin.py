@@ -152,7 +152,7 @@ class HertzMindlin(ContactLaw):
         return max(_DEEPEST, self.overlap)
 
     def shortest(self, radius: Floats, mass: Floats, platens: Floats, *, walled: bool) -> float:
-        """Return the shortest duration of an elastic collision, with the overlap `overlap` [s]; see `ContactLaw`."""
+        """Return the shortest duration of an elastic collision at `overlap` [s]; arguments as in `ContactLaw`."""
         kn = 2.0 * self.modulus * radius * math.sqrt(0.5 * self.overlap)
         elastic = _DURATION * slowest_root(kn, 2.0 * math.sqrt(2.0) * kn, mass, platens, walled=walled)
         return min(elastic, passage(self.adhesion, radius, mass, platens, walled=walled))

@@ -54,8 +54,8 @@ class NonLocal:
             choice for a lattice of spheres.
         areas: areas A. "facet" requires a body from `bd.connect(..., method="laguerre")`, and "weighted" a lattice of
             spheres (`bondem.interactions.non_local.contact_areas`).
-        volume: V of eq (1): "cell", or "sphere" as in the paper, with which stresses are too large and amplify
-            themselves.
+        volume: V of eq (1): "cell" (estimated as Σ A l / 3 for spheres), or "sphere" as in the paper, with which
+            stresses are too large and amplify themselves.
         limited: True to limit the tangential part of e, as the docstring of the module defines.
 
     Reference: Celigueta, Latorre, Arrufat and Oñate, non-local bonded DEM with fracture (2020), eqs (1) to (6).
