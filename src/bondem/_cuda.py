@@ -68,7 +68,7 @@ class Registers:
 def compiled_passes(
     architecture: str, name: str | None = None, *, fused: bool = True
 ) -> tuple[bytes, dict[str, Registers]]:
-    """Compile passes over an index; no device is needed.
+    """Compile passes with one thread per index; no device is needed.
 
     Args:
         architecture: architecture of the device, such as "sm_90".

@@ -179,7 +179,7 @@ class DeviceTables:
 
 
 class Host:
-    """CPU as a device with separate memory, for tests: passes over an index are loops."""
+    """CPU as a device with separate memory, for tests: passes are loops over their indices."""
 
     def allocate(self, size: int) -> tuple[int, object]:
         """Allocate at least `size` bytes of zeros; return their address and the array that owns them."""
