@@ -295,8 +295,7 @@ class Interaction(ABC):
     def strain_load(self, strain: PerBond, pressed: PerElement) -> PerElement6:
         """Return forces on elements at rest by strained bonds and moving walls [N, N·m], internal order, (n, 6).
 
-        Strains ε* [-] are in internal order. `pressed`, the contribution of tractions to V θ [m³], is in the user's
-        order.
+        Strains ε* [-] are in internal order, and the contributions `pressed` of tractions to V θ [m³] in the user's.
         """
         layout, bonds = self.layout, self.table
         push = bonds.kn * bonds.length * strain * bonds.direction
@@ -311,10 +310,7 @@ class Interaction(ABC):
     def of_walls(
         self, displacement: PerElement3, rotation: PerElement3, strain: PerBond, pressed: PerElement
     ) -> PerElement6:
-        """Return force and torque on elements by walls that constrain facets [N, N·m], user's order, (n, 6).
-
-        The arguments are those of `small_energy`.
-        """
+        """Return loads of walls on elements [N, N·m], user's order, (n, 6); arguments as in `small_energy`."""
         return np.zeros((len(displacement), 6))
 
     def small_energy(
@@ -323,8 +319,8 @@ class Interaction(ABC):
     ) -> EnergyParts:  # fmt: skip
         """Return the energy of small motions of the elements [m, rad], (n, 3) each, user's order.
 
-        Strains ε* [-], (m,), are in internal order. `pressed` is the contribution of tractions to V θ [m³], (n,), and
-        `traction` the force on each free facet [N], (k, 3).
+        Strains ε* [-], (m,), are in internal order. `pressed` is the contribution of tractions to V θ [m³], (n,).
+        `traction` is the force on each free facet [N], (k, 3).
         """
         lattice, k = self.lattice, self.bonds
         bonds = BondStrain.of(lattice, k.lever, displacement, rotation)
@@ -374,10 +370,7 @@ class Interaction(ABC):
         return product_by(len(pose), lambda by: calls.multiply_beams(Poses(pose), by, beams))
 
     def gradient(self, pose: Floats) -> tuple[PerElement6, PerElement6]:
-        """Return the derivative of the energy of intact bonds by displacements and spins, and the loads of walls.
-
-        Both are in N and N·m, (n, 6), internal order.
-        """
+        """Return the derivative of the energy of intact bonds by (u, θ) of elements, and wall loads [N, N·m], (n, 6)."""
         beams, sums = self._beams(np.zeros(0), np.ones(len(self.layout.i))), lines(len(pose))
         load_beams(pose, beams, BeamSums(beams.i, beams.j, sums))
         return -loads_in(sums), np.zeros((len(pose), 6))

@@ -6,9 +6,9 @@ unloaded state, in rounds of
 
     K u' = f + nodal loads of the extra forces e,    e' = e(σ, δ_t) of the motion u'
 
-with K of the springs alone, and e, σ and δ_t of `bondem.interactions.non_local.non_local_law`. After one round for
-each of `steps` equal shares of the load, rounds continue at full load until stresses no longer change. The number of
-steps has no effect on the stresses.
+with K of the springs alone, the mean stress σ of both elements of a bond, and the tangential part δ_t of its gap.
+After one round for each of `steps` equal shares of the load, rounds continue at full load until stresses no longer
+change. The number of steps has no effect on the stresses.
 
 If the extra shear force is limited, the rounds are mixed to converge sooner (Anderson). Without this limit the
 rotations may never settle although stresses have, because no spring resists them. Rounds are then not mixed.
