@@ -370,7 +370,7 @@ class Interaction(ABC):
         return product_by(len(pose), lambda by: calls.multiply_beams(Poses(pose), by, beams))
 
     def gradient(self, pose: Floats) -> tuple[PerElement6, PerElement6]:
-        """Return the derivative of the energy of intact bonds by (u, θ) of elements, and wall loads [N, N·m], (n, 6)."""
+        """Return the derivative of the energy of intact bonds, and wall loads [N, N·m], internal order, (n, 6) each."""
         beams, sums = self._beams(np.zeros(0), np.ones(len(self.layout.i))), lines(len(pose))
         load_beams(pose, beams, BeamSums(beams.i, beams.j, sums))
         return -loads_in(sums), np.zeros((len(pose), 6))
