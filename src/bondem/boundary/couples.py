@@ -32,7 +32,7 @@ class Couple:
     schedule: int
 
     def places(self, pose: Floats | None) -> tuple[Floats, Floats]:
-        """Return the arms, and the points from their weighted centroid [m], (k, 3), in `pose` (n, 8) or at rest."""
+        """Return arms, and points from their weighted centroid [m], (k, 3) each, in a pose (n, 8), or at rest."""
         arm, centre = self.arm, self.centre
         if pose is not None:
             arm, centre = turned_vectors(pose[self.element, 4:], self.arm), pose[self.element, :3]

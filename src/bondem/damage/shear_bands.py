@@ -38,7 +38,7 @@ def band_widths(edge: PerElement, yields: Mask, given: PerElement) -> PerElement
 def cells_of_bands(
     body: Lattice, order: Ints, edge: PerElement, yields: Mask, width: PerElement
 ) -> tuple[Ints, Ints]:
-    """List the cells over which the plastic shear strain of each cell is averaged: those at a distance of about B/2.
+    """List the cells over which the plastic shear strain of each cell is averaged, about half a shear band away.
 
     B is the width of a shear band. On a sphere of radius ρ, the coordinate along any axis is distributed uniformly
     over -ρ … ρ. The mean strain on the sphere ρ = B/2 around a cell of a flat band is therefore s / B, with s [m] the

@@ -122,7 +122,7 @@ class LawParts:
 
     Attributes:
         parts: parts of a step.
-        integrity: integrity of the bonds that its passes write, (m,) or longer.
+        integrity: integrity of the bonds that these parts write [-], (m,) or longer.
         stresses: stresses of elements to which contacts contribute, or None.
     """
 
@@ -370,7 +370,7 @@ class Interaction(ABC):
         return product_by(len(pose), lambda by: calls.multiply_beams(Poses(pose), by, beams))
 
     def gradient(self, pose: Floats) -> tuple[PerElement6, PerElement6]:
-        """Return the derivative of the energy of intact bonds, and wall loads [N, N·m], internal order, (n, 6) each."""
+        """Return the derivative of the energy of intact bonds, and wall loads [N, N·m], internal order, (n, 6)."""
         beams, sums = self._beams(np.zeros(0), np.ones(len(self.layout.i))), lines(len(pose))
         load_beams(pose, beams, BeamSums(beams.i, beams.j, sums))
         return -loads_in(sums), np.zeros((len(pose), 6))

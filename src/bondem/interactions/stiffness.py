@@ -16,7 +16,7 @@ class Stiffness:
     """The matrix K = B + Fᵀ (W + S) F + Tᵀ T, with degrees of freedom (u, θ) per element.
 
     B contains the bonds, each of which couples two elements. The dilatation of a cell couples all its neighbours with
-    each other. An explicit matrix would have four times as many blocks, so that the other terms remain factors.
+    each other. An explicit matrix would have four times as many blocks, so that the other terms remain products.
 
     Attributes:
         bonds: B, 6×6 blocks, with a diagonal block in every row, (6 n, 6 n).

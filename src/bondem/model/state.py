@@ -34,7 +34,7 @@ class State(StateMotion):
     """Positions, velocities and damage of all elements and bonds; see docs/decisions/0001-state.md.
 
     `model.state()` makes a state at rest. The properties `position`, `displacement`, `orientation`, `velocity`,
-    `angular_velocity` and `bond_eigenstrain` can be assigned; a single value applies to all elements:
+    `angular_velocity` and `bond_eigenstrain` can be assigned. Except for `position`, one value may be given for all:
     `state.velocity = (0, 0, -5.0)`. The arrays that properties return are read-only, in the user's order of elements
     and bonds.
 
@@ -275,7 +275,7 @@ class State(StateMotion):
 
     @property
     def contacts(self) -> Pairs:
-        """Pairs of elements in contact, without bonded ones unless `parallel=True`, user's order, shape (c, 2)."""
+        """Pairs of elements in contact, user's order, (c, 2); bonded pairs only if the law has `parallel=True`."""
         return freeze(self.layout.order[self.touching[in_contact(self.stretch)]])
 
     @property

@@ -311,7 +311,7 @@ def _along_facets(free: FreeFacets, position: PerElement3) -> Floats:
 
 
 def compliance(body: Lattice) -> PerElement:
-    """Return q of each cell [-], shape (n,): its energy is positive for every motion if λ > -2 G / q.
+    """Return q of each cell [-], (n,): the energy of the cell is positive for every motion if λ > -2 G / q.
 
     q = Σ A d |m|² / V over the facets of a cell, with area A, depth d of the centre below the facet, and m of `ways`;
     q = 3 if m is the normal. V θ² ≤ q Σ A |δ_p|² / d for any openings δ_p of its facets on the side of the cell.

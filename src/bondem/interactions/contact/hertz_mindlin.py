@@ -40,12 +40,13 @@ class HertzMindlin(ContactLaw):
 
         F_n = 4/3 E* √R* u^(3/2) + cn u',    ks = 8 G* √(R* u)    (stick; |F_t| <= μ F_n)
 
-    with E* = E / 2(1 − ν²), G* = G / 2(2 − ν), R* = Ri Rj / (Ri + Rj). A wall is rigid: E* and G* are doubled, R* =
-    R. The dashpots are cn = 2 √(5/6) β √(m̄ kn), kn = 2 E* √(R* u), and likewise with ks. They give the requested
-    restitution at all speeds, with contacts that only repel. A tangential spring of stretch ξ stores ½ ks(u) ξ² and
-    adds ½ ks'(u) ξ² to F_n, about μ² kn / 6 ks of F_n where it slides. A contact that does not slide is therefore
-    elastic, and does not creep under oscillating loads (docs/decisions/0053-tangential-potential-and-rolling.md).
-    Friction acts up to F_t / F_n = √(3 ks / 2 kn), 1.1 for ν = 0.3.
+    with the overlap u, E* = E / 2(1 − ν²), G* = G / 2(2 − ν) and R* = Ri Rj / (Ri + Rj). A wall is rigid: E* and G*
+    are doubled, and R* = R. The dashpots are cn = 2 √(5/6) β √(m̄ kn), with kn = 2 E* √(R* u) and the reduced mass m̄,
+    and likewise with ks. They give the requested restitution at all speeds, with contacts that only repel. A
+    tangential spring of stretch ξ stores ½ ks(u) ξ² and adds ½ ks'(u) ξ² to F_n, about μ² kn / 6 ks of F_n where it
+    slides. A contact that does not slide is therefore elastic, and does not creep under oscillating loads
+    (docs/decisions/0053-tangential-potential-and-rolling.md). Friction acts up to F_t / F_n = √(3 ks / 2 kn), 1.1 for
+    ν = 0.3.
 
     A pair whose bond is broken acts as a linear spring with the kn of that bond and the same ks / kn. The reason is
     that crack faces meet over their whole area. With `stress_free=False` such a pair is like any other. References:

@@ -38,8 +38,8 @@ class Shares(NamedTuple):
     """Shares of all inner facets in the dilatation of their cells, and the error that they leave.
 
     Attributes:
-        i, j: s of both sides [m²], shape (m, 3).
-        remainder: error of θ under a unit strain, the norm of the consistency equation over V [-], shape (n,).
+        i, j: shares s of each facet in the dilatations of cells i and j [m²], shape (m, 3): V θ is Σ s·δ.
+        remainder: error of θ of each cell under a unit strain [-], shape (n,).
     """
 
     i: PerBond3
