@@ -73,7 +73,7 @@ class Couple:
 
 
 def couple_table(couples: Sequence[Couple], row_of: Ints) -> CoupleTable:
-    """Return couples as the table of the core; `row_of` is the boundary row of each element, internal order, (n,)."""
+    """Return couples as the table of the core; `row_of` is that of `Constraints`, internal order, (n,)."""
     element = np.concatenate([np.zeros(0, dtype=np.int64), *(one.element for one in couples)])
     return CoupleTable(
         start=np.cumsum([0, *(len(one.element) for one in couples)]).astype(np.int64),

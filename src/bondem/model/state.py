@@ -55,9 +55,9 @@ class State(StateMotion):
     - `stress`: stress of each element in its own frame, xx, yy, zz, xy, xz, yz [Pa], (n, 6), for the non-local law;
       else (0, 6). A law may define arrays of other names, which follow all others in run files.
     - `eigenstrain`: ε* of each bond [-], whose rest length is L (1 + ε*); shape (m,), or (0,) if none was set.
-    - `reaction`: minus the bond forces on the rows of the boundary [N, N·m], shape (r, 6).
-    - `work`: work of loads, drives and walls that constrain cells on each row since the start [J], shape (r,). The
-      works of body forces on each element and of strains follow, if there are any.
+    - `reaction`: minus the bond forces on the elements of `Constraints.element` [N, N·m], shape (r, 6).
+    - `work`: work of loads, drives and walls that constrain cells on each of these since the start [J], shape (r,).
+      The works of body forces on each element and of strains follow, if there are any.
     - `loss`: energy that damping has dissipated at each element, the present power of damping, and energy that
       friction has dissipated [J, W, J], shape (n, 3).
     - `touching`: internal pairs i < j in contact or with faces between them, sorted by j, then i, shape (c, 2).
