@@ -136,8 +136,8 @@ class _Library:
         passes: function, names of tables, and names of outcomes of each pass.
         step_passes: address, kind and tables of each pass of a step.
         columns: columns of elements that each pass of a step reads and writes, as text.
-        index_passes: tables of each pass over an index.
-        index_loops: CPU loop of each pass over an index; empty for a wheel.
+        index_passes: tables of each pass that a device runs with one thread per index.
+        index_loops: CPU loop of each of these passes; empty for a wheel.
         lanes: number of lanes of a vector register.
     """
 
@@ -313,7 +313,7 @@ def pass_tables(kind: str) -> dict[str, tuple[str, ...]]:
 
 
 def index_loop(name: str) -> Callable[[int, int, int], Any]:
-    """Return the CPU loop of a pass over an index, by which tests simulate a device.
+    """Return the CPU loop of a pass with one thread per index, by which tests simulate a device.
 
     The arguments of the loop are the number of indices, the address of a flag (or 0), and the address of a list of
     addresses of tables. A flag that is not 0 skips all indices.

@@ -1,4 +1,4 @@
-"""CUDA device, for which NVRTC compiles passes over an index from the sources of the core.
+"""CUDA device, for which NVRTC compiles passes of the core with one thread per element, bond or facet.
 
 This module is loaded for `device="gpu"` only; no other module imports NVIDIA's `cuda.core`. Each pass is a separate
 program, compiled when a run first needs it. Compiled passes are stored in the folder `kernels` of bondem's cache, by
@@ -68,7 +68,7 @@ class Registers:
 def compiled_passes(
     architecture: str, name: str | None = None, *, fused: bool = True
 ) -> tuple[bytes, dict[str, Registers]]:
-    """Compile passes over an index; no device is needed.
+    """Compile passes with one thread per index; no device is needed.
 
     Args:
         architecture: architecture of the device, such as "sm_90".

@@ -1,4 +1,4 @@
-"""Passes over an index on a device, and the tables of a run in its memory.
+"""Passes with one thread per element, bond or facet on a device, and the tables of a run in its memory.
 
 A device is a GPU (`bondem._cuda`), or the CPU (`Host`), on which tests run the same passes in a loop. Tables are
 those of the core, named tuples of NumPy arrays. `DeviceTables` checks them and copies them to the device.
@@ -179,7 +179,7 @@ class DeviceTables:
 
 
 class Host:
-    """CPU as a device with separate memory, for tests: passes over an index are loops."""
+    """CPU as a device with separate memory, for tests: passes are loops over their indices."""
 
     def allocate(self, size: int) -> tuple[int, object]:
         """Allocate at least `size` bytes of zeros; return their address and the array that owns them."""

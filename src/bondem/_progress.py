@@ -43,8 +43,9 @@ def show_progress(mode: str = "auto") -> None:
     The logger "bondem" receives the beginning and the end of each stage at level INFO in every mode.
 
     Args:
-        mode: "auto" for bars on a terminal and in Jupyter and lines elsewhere, unless the logger "bondem" is
-            configured for INFO; "bars"; "lines", one per stage on stderr; or "off".
+        mode: "auto", "bars", "lines" (one per stage on stderr) or "off". "auto" shows bars on a terminal and in
+            Jupyter with ipywidgets, and lines in Jupyter without it. Elsewhere it shows lines, or nothing if the
+            logger "bondem" has a handler for level INFO.
 
     Raises:
         InputError: an unknown mode.

@@ -32,10 +32,7 @@ class Couple:
     schedule: int
 
     def places(self, pose: Floats | None) -> tuple[Floats, Floats]:
-        """Return the arms, and the points relative to their weighted centroid [m], (k, 3) each.
-
-        Both are those of the elements in `pose` (n, 8), as `State.pose`, or in the reference for None.
-        """
+        """Return arms, and points from their weighted centroid [m], (k, 3) each, in a pose (n, 8), or at rest."""
         arm, centre = self.arm, self.centre
         if pose is not None:
             arm, centre = turned_vectors(pose[self.element, 4:], self.arm), pose[self.element, :3]
@@ -76,7 +73,7 @@ class Couple:
 
 
 def couple_table(couples: Sequence[Couple], row_of: Ints) -> CoupleTable:
-    """Return couples as the table of the core; `row_of` is the boundary row of each element, internal order, (n,)."""
+    """Return couples as the table of the core; `row_of` is that of `Constraints`, internal order, (n,)."""
     element = np.concatenate([np.zeros(0, dtype=np.int64), *(one.element for one in couples)])
     return CoupleTable(
         start=np.cumsum([0, *(len(one.element) for one in couples)]).astype(np.int64),

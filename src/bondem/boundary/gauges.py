@@ -1,4 +1,4 @@
-"""Gauges: quantities recorded during a run, as region × quantity × reduction."""
+"""Gauges: quantities that a run records of regions (`Gauge`) or walls (`WallGauge`), or strains (`StrainGauge`)."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -15,10 +15,10 @@ Reduction = Literal["", "mean", "sum", "max_abs"]
 
 @dataclass(frozen=True)
 class Gauge:
-    """Three components of a quantity of a region over time, sampled within the steps.
+    """Three components of a quantity of a region, recorded over the time of a run.
 
     Attributes:
-        region: elements to sample.
+        region: elements to observe.
         quantity: "displacement" [m], "velocity" [m/s], "rotation" [rad], "angular_velocity" [rad/s] or
             "force" [N], which is the force of loads and supports on the region.
         reduction: "mean", "sum" or "max_abs" over the elements, component by component. The default is the sum for
@@ -39,7 +39,7 @@ class Gauge:
 
 @dataclass(frozen=True)
 class WallGauge:
-    """Three components of a quantity of a wall over time, sampled within the steps.
+    """Three components of a quantity of a wall, recorded over the time of a run.
 
     Attributes:
         wall: index of the wall among the walls of the model; a run raises InputError if there is none.

@@ -161,9 +161,10 @@ class Pressure:
 @of_material
 @dataclass(frozen=True)
 class Absorbing:
-    """A boundary that absorbs waves by dashpots, ρ cp A along the normal and ρ cs A across.
+    """A boundary that absorbs waves by dashpots ρ cp A along the normal and ρ cs A across.
 
-    Waves at normal incidence are absorbed entirely, oblique waves in part. Static solutions ignore the boundary.
+    cp and cs are the speeds of pressure and shear waves, and A is the area. Waves at normal incidence are absorbed
+    entirely, oblique waves in part. Static solutions ignore the boundary.
 
     `bd.Absorbing(face, granite)` takes density, E and ν from a `bd.Material`.
 
@@ -347,7 +348,10 @@ def patches_on(owner: str, region: Region, lattice: Lattice) -> tuple[Ints, Ints
 
 
 def on_nodes(body: Lattice, chosen: Ints, owner: Ints, centre: Floats, force: Floats) -> Floats:
-    """Return forces and torques on cells (k,) [N, N·m], (k, 6), of forces at `centre` on the cells chosen[owner]."""
+    """Return forces and torques on the cells `chosen`, (k,), by forces on their surface [N, N·m], (k, 6).
+
+    Each `force` [N], (p, 3), acts at the point `centre` [m], (p, 3), of the cell chosen[owner].
+    """
     torque = np.cross(centre - body.centre[chosen][owner], force)
     columns = np.hstack([force, torque]).T
     parts = [np.bincount(owner, weights=column, minlength=len(chosen)) for column in columns]

@@ -39,7 +39,7 @@ class Constant(Schedule):
     """A value that is the same at all times.
 
     Attributes:
-        value: the value; one that is not finite raises InputError.
+        value: the value; a value that is not finite raises InputError.
     """
 
     value: float

@@ -223,7 +223,7 @@ class Supports:
 
         Args:
             layout: order of the elements.
-            row_of: row of the boundary of each element, internal order.
+            row_of: `Constraints.row_of`, the row of boundary conditions of each element, internal order, (n,).
             base: origins of the motions of the walls, (g, 7); the reference if None or of another number of rows.
         """
         if base is not None and len(base) == len(self.cell):

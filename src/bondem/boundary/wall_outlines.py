@@ -24,7 +24,7 @@ class WallOutlines:
         vertex: corners, polygon by polygon [m], shape (v, 3).
         start: corners of polygon k are start[k] … start[k + 1] - 1, shape (q + 1,).
         wall: number of the wall of each polygon, shape (q,).
-        outward: motion of each corner per growth of the radius of its wall, shape (v, 3).
+        outward: motion of each corner per growth of the radius of its wall [-], shape (v, 3).
         about: point about which each wall turns [m], shape (w, 3).
     """
 

@@ -12,7 +12,7 @@ _BEHIND = 0.1
 
 
 def doubts(walls: Iterable[tuple[int, Wall]], position: PerElement3, radius: PerElement) -> list[str]:
-    """Return a warning for each wall that no element can touch, and for each wall but discs with elements behind it.
+    """Return a warning for each wall that no element can touch or, except for discs, that has elements behind it.
 
     Args:
         walls: walls at their reference places, with their numbers in the model.

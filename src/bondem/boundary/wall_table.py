@@ -23,8 +23,8 @@ class WallTable:
         inertia: rows of `WallInertia`, (w, 8).
         start, times, values: times [s] and values of all schedules; schedule k has rows start[k] … start[k + 1] - 1.
         drive_wall, drive_component, drive_schedule, drive_rate, drive_axis: prescribed motions, (d,) and (d, 3).
-        servo_wall, servo_schedule, servo_speed, servo_mass, servo_damping: servo-controlled walls, (s,).
-        free_wall, free_mass, free_force, free_torque: free walls, (f,) and (f, 3).
+        servo_wall, servo_schedule, servo_speed, servo_mass, servo_damping: walls and quantities of `Servo`, (s,).
+        free_wall, free_mass, free_force, free_torque: walls and quantities of `Free`, (f,) and (f, 3).
         free_lever: largest distance of a contact from the centre of a free wall that turns, else 0 [m], (f,).
     """
 

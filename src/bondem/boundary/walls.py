@@ -60,10 +60,7 @@ class PlaneWall:
 
     @property
     def row(self) -> Floats:
-        """Row of the table of walls that the compiled core reads, (9,).
-
-        The row has the point [m], the normal, the outer radius [m], the kind of the wall and the inner radius [m].
-        """
+        """Row of the core's table of walls, (9,): point [m], normal, outer radius or 0, kind, inner radius [m]."""
         if self.outer is None and not self.inner:
             return np.array([*self.point, *self.normal, 0.0, WallKind.PLANE_WALL, 0.0])
         outer = np.inf if self.outer is None else self.outer
@@ -102,10 +99,7 @@ class CylinderWall:
 
     @property
     def row(self) -> Floats:
-        """Row of the table of walls that the compiled core reads, (9,).
-
-        The row consists of a point of the axis [m], the axis, the radius [m], the kind of the wall and a zero.
-        """
+        """Row of the core's table of walls, (9,): point of the axis [m], axis, radius [m], kind of the wall, 0."""
         kind = WallKind.CYLINDER_AMONG if self.outside else WallKind.CYLINDER_AROUND
         return np.array([*self.point, *self.axis, self.radius, kind, 0.0])
 
@@ -139,10 +133,7 @@ class SphereWall:
 
     @property
     def row(self) -> Floats:
-        """Row of the table of walls that the compiled core reads, (9,).
-
-        The row consists of the centre [m], three zeros, the radius [m], the kind of the wall and a zero.
-        """
+        """Row of the core's table of walls, (9,): centre [m], three zeros, radius [m], kind of the wall, 0."""
         kind = WallKind.SPHERE_AROUND if self.inside else WallKind.SPHERE_AMONG
         return np.array([*self.centre, 0.0, 0.0, 0.0, self.radius, kind, 0.0])
 

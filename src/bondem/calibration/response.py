@@ -1,10 +1,10 @@
 """Elastic response of one lattice with a bond law: E and ν and their derivatives with respect to parameters.
 
 E and ν follow from strains ε that are linear in a static solution u, or from the energy of u in a periodic cell.
-Their derivatives need no finite differences of solutions. With K u = f, ε = cᵀ u and the adjoint problem K λ = c,
+Their derivatives need no finite differences of solutions. Let K u = f, ε = cᵀ u with a constant vector c, and K λ = c
+(the adjoint problem). The derivative by a parameter p of the stiffnesses k of the bonds is
 
     dε/dp = - λᵀ (dK/dp) u = - Σ bonds, (dk/dp) × (products of the bond's deformation under u and under λ).
-
 The energy of a periodic cell is stationary with respect to u, so that u replaces λ there.
 """
 

@@ -9,8 +9,9 @@ relaxation of the elements,
     f = 1, ln p, ln² p, ln(12 q / p),    p = Σ ks L² / Σ kn L²,  q = Σ kb / Σ kn L²      (the law),
     g = 1, ln v, w, w ln v, ln z,     v = ⟨1/z_i + 1/z_j⟩,  z = ⟨z_i + z_j⟩ / 2      (the lattice),
 
-with coefficients measured by `python -m validation surface`; w is `AffineEstimate.wall`, and v and z are relative to
-reference values. Errors are about the scatter of single packings. A higher accuracy requires a test of the specimen.
+with coefficients c_jk and d_jk measured by `python -m validation surface`. Sums and means ⟨⟩ are over bonds of length
+L and stiffnesses kn (normal), ks (shear) and kb (bending). z_i is the number of bonds of element i, and w is
+`AffineEstimate.wall`. v and z are relative to reference values. Errors are about the scatter of single packings.
 """
 
 import json

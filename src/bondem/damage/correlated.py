@@ -1,10 +1,10 @@
 """Normally distributed random field with similar values at near places, as a sum of random waves.
 
-    z(x) = √(2/N) Σ cos(k_n·x + φ_n),     k_n normal with deviation √2 / l along each axis,  φ_n uniform
+    z(x) = √(2/N) Σ cos(k_n·x + φ_n)
 
-The covariance of z(x) and z(x + r) is then exp(-(r / l)²), because wave vectors are normal. N waves are a normal
-variable up to an excess kurtosis of -1.5 / N. A value depends on its place and the seed only. In a periodic cell wave
-vectors are rounded to whole periods.
+The components of the N wave vectors k_n are normal of standard deviation √2 / l, with the correlation length l, and
+the phases φ_n are uniform. The covariance of z(x) and z(x + r) is then exp(-(r / l)²). z(x) is normal up to an excess
+kurtosis of -1.5 / N. In a periodic cell wave vectors are rounded to whole periods.
 
 Reference: Shinozuka and Deodatis (1996), with random wave vectors.
 """

@@ -1,17 +1,16 @@
 """Strengths set by random flaws: equal near each flaw, with the strength of a body set by its weakest flaw.
 
-Flaws of a strength below s are a Poisson process of density (s/s₀)^m / V₀. A body of volume V has none with
-probability exp(-(V/V₀) (s/s₀)^m), which is Weibull's distribution for every shape. A flaw sets the strength of all
-bonds within a distance l of it; a bond has the strength of the weakest flaw that reaches it.
+Flaws of a strength below s are a Poisson process of density (s/s₀)^m / V₀, with Weibull's modulus m and the strength
+s₀ of the volume V₀. A body of volume V has none with probability exp(-(V/V₀) (s/s₀)^m). This is Weibull's
+distribution for every shape. A bond has the strength of the weakest flaw within a distance l of it.
 
 Space is divided into cubes of edge l/2. The weakest flaw of a cube that contains the volume w of the body has the
 strength s₀ (E V₀/w)^(1/m), with E from an exponential distribution. E and the place of the flaw in its cube depend
-on the seed and on the number of the cube only. Elements of another size, or another order, therefore change the
-strengths only by the share of the body's volume that falls into each cube. Every cube with bonds has its flaw within
-l of these, so that the smallest strength of a body is Weibull's exactly. In a periodic cell cubes divide its edges.
+on the seed and on the number of the cube only. Elements of another size or order therefore change the strengths only
+by the volume of the body in each cube. Every cube with bonds has its flaw within l of these, so that the smallest
+strength of a body is Weibull's exactly. In a periodic cell cubes divide its edges.
 
-References: Weibull (1939); Smith (1990), Max-stable processes and spatial extremes. Flaws are the minima that
-correspond to his storms, with a sphere as profile.
+References: Weibull (1939); Smith (1990), Max-stable processes and spatial extremes.
 """
 
 import numpy as np

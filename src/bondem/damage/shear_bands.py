@@ -1,4 +1,4 @@
-"""Width of shear bands, and the cells whose mean slip reduces the cohesion of a cell."""
+"""Width of shear bands, and the cells whose mean plastic shear strain reduces the cohesion of a cell."""
 
 import numpy as np
 
@@ -38,11 +38,12 @@ def band_widths(edge: PerElement, yields: Mask, given: PerElement) -> PerElement
 def cells_of_bands(
     body: Lattice, order: Ints, edge: PerElement, yields: Mask, width: PerElement
 ) -> tuple[Ints, Ints]:
-    """List the cells over which the slip of each cell is averaged: those about half the width B of a band away.
+    """List the cells over which the plastic shear strain of each cell is averaged, about half a shear band away.
 
-    The offset along any axis of a point at distance ρ is distributed uniformly over -ρ … ρ. So the mean slip of cells
-    at ρ = B/2 is s / B for a flat band that slips by s, whatever its profile, if it is thinner than B/2. Only cells
-    that yield are listed; a cell without any such neighbour lists itself.
+    B is the width of a shear band. On a sphere of radius ρ, the coordinate along any axis is distributed uniformly
+    over -ρ … ρ. The mean strain on the sphere ρ = B/2 around a cell of a flat band is therefore s / B, with s [m] the
+    displacement across the band. This is true for every profile of a band thinner than B/2. Only cells that yield are
+    listed. A cell without such a neighbour lists itself.
 
     Args:
         body: the body of cells.

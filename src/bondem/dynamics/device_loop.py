@@ -1,7 +1,7 @@
 """Loop over the steps of a run on a device such as a GPU.
 
 The parts of a step compose its lists of passes as for the CPU, and `bondem.dynamics.on_device` translates them.
-The device also forms the records. They are copied to the host once per call, together with the state. Between two
+The device also computes the records. They are copied to the host once per call, together with the state. Between two
 records or checks, all steps have the same launches, because the number of the step is stored on the device. These
 launches are recorded once, as graphs of 1, 2, 4 … 64 steps.
 """

@@ -9,7 +9,7 @@ class EnergyParts:
 
     Attributes:
         normal: energy of elongation [J]; for cells, of the normal gaps of facets and of dilatation.
-        shear: energy of slip at the contact point [J]; other works call its sum with `bending` the bending energy.
+        shear: energy of slip at the contact point [J]; other authors call its sum with `bending` the bending energy.
         bending: energy of relative rotation across the bond [J].
         twisting: energy of relative rotation about the bond [J].
     """

@@ -1,6 +1,6 @@
 """Interface between a law of bonds and the rest of the package.
 
-An interaction knows the elements and bonds of a specimen, but neither model nor state. Its methods receive the arrays
+An interaction has the elements and bonds of a specimen, but neither model nor state. Its methods receive the arrays
 of the state that belong to the law. Defaults are those of beams, which have a potential and no memory. A solver that
 needs more checks `Interaction.has_potential` or the class `LaggedInteraction`.
 """
@@ -66,7 +66,7 @@ class StateField:
 
 
 class SurfaceState(NamedTuple):
-    """Walls that hold facets, and tractions on facets, at one time.
+    """Walls that constrain facets, and tractions on facets, at one time.
 
     `base` are initial places of the walls, (g, 7), and `motion` their displacements [m], (g, 3). `pressed` is the
     contribution of tractions to V θ, volume times dilatation, of each cell [m³], internal order, (n,).
@@ -122,7 +122,7 @@ class LawParts:
 
     Attributes:
         parts: parts of a step.
-        integrity: integrity of the bonds that its passes write, (m,) or longer.
+        integrity: integrity of the bonds that these parts write [-], (m,) or longer.
         stresses: stresses of elements to which contacts contribute, or None.
     """
 
@@ -295,8 +295,7 @@ class Interaction(ABC):
     def strain_load(self, strain: PerBond, pressed: PerElement) -> PerElement6:
         """Return forces on elements at rest by strained bonds and moving walls [N, N·m], internal order, (n, 6).
 
-        Strains ε* [-] are in internal order. `pressed`, the contribution of tractions to V θ [m³], is in the user's
-        order.
+        Strains ε* [-] are in internal order, and the contributions `pressed` of tractions to V θ [m³] in the user's.
         """
         layout, bonds = self.layout, self.table
         push = bonds.kn * bonds.length * strain * bonds.direction
@@ -311,14 +310,18 @@ class Interaction(ABC):
     def of_walls(
         self, displacement: PerElement3, rotation: PerElement3, strain: PerBond, pressed: PerElement
     ) -> PerElement6:
-        """Return force and torque on elements by the walls that hold facets [N, N·m], user's order, (n, 6)."""
+        """Return loads of walls on elements [N, N·m], user's order, (n, 6); arguments as in `small_energy`."""
         return np.zeros((len(displacement), 6))
 
     def small_energy(
         self, displacement: PerElement3, rotation: PerElement3, strain: PerBond, pressed: PerElement,
         traction: Floats,
     ) -> EnergyParts:  # fmt: skip
-        """Return the energy of small motions [m, rad], user's order; `traction` is the force on free facets [N]."""
+        """Return the energy of small motions of the elements [m, rad], (n, 3) each, user's order.
+
+        Strains ε* [-], (m,), are in internal order. `pressed` is the contribution of tractions to V θ [m³], (n,).
+        `traction` is the force on each free facet [N], (k, 3).
+        """
         lattice, k = self.lattice, self.bonds
         bonds = BondStrain.of(lattice, k.lever, displacement, rotation)
         elongation, order = bonds.normal.copy(), self.layout.bond_order
@@ -367,10 +370,7 @@ class Interaction(ABC):
         return product_by(len(pose), lambda by: calls.multiply_beams(Poses(pose), by, beams))
 
     def gradient(self, pose: Floats) -> tuple[PerElement6, PerElement6]:
-        """Return the derivative of the energy of intact bonds by displacements and spins, and the loads of walls.
-
-        Both are in N and N·m, (n, 6), internal order.
-        """
+        """Return the derivative of the energy of intact bonds, and wall loads [N, N·m], internal order, (n, 6)."""
         beams, sums = self._beams(np.zeros(0), np.ones(len(self.layout.i))), lines(len(pose))
         load_beams(pose, beams, BeamSums(beams.i, beams.j, sums))
         return -loads_in(sums), np.zeros((len(pose), 6))

@@ -64,6 +64,6 @@ class LaggedInteraction(SteppingInteraction):
         """Return Σ m v² after each step of small motions [J], (steps,); inf once it exceeds 1e30 times the first.
 
         The steps begin with the velocities `speed` [m/s, rad/s], (n, 6). `weight` are masses and moments of inertia
-        [kg, kg·m²], (n, 6); `along` and `across` are dashpots of bonds along and across the normal [N·s/m], (m,);
-        user's order. `dt` is the time step [s] and `gamma` local damping [-].
+        [kg, kg·m²], (n, 6). `along` and `across` are dashpots of bonds along and across the normal [N·s/m], (m,).
+        All are in the user's order. `dt` is the time step [s] and `gamma` local damping [-].
         """

@@ -60,7 +60,7 @@ class Part:
     """Passes of one subject, such as contact, in a time step.
 
     Attributes:
-        stages: passes by stage.
+        stages: passes by stage, a name in `STAGES`; other names raise ValueError.
         record: function that returns the passes that write a row of the history.
         keep: function to call after each call of the core, which writes data of the passes into the state.
         renewed: function that returns the part with a new list of contacts, or None if a centre is not finite; None

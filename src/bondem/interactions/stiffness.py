@@ -15,8 +15,8 @@ from bondem.specimen.ordering import Layout
 class Stiffness:
     """The matrix K = B + Fᵀ (W + S) F + Tᵀ T, with degrees of freedom (u, θ) per element.
 
-    Bonds couple two elements, B. The dilatation of a cell couples all its neighbours with each other. An explicit
-    matrix for it would have four times the blocks, so it remains a product, as do the gradients S and T.
+    B contains the bonds, each of which couples two elements. The dilatation of a cell couples all its neighbours with
+    each other. An explicit matrix would have four times as many blocks, so that the other terms remain products.
 
     Attributes:
         bonds: B, 6×6 blocks, with a diagonal block in every row, (6 n, 6 n).

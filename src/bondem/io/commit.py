@@ -1,4 +1,4 @@
-"""The commit of the code that is running."""
+"""Git commit of the code that is running."""
 
 import functools
 import re

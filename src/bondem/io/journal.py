@@ -2,8 +2,8 @@
 
 Data beyond the committed end are written directly to the file, as nothing refers to them yet. Changes of committed
 bytes are collected in pages. A commit writes these pages to a journal beside the file, with a digest, and then to the
-file itself. A process that is killed meanwhile leaves a journal. A complete one is used by the next reader and
-applied by the next writer; an incomplete one is ignored.
+file itself. A process that is killed meanwhile leaves a journal. A complete journal is used by the next reader and
+applied by the next writer, and an incomplete journal is ignored.
 
 h5py opens the object as a file. No error is raised while HDF5 writes, as HDF5 does not survive errors: a full disk is
 detected at the commit, and the last commit remains valid.

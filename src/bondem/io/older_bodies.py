@@ -1,7 +1,8 @@
 """Shares of bodies in files older than the balanced shares (run files before schema 9).
 
-A run continues with its original law. The share of a facet in the dilatation of its cell p was A w_p M_p⁻¹ n, with
-w_p = d_p / (d_p + d_q) and M_p = (1/V_p) Σ A d_p n⊗n over all facets of the cell. Particle files get balanced shares.
+A run continues with its original law. The share of a facet of area A and normal n in the dilatation of its cell p was
+A w_p M_p⁻¹ n. Here w_p = d_p / (d_p + d_q), d_p is the distance of the facet from the centre of p, and M_p is
+(1/V_p) Σ A d_p n⊗n over all facets of p. Particle files get balanced shares.
 """
 
 from collections.abc import Sequence

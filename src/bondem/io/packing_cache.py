@@ -48,8 +48,8 @@ def key(request: Mapping[str, Any]) -> str:
             bondem. A surface is represented by its mesh.
 
     Returns:
-        40 hexadecimal digits, independent of the order of the arguments. They differ for another version of bondem,
-        NumPy or SciPy, or after any change of the source code of packing and of the core.
+        40 hexadecimal digits, independent of the order of the arguments. They differ for another version of NumPy or
+        SciPy, and after any change of the core or of the Python packages whose code determines a packing.
 
     Raises:
         RunFileError: an argument that cannot be serialised, such as a user-defined shape, whose code may change.

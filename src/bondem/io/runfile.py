@@ -6,7 +6,7 @@
     /facets, /cells  of a body of cells, see `bondem.io.bodies`
     /bodies          label (n,) of the bodies of a scene, their names and shapes (JSON)
     /state           the arrays of `State` in internal order; attributes step, time [s], stale, seconds, digest
-    /history         records (s, 15 + 3 g); attribute gauges
+    /history         records (s, 15 + 3 g) with g gauges; attribute gauges
     /VTKHDF          snapshots for ParaView, if the run stores any, see `bondem.io.snapshots`
 
 Derived data (order, stiffnesses) are not stored but computed again by the same code. The file grows by commits of

@@ -1,4 +1,4 @@
-"""Boundary conditions resolved to arrays in internal order; each fixed, driven or loaded element owns a row."""
+"""Boundary conditions resolved to arrays in internal order, with a row for each fixed, driven or loaded element."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -32,11 +32,12 @@ class Constraints:
         couples: moments of loads, whose forces rotate with their regions.
         absorbing: dashpots of each row, xx, yy, zz, xy, xz, yz [N·s/m], zero where motion is prescribed,
             shape (r, 6), or (0, 6) without any.
-        body_on: factor of each body force for each element [-], shape (b, n); body_value, body_schedule: its
-            acceleration [m/s²], (b, 3), and schedule, (b,).
-        strain_part: strain of each bond by each `Eigenstrain` at factor 1 [-], (g, m); strain_schedule: (g,).
-        weight: mass of each connected element, else 0 [kg], shape (n,).
-        press_value: volume change V θ of each cell by tractions on free facets [m³], (l, n); press_schedule: (l,).
+        body_on: factor of each body force for each element [-], shape (b, n).
+        body_value: acceleration of each body force [m/s²], shape (b, 3).
+        strain_part: strain of each bond by each `Eigenstrain` at factor 1 [-], shape (g, m).
+        press_value: volume change V θ of each cell by each load of free facets [m³], shape (l, n).
+        body_schedule, strain_schedule, press_schedule: number of the schedule of each, shapes (b,), (g,), (l,).
+        weight: mass of each connected element, 0 for rattlers [kg], shape (n,).
         supported: True if walls constrain facets of cells.
         wall_rate: True if velocities of such walls are prescribed.
     """
@@ -72,7 +73,7 @@ class Constraints:
         """Resolve the boundary conditions of a model whose elements have masses `mass` [kg], (n,), user's order.
 
         `boundary` excludes conditions on facets (`bondem.boundary.wall_constraints`), which the law resolves. The
-        cells of these facets own rows nevertheless.
+        cells of these facets have rows nevertheless.
 
         Raises:
             InputError: A degree of freedom is driven twice, or both fixed and driven.

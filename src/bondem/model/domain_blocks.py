@@ -67,7 +67,7 @@ class Blocks:
             layout: internal order of elements and bonds.
             size: number of elements per block.
             domains: number of domains.
-            owns: mask of the elements that own a row of the boundary, internal order, shape (n,).
+            owns: mask of the fixed, driven or loaded elements, internal order, shape (n,).
         """
         n, m = len(layout.order), len(layout.i)
         i, j = layout.i.astype(np.int64), layout.j.astype(np.int64)

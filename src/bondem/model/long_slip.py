@@ -1,4 +1,4 @@
-"""Stiffness that long slip on planes between regions adds, for the critical time step."""
+"""Stiffness that slip by the size of a facet on material planes adds, for the critical time step."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -11,7 +11,7 @@ from bondem.model.model import Model
 
 @dataclass(frozen=True, eq=False)
 class LongSlip:
-    """Linearised effect of slip s = √A, the size of a facet, on closed cracks with friction on planes.
+    """Linearised effect of slip s = √A, the size of a facet, on closed cracks with friction on material planes.
 
     The normal rotates with the mean of both cells and the slip with cell i. With t the direction of the slip and
     b = n×t, a rotation changes the opening n·δ by ½ s b·(θ_i + θ_j), and the stretch b·δ of the friction spring by
@@ -63,10 +63,10 @@ class LongSlip:
 
 
 def long_slips(model: Model) -> tuple[LongSlip, ...]:
-    """Return slips in two directions and their opposites on all planes of a model; empty without planes.
+    """Return slips in two directions and their opposites on all material planes of a model; empty without planes.
 
-    Planes are entries of `failure=` keyed by two regions. All facets of a plane can slip far at once. Within a region
-    only few facets of a cell do, which the safety factor of the default step covers.
+    These are entries of `failure=` keyed by two regions. All facets of a plane can slip by their size at once. Within
+    a region only few facets of a cell do. The safety factor of the default time step covers this.
     """
     table, layout = model.softening, model.layout
     if table is None or not isinstance(model.failure, Mapping):

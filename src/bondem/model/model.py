@@ -66,7 +66,7 @@ class Model:
         walls: rigid planes, cylinders and spheres; they need a `contact` law.
         failure: criterion by which bonds or facets break, such as `bd.PeripheralStress(...)`, or criteria of one kind
             by region: {region: criterion, (region, region): criterion}. None for bonds that never break. Bonds break
-            in `solve_explicit` and `solve_quasistatic`; other solvers reject a model with it.
+            in `solve_explicit` and `solve_quasistatic`; other solvers reject a model with criteria.
         mass_matrix: "lumped", the mass and inertia of each element, or "dispersion-corrected" for cells that cannot
             fail, in explicit runs and modes: waves of pressure have their celerity to 0.5 % at 10 elements per wave.
             A step takes longer, and energy is not conserved exactly where cells rotate.
@@ -165,7 +165,7 @@ class Model:
 
     @property
     def cell_law(self) -> CellInteraction:
-        """Law of the bonds of a `CellBond` model."""
+        """Interaction of the cells of a `CellBond` model."""
         return cast(CellInteraction, self.interaction)
 
     @property
@@ -314,12 +314,12 @@ class Model:
         self, path: str | Path | None = None, *, solution: Any = None, reach: float | None = None,
         view: tuple[float, float] = (28.0, 24.0),
     ) -> Any:  # fmt: skip
-        """Draw the specimen with its supports, loads and walls, or where a solution has moved it.
+        """Draw the specimen with its supports, loads and walls, or in the pose of a solution.
 
         Args:
             path: PNG, PDF or SVG to write; nothing is written when None.
             solution: a state, run or equilibrium of this model, whose displacements colour the elements.
-            reach: factor on displacements [-]; None for one that makes them visible.
+            reach: factor on displacements [-]; None for a factor that makes them visible.
             view: azimuth and elevation of the camera [degree].
 
         Returns:

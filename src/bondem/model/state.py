@@ -34,7 +34,7 @@ class State(StateMotion):
     """Positions, velocities and damage of all elements and bonds; see docs/decisions/0001-state.md.
 
     `model.state()` makes a state at rest. The properties `position`, `displacement`, `orientation`, `velocity`,
-    `angular_velocity` and `bond_eigenstrain` can be assigned; a single value applies to all elements:
+    `angular_velocity` and `bond_eigenstrain` can be assigned. Except for `position`, one value may be given for all:
     `state.velocity = (0, 0, -5.0)`. The arrays that properties return are read-only, in the user's order of elements
     and bonds.
 
@@ -55,9 +55,9 @@ class State(StateMotion):
     - `stress`: stress of each element in its own frame, xx, yy, zz, xy, xz, yz [Pa], (n, 6), for the non-local law;
       else (0, 6). A law may define arrays of other names, which follow all others in run files.
     - `eigenstrain`: ε* of each bond [-], whose rest length is L (1 + ε*); shape (m,), or (0,) if none was set.
-    - `reaction`: minus the bond forces on the rows of the boundary [N, N·m], shape (r, 6).
-    - `work`: work of loads, drives and walls that constrain cells on each row since the start [J], shape (r,). The
-      works of body forces on each element and of strains follow, if there are any.
+    - `reaction`: minus the bond forces on the elements of `Constraints.element` [N, N·m], shape (r, 6).
+    - `work`: work of loads, drives and walls that constrain cells on each of these since the start [J], shape (r,).
+      The works of body forces on each element and of strains follow, if there are any.
     - `loss`: energy that damping has dissipated at each element, the present power of damping, and energy that
       friction has dissipated [J, W, J], shape (n, 3).
     - `touching`: internal pairs i < j in contact or with faces between them, sorted by j, then i, shape (c, 2).
@@ -68,7 +68,7 @@ class State(StateMotion):
     - `walls`: positions, velocities and loads of the walls (`bondem.boundary.wall_rows`), shape (w, 27).
     - `broken`: breakages in order of time (`EventColumn` of `bondem._tables.columns`), shape (e, 10).
     - `released`: energy that breaking bonds have released since the start [J], shape (1,).
-    - `crushed`: energy released before the start by facets or beams beyond their fracture energy [J], shape (1,).
+    - `crushed`: energy that facets or beams had released by crushing before the run began [J], shape (1,).
     - `cracks`: facets that have begun to crack, in order of time (`bondem.damage.crack_columns`), shape (c, 30).
     - `plastic`, `held_slip`: memory of cells that yield (`PlasticColumn`), shapes (n, 17) and (n,), or no rows.
     - `softened`: beams that have begun to soften, in order of time (`SoftColumn`), shape (c, 7).
@@ -243,7 +243,7 @@ class State(StateMotion):
 
     @property
     def bond_eigenstrain(self) -> PerBond:
-        """Stress-free strain ε* of each bond besides `Eigenstrain` [-], (m,); settable, also one value for all."""
+        """Stress-free strain ε* of each bond besides `Eigenstrain` [-], (m,). Assign as by `set_eigenstrain`."""
         if not self.eigenstrain.size:
             return freeze(np.zeros(len(self.integrity)))
         return self._bonds_by_user(self.eigenstrain)
@@ -267,7 +267,7 @@ class State(StateMotion):
 
     @property
     def plastic_deformation(self) -> Floats:
-        """Plastic deformation P of each cell in its frame, which scales its levers [-], user's order, (n, 3, 3)."""
+        """Plastic deformation P of each cell in its frame [-], user's order, (n, 3, 3); P multiplies its levers."""
         P = np.tile(np.eye(3), (len(self.pose), 1, 1))
         if len(self.plastic):
             P += self._by_user(self.plastic[:, : PlasticColumn.GAMMA]).reshape(-1, 3, 3)
@@ -275,7 +275,7 @@ class State(StateMotion):
 
     @property
     def contacts(self) -> Pairs:
-        """Pairs of elements in contact, without bonded ones unless `parallel=True`, user's order, shape (c, 2)."""
+        """Pairs of elements in contact, user's order, (c, 2); bonded pairs only if the law has `parallel=True`."""
         return freeze(self.layout.order[self.touching[in_contact(self.stretch)]])
 
     @property

@@ -42,7 +42,7 @@ class StateMotion:
 
     @property
     def position(self) -> PerElement3:
-        """Centres [m], shape (n, 3); settable."""
+        """Centres [m], shape (n, 3). Assign finite values of this shape; others raise InputError."""
         return freeze(self.local_position + self.origin)
 
     @position.setter
@@ -57,7 +57,7 @@ class StateMotion:
 
     @property
     def displacement(self) -> PerElement3:
-        """Displacements from the reference configuration [m], shape (n, 3); settable, also one vector for all."""
+        """Displacements from the reference [m], (n, 3). Assign (n, 3), or (3,) for all; others raise InputError."""
         return self._by_user(self.pose[:, :3] - self.rest)
 
     @displacement.setter
@@ -67,7 +67,7 @@ class StateMotion:
 
     @property
     def orientation(self) -> np.ndarray:
-        """Orientations as unit quaternions (w, x, y, z), shape (n, 4); settable, also one for all."""
+        """Orientations, unit quaternions w x y z, (n, 4). Assign (n, 4), or (4,) for all; others raise InputError."""
         return self._by_user(self.pose[:, 4:])
 
     @orientation.setter
@@ -80,7 +80,7 @@ class StateMotion:
 
     @property
     def velocity(self) -> PerElement3:
-        """Velocities of the centres [m/s], shape (n, 3); settable, also one vector for all."""
+        """Velocities of the centres [m/s], (n, 3). Assign (n, 3), or (3,) for all; others raise InputError."""
         return self._by_user(self.motion[:, :3])
 
     @velocity.setter
@@ -89,7 +89,7 @@ class StateMotion:
 
     @property
     def angular_velocity(self) -> PerElement3:
-        """Angular velocities [rad/s], shape (n, 3); settable, also one vector for all."""
+        """Angular velocities [rad/s], (n, 3). Assign (n, 3), or (3,) for all; others raise InputError."""
         return self._by_user(self.motion[:, 4:7])
 
     @angular_velocity.setter

@@ -1,4 +1,4 @@
-"""Broken bonds of a run, and the failure index of unbroken ones."""
+"""Broken bonds of a run, and the failure index of unbroken ones, which is 1 at failure."""
 
 from dataclasses import dataclass
 

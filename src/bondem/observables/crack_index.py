@@ -1,4 +1,4 @@
-"""Indices of crack initiation of facets and of yielding of cells, from the stress of the cells."""
+"""Indices, 1 at crack initiation of facets and at yielding of cells, from the stress of the cells."""
 
 import numpy as np
 

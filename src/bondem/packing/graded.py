@@ -1,9 +1,9 @@
 """Centres for cells of sizes that vary in space, each at the centroid of its own cell.
 
 Centres begin at random places. Each part of the shape receives as many centres as cells of the wanted size fit into
-it. Near centres push each other apart.
-Then every centre moves to the centroid of its Laguerre cell, several times (Lloyd). Radii are in proportion to the
-sizes, so that the plane between two neighbours divides their distance in the ratio of their sizes.
+it. Near centres push each other apart. Then every centre moves to the centroid of its Laguerre cell, several times
+(Lloyd). Radii are in proportion to the sizes, so that the plane between two neighbours divides their distance in the
+ratio of their sizes.
 """
 
 from collections.abc import Callable

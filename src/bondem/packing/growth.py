@@ -43,7 +43,7 @@ def grow(
     """Grow spheres of relative radii (n,) until they jam, or to the requested volume fraction if that comes first.
 
     Raises:
-        InputError: The shape is not Box, Cylinder, Ball or Cell.
+        InputError: The shape is not Box, Cylinder, Ball or Cell, or the spheres are too large for it.
         PackingError: The spheres are too crowded to move, or do not jam.
     """
     if not isinstance(shape, Box | Cylinder | Ball | Cell):

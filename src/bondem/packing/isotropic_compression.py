@@ -27,7 +27,11 @@ _AT_REST, _STEPS, _FIXING = 1e-2, 20_000, 4.0
 def compress(
     shape: Shape, relative_radius: Floats, target: Target, random: np.random.Generator, on_step: Callable[[int], None]
 ) -> SoftSpheres:
-    """Compress a gas of spheres of relative radii (n,) until it jams, or to a lower requested volume fraction."""
+    """Compress a gas of spheres of relative radii (n,) until it jams, or to a lower requested volume fraction.
+
+    Raises:
+        InputError: The spheres are too large for the shape.
+    """
     wanted = target.volume_fraction if isinstance(target, Fraction) else np.inf
     spheres = thrown(shape, relative_radius, min(_START_FRACTION, _START_SHARE * wanted), random)
     spheres.on_step = on_step

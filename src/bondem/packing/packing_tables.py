@@ -10,13 +10,13 @@ _SUMS, _BLOCK = 8, 128
 
 
 def new_relaxing(count: int, tolerance: float, loose: float) -> Relaxing:
-    """Return the table of a relaxation of `count` spheres with a tolerance and the overlap [m] of loose spheres."""
+    """Return the table of a relaxation of `count` spheres down to a relative rms force or a mean overlap [m]."""
     part = np.zeros((-(-count // _BLOCK), _SUMS))
     return Relaxing(tolerance, loose, 0, np.zeros(3), part, np.zeros(RelaxationReport.COUNT))
 
 
 def new_growing(scale: float, rate: float, duration: float, events: int) -> Growing:
-    """Return the table of a growth of radii over a duration, with an empty report."""
+    """Return the table of a growth of the radii for a time, or up to a number of collisions, with an empty report."""
     return Growing(scale, rate, duration, events, np.zeros(GrowthReport.COUNT))
 
 

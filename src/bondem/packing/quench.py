@@ -27,6 +27,9 @@ def quench(
     """Relax random spheres far above jamming, or just above it if jamming is the target.
 
     `relative_radius` (n,) are radii up to a common factor. `Target.reach` then decompresses the spheres.
+
+    Raises:
+        InputError: The spheres are too large for the shape.
     """
     start = _just_above_jamming(relative_radius) if isinstance(target, Jammed) else _START_FRACTION
     spheres = thrown(shape, relative_radius, start, random)

@@ -64,8 +64,8 @@ class Lognormal(SizeLaw):
 
     Args:
         cv: standard deviation over mean before truncation [-], in (0, 1]; other values raise InputError.
-        cut: truncation of both tails, in standard deviations of the logarithm [-], in (0, 4]. A sphere far larger
-            than the others would make every neighbour list long.
+        cut: truncation of both tails, in standard deviations of the logarithm [-], in (0, 4]; other values raise
+            InputError. A sphere far larger than the others would make every neighbour list long.
     """
 
     cv: float

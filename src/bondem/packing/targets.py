@@ -180,7 +180,7 @@ def _check_overlap(spheres: SoftSpheres, what: str, option: str) -> None:
 
 
 def chosen(count: int, coordination_number: float | None, volume_fraction: float | None, *, jamming: bool) -> Target:
-    """Return the target of a request, a coordination number of 6.2 if it names none.
+    """Return the target of a request, a coordination number of 6.2 if the request names no target.
 
     Raises:
         InputError: The request names more than one target, or a target out of range.

@@ -69,7 +69,7 @@ def around_surfaces(
         report: function called with the completed share.
 
     Raises:
-        InputError: The cells are too large, or surfaces lie outside the shape or too near to each other.
+        InputError: The cells are too large or too few, or surfaces lie outside the shape or too near to each other.
     """
     h = float(np.cbrt(shape.volume / count))
     sided = [_Sided.of(surface) for surface in surfaces]

@@ -107,7 +107,7 @@ def draw_surface(surface: Surface, path: Any, *, view: tuple[float, float]) -> D
 def draw_model(
     model: Model, path: Any, *, solution: Any, reach: float | None, view: tuple[float, float]
 ) -> Drawing:  # fmt: skip
-    """Draw a model with its conditions, or in the pose of a solution, for `Model.plot`."""
+    """Draw a model with its conditions, or in the pose of a solution; arguments and errors as for `Model.plot`."""
     eye, sides, lattice = _view("Model.plot", view), model.lattice.particles.envelope.bounds, model.lattice
     state, moved, turned = _motion(model, solution)
     with _figure("Model.plot", path, 1) as (figure, (ax,)):
@@ -127,7 +127,7 @@ def draw_model(
 
 
 def draw_result(result: Plotted, path: Any, *, reach: float | None, view: tuple[float, float]) -> Drawing:
-    """Draw the columns and the bodies of a result, for `Plotted.plot`."""
+    """Draw the columns and the bodies of a result; arguments and errors as for `Plotted.plot`."""
     who = f"{type(result).__name__}.plot"
     eye, drawn, pictures = _view(who, view), result.drawn, result._pictures
     with _figure(who, path, bool(drawn) + len(pictures)) as (figure, axes):

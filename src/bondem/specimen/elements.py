@@ -248,10 +248,7 @@ class Elements:
         return {}
 
     def carved(self, part: Particles, pairs: Pairs) -> tuple[Pairs, CellTables]:
-        """Return the bonds of a part, and the tables of its cells.
-
-        `pairs` are the bonds of the whole that remain, as elements of the part, shape (k, 2).
-        """
+        """Return bonds and tables of cells of a part; `pairs` are old bonds, as elements of the part, (k, 2)."""
         return pairs, {}
 
 

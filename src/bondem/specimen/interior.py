@@ -74,8 +74,9 @@ class Solid:
 def solid(particles: Particles, shape: Shape) -> Solid:
     """Represent each sphere by evenly spread points: 256, or 32 if depths in the shape are slow to compute.
 
-    Of many spheres each has fewer, at least 8, about half a million in all. The volume of a sphere cut by a plane has
-    an error of 1 % (8 points: 8 %) of either sign; these errors cancel over the many spheres cut by a wall.
+    If there are many spheres, each has fewer points, but at least 8, so that their number is about half a million.
+    The volume of a sphere cut by a plane has an error of 1 % (8 % for 8 points) of either sign. These errors cancel
+    over the many spheres that a wall cuts.
     """
     count = _points_each(particles, shape)
     position = _points(particles, count)

@@ -22,8 +22,8 @@ def join(*bodies: Lattice | Particles, names: Sequence[str] | None = None, pairs
     """Return several bodies in one lattice, one after the other, each at its present place.
 
     Args:
-        bodies: lattices, or particles for loose grains, which are a body without bonds. A lattice of several bodies
-            brings all of them.
+        bodies: lattices, or particles for loose grains, which are a body without bonds. All bodies of a lattice of
+            several bodies are joined.
         names: name of each argument, such as ("rock", "anvil"); "body 0", "body 1", … unless given. Bodies of an
             argument of several bodies are called "name/0", "name/1", ….
         pairs: bonds between spheres of different bodies, as elements of the joined lattice, shape (k, 2). Spheres

@@ -157,7 +157,7 @@ class Lattice:
         return self.bodies.names
 
     def envelope(self, body: Which | None = None) -> Shape:
-        """Return the shape of a body, the only one for None; without a shape, the box around its spheres.
+        """Return the shape of a body, or the box around its spheres if none is given; None selects the only body.
 
         Raises:
             InputError: There is no such body, or there are several and none is named.
@@ -170,7 +170,7 @@ class Lattice:
         return self.elements.volume
 
     def moved(self, by: Triple) -> "Lattice":
-        """Return the lattice and its shapes moved by a vector [m], (3,); InputError if it is periodic."""
+        """Return the lattice and its shapes moved by a vector [m], (3,); a periodic lattice raises InputError."""
         return self.placed(np.eye(3), np.array(vector("Lattice.moved", "by", by, unit="m")))
 
     def rotated(self, axis: Axis | Triple, angle: float, about: Triple | None = None) -> "Lattice":
@@ -243,7 +243,7 @@ class Lattice:
                 named.
 
         Warns:
-            FaceWarning: A patch ends within a plane, and its facets cover another area than it has.
+            FaceWarning: A patch ends within a plane, and its facets cover another area than the patch.
         """
         return self.elements.require_cells().on_face(name, body)
 

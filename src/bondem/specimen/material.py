@@ -70,7 +70,7 @@ def constant(name: str, given: Given | Material) -> Given | float:
 
 
 def of_material(law: type[Law]) -> type[Law]:
-    """Make a class accept a `Material` for its arguments E, nu, rho and density: for single ones, or in place of all.
+    """Make a class accept a `Material` in place of its arguments E, nu, rho and density: of one, or of all at once.
 
     `bd.CellBond(granite)` is `bd.CellBond(E=granite.E, nu=granite.nu)`.
     """

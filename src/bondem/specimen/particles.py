@@ -27,7 +27,7 @@ class Particles:
 
     Attributes:
         position: centres [m], shape (n, 3).
-        radius: radii [m], shape (n,).
+        radius: radii [m], shape (n,); one number may be given for all.
         period: edge lengths of the periodic cell [m], (3,), or None; taken from `shape` if that is a Cell.
         shape: shape filled by the spheres; with a period and no shape it is the periodic cell. None is allowed: faces
             and sections then use the bounding box of the spheres.

@@ -14,10 +14,7 @@ _PLASTIC = 1.3247179572447460
 
 @cache
 def spread_points(count: int) -> Floats:
-    """Return points spread evenly over the unit cube, shape (count, 3), by Hammersley's sequence.
-
-    With 65 536 points the volume of an eighth of a cylinder is right to ± 0.2 %.
-    """
+    """Return points spread evenly over the unit cube, shape (count, 3), by Hammersley's sequence."""
     first = (np.arange(count) + 0.5) / count
     return freeze(np.column_stack([first, _mirrored_digits(count, 2), _mirrored_digits(count, 3)]))
 

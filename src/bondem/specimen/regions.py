@@ -23,7 +23,7 @@ class Region(ABC):
     def select(self, lattice: Lattice) -> Ints:
         """Return the indices of the connected elements of the region, ascending and in the user's order.
 
-        If the lattice has no bonds, all matching elements are selected.
+        If the lattice has no bonds, all elements of the region are selected.
 
         Raises:
             EmptyRegionError: No connected element matches.
@@ -84,7 +84,7 @@ class Face(Region):
     it; `depth=1.0` then selects a layer. A `FaceWarning` is given if far fewer elements are selected than lie near.
 
     Attributes:
-        name: name of the face, such as "x_min", "x_max" or "side".
+        name: name of the face, such as "x_min", "x_max" or "side"; a shape without this face raises InputError.
         depth: largest distance of the surface of an element from the face, in mean radii [-]; ignored for cells.
         body: name or number of the body in a scene of several bodies; None if there is only one.
     """
@@ -108,7 +108,7 @@ class Face(Region):
 
 @dataclass(frozen=True)
 class Body(Region):
-    """Elements of a body of a scene, or of a group of bodies.
+    """Elements of a body of a scene, or of a group of bodies; a scene without such a body raises InputError.
 
     Attributes:
         which: number of the body, its name, or the name of a group: "grains" selects "grains/0", "grains/1", …
@@ -170,7 +170,7 @@ class Within(Region):
     """Elements whose particle has its centre inside a shape.
 
     Attributes:
-        shape: any shape, in the coordinates of the specimen.
+        shape: any shape, in the coordinates of the specimen; other objects raise InputError.
     """
 
     shape: Shape

@@ -30,8 +30,9 @@ _LISTENED = 20_000  # largest number of centres from which layers are computed
 class Strata:
     """Differences between slices of the core across x, y and z, beyond those of chance.
 
-    A value is NaN along an axis shorter than two slices of two mean diameters, or four diameters for layers. Mean and
-    two standard deviations of chance are subtracted; for layers the expected largest wave, for gradients nothing.
+    A value is NaN along an axis shorter than two slices of two mean diameters, or four diameters for layers. The
+    squares of the first three are reduced by the mean and two standard deviations of those by chance. The square of
+    `layers` is reduced by that of the largest wave expected by chance. Gradients are not reduced.
 
     Attributes:
         density: relative rms deviation of the solid fraction of slices from their mean [-], (3,).

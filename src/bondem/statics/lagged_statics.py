@@ -1,16 +1,17 @@
 """Equilibrium of laws whose stresses lag one iteration behind the motions.
 
-The tangential force F_t of a bond is A τ, with its area A and the shear stress τ that all forces cause. Many sets of
-forces satisfy this, so that the equations of equilibrium alone do not determine them. The equilibrium is the end of a
-path from the unloaded state, in rounds of
+The tangential force of a bond is its area times a shear stress that all forces cause. Many sets of forces satisfy
+this, so that the equations of equilibrium alone do not determine them. The equilibrium is the end of a path from the
+unloaded state, in rounds of
 
     K u' = f + nodal loads of the extra forces e,    e' = e(σ, δ_t) of the motion u'
 
-with K of the springs alone. After one round for each of `steps` equal shares of the load, rounds continue at full
-load until stresses no longer change. The number of steps has no effect on the stresses.
+with K of the springs alone, the mean stress σ of both elements of a bond, and the tangential part δ_t of its gap.
+After one round for each of `steps` equal shares of the load, rounds continue at full load until stresses no longer
+change. The number of steps has no effect on the stresses.
 
-If the extra shear force is limited, the rounds are mixed to converge sooner (Anderson). Without the limiter rotations
-may never settle although stresses have, because no spring resists them; the rounds are then plain.
+If the extra shear force is limited, the rounds are mixed to converge sooner (Anderson). Without this limit the
+rotations may never settle although stresses have, because no spring resists them. Rounds are then not mixed.
 """
 
 from dataclasses import dataclass

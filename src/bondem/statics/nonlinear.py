@@ -165,7 +165,8 @@ def tangent_matrix(model: Model, pattern: bsr_array, pose: Floats) -> Stiffness:
     """Return the symmetric part of the second derivative of the bond energy at a pose, (6 n, 6 n).
 
     The antisymmetric part is the torque on each element, because spins are applied one after the other. It vanishes
-    in equilibrium. `pattern` is a matrix with the blocks of the result, such as that at rest.
+    in equilibrium. `pose` is the pose of all elements, internal order, (n, 8). `pattern` is a matrix with the blocks
+    of the result, such as the matrix at rest.
     """
     layout = model.layout
     whole = model.interaction.bond_tangents(pose)

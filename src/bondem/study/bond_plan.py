@@ -129,7 +129,7 @@ class CellPlan(BondPlan):
     def of_material(
         self, material: Material, lattices: tuple[Lattice, ...], on_stage: Callable[[str, float], None]
     ) -> Bonding:
-        """Return the cell law with E and ν of the material; cells need no calibration."""
+        """Return the cell law with E and ν of the material, and its density; cells need no calibration."""
         law = self.cells(E=material.E, nu=material.nu, facet_rotation=self.facet_rotation)
         return Bonding(law=law, density=material.rho)
 

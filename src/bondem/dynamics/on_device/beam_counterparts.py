@@ -1,4 +1,4 @@
-"""Counterparts on a device of the passes of beams."""
+"""Kernel launches on a device for the passes of beams."""
 
 from bondem._passes import kernels
 from bondem._tables.device_tables import LoadsOfBonds

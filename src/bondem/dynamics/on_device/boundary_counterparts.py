@@ -1,4 +1,4 @@
-"""Counterparts on a device of the passes of boundary conditions and body forces."""
+"""Kernel launches on a device for the passes of boundary conditions and body forces."""
 
 from bondem._passes import kernels
 from bondem._tables.step_tables import BodyForces, Drives, RowLoads

@@ -1,4 +1,4 @@
-"""Counterparts on a device of the passes by which beams break."""
+"""Kernel launches on a device for the passes by which beams break."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Counterparts on a device of the passes of cells: dilatation, facets, walls that fix facets, tractions."""
+"""Kernel launches on a device for the passes of cells: dilatation, facets, walls that fix facets, tractions."""
 
 from bondem._passes import kernels
 from bondem._tables.cell_tables import CellStrains, FacetTractions, WallConstraints

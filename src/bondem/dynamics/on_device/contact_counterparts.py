@@ -1,4 +1,4 @@
-"""Counterparts on a device of the passes of contacts and walls."""
+"""Kernel launches on a device for the passes of contacts and walls."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""Counterparts of all passes of a step: the launches on a device that compute the same.
+"""Counterparts of all passes of a step: the kernel launches on a device that compute the same.
 
 The parts of a step (`bondem.dynamics.parts`) compose it once, for the CPU and for devices. Each of its passes has a
 counterpart, so that a device runs whatever the CPU runs. Most counterparts are kernels with their numbers of threads

@@ -1,4 +1,4 @@
-"""Numbers of threads of launches on a device, as functions of the run and of the tables of a pass."""
+"""Numbers of threads of kernel launches on a device, as functions of the run and of the tables of a pass."""
 
 from collections.abc import Callable
 from typing import TypeVar

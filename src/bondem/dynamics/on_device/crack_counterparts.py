@@ -1,4 +1,4 @@
-"""Counterparts on a device of the passes of cracks between cells: start of a run, opening, softening, forces."""
+"""Kernel launches on a device for the passes of cracks between cells: start of a run, opening, softening, forces."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Counterparts on a device of the passes of cell stresses, initiation of cracks, and energies with cracks."""
+"""Kernel launches on a device for the passes of cell stresses, initiation of cracks, and energies with cracks."""
 
 import numpy as np
 

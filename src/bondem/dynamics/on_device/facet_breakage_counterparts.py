@@ -1,4 +1,4 @@
-"""Counterparts on a device of the passes by which facets of cells break."""
+"""Kernel launches on a device for the passes by which facets of cells break."""
 
 from bondem._device import Launch
 from bondem._passes import kernels

@@ -1,4 +1,4 @@
-"""Counterparts on a device of the passes that sum loads and move elements."""
+"""Kernel launches on a device for the passes that sum loads and move elements."""
 
 from bondem._passes import kernels
 from bondem.dynamics.on_device import counts

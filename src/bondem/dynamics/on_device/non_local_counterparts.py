@@ -1,4 +1,4 @@
-"""Counterparts on a device of the passes of the non-local law: forces, stresses of elements, breakage."""
+"""Kernel launches on a device for the passes of the non-local law: forces, stresses of elements, breakage."""
 
 from bondem._device import Launch
 from bondem._passes import kernels

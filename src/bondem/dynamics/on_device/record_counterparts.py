@@ -1,4 +1,4 @@
-"""Counterparts on a device of the passes that write records and check the energy."""
+"""Kernel launches on a device for the passes that write records and check the energy."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Counterparts on a device of the passes of softening beams, and of their contact after failure."""
+"""Kernel launches on a device for the passes of softening beams, and of their contact after failure."""
 
 from bondem._device import Launch
 from bondem._passes import kernels

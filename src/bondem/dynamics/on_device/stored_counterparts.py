@@ -1,4 +1,4 @@
-"""Counterparts on a device of the passes of beams of the incremental formulation."""
+"""Kernel launches on a device for the passes of beams of the incremental formulation."""
 
 from bondem._passes import kernels
 from bondem.dynamics.on_device import counts

@@ -1,4 +1,4 @@
-"""Counterparts on a device of crack initiation by a function of the stress; a user's function runs on the CPU."""
+"""Kernel launches on a device for crack initiation by a function of the stress; a user's one runs on the CPU."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Translation of the passes of a step into launches on a device, with what all counterparts share."""
+"""Translation of the passes of a step into kernel launches on a device: functions common to all passes."""
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""Counterparts on a device of the passes of yielding cells, material planes, and changing strains at cracks."""
+"""Kernel launches on a device for the passes of yielding cells, material planes, and changing strains at cracks."""
 
 from bondem._passes import kernels
 from bondem._tables.crack_tables import FacetStrengths, StressesOfCells

@@ -114,7 +114,7 @@ class StoredBeamInteraction(BeamInteraction, SteppingInteraction):
     def tables(self, arrays: Arrays) -> tuple[Beams, StoredLoads]:
         """Return the beams and their stored loads, whose array is that of the state.
 
-        With fewer beams than a pass computes at once, it is a longer copy, made by `with_zeros`.
+        If there are fewer beams than a pass computes at once, this array is a longer copy, made by `with_zeros`.
         """
         beams = self._beams(np.zeros(0), arrays["integrity"])
         return beams, StoredLoads(np.ascontiguousarray(with_zeros(self.table.kb)), with_zeros(arrays["history"]))

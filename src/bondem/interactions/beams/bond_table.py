@@ -104,12 +104,12 @@ def directions(lattice: Lattice, layout: Layout) -> Floats:
 
 
 def with_twins(column: np.ndarray) -> np.ndarray:
-    """Return a column of bonds, (m,), padded with its first entry to the `GROUP` bonds that a pass takes at once."""
+    """Return a column of bonds, (m,), padded with its first entry to the number that a pass computes at once."""
     return _longer(column, column[:1])
 
 
 def with_zeros(columns: np.ndarray) -> np.ndarray:
-    """Return columns of bonds, (…, m), padded with zeros to the `GROUP` bonds that a pass takes at once."""
+    """Return columns of bonds, (…, m), padded with zeros to the number of bonds that a pass computes at once."""
     return _longer(columns, np.zeros(1))
 
 

@@ -16,8 +16,8 @@ class ContactBond(ParallelBond):
 
         kn = E A / L    ks = kn / κ    kb = kt = 0    contact point at (L + Ri - Rj) / 2
 
-    Static solutions need lattices so dense that no element rolls freely. Calibration in studies therefore excludes
-    it. Tension is positive. Reference: Potyondy and Cundall (2004), contact bond.
+    κ is that of `ParallelBond`. Static solutions need lattices so dense that no element rolls freely. Calibration in
+    studies therefore excludes this bond. Tension is positive. Reference: Potyondy and Cundall (2004), contact bond.
     """
 
     title: ClassVar[str] = "contact"

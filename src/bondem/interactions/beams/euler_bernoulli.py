@@ -13,8 +13,8 @@ class EulerBernoulli(BondLaw):
 
         kn = E A / L    ks = 12 E I / L³    kb = E I / L    kt = G J / L    contact point at L/2
 
-    It is nodally exact for loads at the elements. Tension is positive. Reference: André et al. (2012) §2, signs of
-    eqs (1), (3), (4) corrected; Chen et al. (2022) eq (26).
+    The beam is nodally exact for loads at the elements. Tension is positive. Reference: André et al. (2012) §2, signs
+    of eqs (1), (3), (4) corrected; Chen et al. (2022) eq (26).
     """
 
     title: ClassVar[str] = "Euler–Bernoulli"

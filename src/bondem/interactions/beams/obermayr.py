@@ -14,7 +14,7 @@ class Obermayr(BondLaw):
 
         kn = E A / L    ks = α_s G A / L    kb = E I / L    kt = G J / L    contact point at L/2
 
-    It is not nodally exact: the bending part of the shear flexibility is missing and reappears with refinement.
+    The element is not nodally exact: the bending part of the shear flexibility is missing, but refinement adds it.
     Tension is positive. Reference: Chen et al. (2022) §4.3.
 
     Attributes:

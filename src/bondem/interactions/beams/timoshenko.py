@@ -9,13 +9,13 @@ from bondem.interactions.beams.free_parameter import RADIUS_RATIO, FreeParameter
 
 @dataclass(frozen=True, kw_only=True)
 class Timoshenko(BondLaw):
-    """A cylindrical beam with shear deformation (form factor 10/9 of the circular section).
+    """A cylindrical beam with shear deformation (form factor f_s = 10/9 of the circular section).
 
         kn = E A / L    ks = 12 E I / (L³ (1 + Φ))    kb = E I / L    kt = G J / L    contact point at L/2
         Φ = 12 E I f_s / (G A L²) = 20 r² (1 + ν) / (3 L²)
 
-    It is nodally exact for loads at the elements. Tension is positive. Reference: Chen et al. (2022) eqs (21), (22),
-    (25).
+    The beam is nodally exact for loads at the elements. Tension is positive. Reference: Chen et al. (2022) eqs (21),
+    (22), (25).
     """
 
     title: ClassVar[str] = "Timoshenko"

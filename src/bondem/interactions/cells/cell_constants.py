@@ -49,9 +49,9 @@ class CellConstants:
         volume: V [m³], shape (n,).
         weight: λ_p / V_p, the factor from V_p θ_p to the stress λ_p θ_p [Pa/m³], shape (n,).
         direction: normals of the facets, from i to j [-], shape (3, m).
-        G, lame: shear modulus and Lamé's λ of the material of each cell [Pa], shape (n,).
-        supports: facets that walls hold; their cells in the user's order.
-        softness: d / 2 G of each free facet, the opening per traction [m/Pa], shape (k,).
+        G, lame: shear modulus and Lamé's λ of each cell [Pa], shape (n,); λ is at least -2 G / q, q of `compliance`.
+        supports: facets that walls constrain; their cells in the user's order.
+        softness: d / 2 G of each free facet, its opening per traction [m/Pa], shape (k,); d is its distance from g.
         way: (c - g) / d along the free axes of each free facet, with its centroid c and the centre g of its cell [-],
             shape (k, 3). A force F on the facet adds softness · F·way to V θ, and the stress of the cell moves the
             facet by -softness · stress · way. The part in the plane makes tractions along the surface exact.
@@ -91,7 +91,7 @@ class CellConstants:
         Args:
             body: a lattice with facets and cells.
             bond: law of all cells, or laws by region.
-            fixed: free facets that walls hold.
+            fixed: free facets that walls constrain.
             may_fail: True for facets that may fail, whose cells have no gradients of the dilatation.
 
         Raises:
@@ -289,7 +289,7 @@ def _materials(body: Lattice, bond: CellAssignment) -> tuple[Floats, Floats, str
 
 
 def ways(facets: Facets) -> tuple[PerBond3, PerBond3]:
-    """Return m of both sides of each facet [-], (m, 3) each: an opening δ_p of half p adds A m·δ_p to V_p θ_p."""
+    """Return m of both sides of each facet [-], (m, 3) each: the opening δ_p on side p adds A m·δ_p to V_p θ_p."""
     per_depth = facets.span / facets.area
     return (
         facets.share_i * (per_depth / facets.depth_i)[:, None], facets.share_j * (per_depth / facets.depth_j)[:, None]
@@ -311,10 +311,10 @@ def _along_facets(free: FreeFacets, position: PerElement3) -> Floats:
 
 
 def compliance(body: Lattice) -> PerElement:
-    """Return q of each cell [-], shape (n,): its energy is positive for every motion if λ > -2 G / q.
+    """Return q of each cell [-], (n,): the energy of the cell is positive for every motion if λ > -2 G / q.
 
     q = Σ A d |m|² / V over the facets of a cell, with area A, depth d of the centre below the facet, and m of `ways`;
-    q = 3 if m is the normal. V θ² ≤ q Σ A |δ_p|² / d holds for the openings δ_p of the halves of its facets.
+    q = 3 if m is the normal. V θ² ≤ q Σ A |δ_p|² / d for any openings δ_p of its facets on the side of the cell.
     """
     facets, cells = body_of(body)
     free, n = cells.free, len(cells.volume)
@@ -329,7 +329,7 @@ def compliance(body: Lattice) -> PerElement:
 def _supports(
     cells: Cells, fixed: FixedFacets, G: PerElement, n_free: Floats, rotation: str, walls: FreeWalls
 ) -> Supports:
-    """Return the table of the free facets that walls hold, each with the spring of half a facet."""
+    """Return the table of the free facets that walls constrain, each with the spring from its wall to its cell."""
     free, facet = cells.free, fixed.facet
     cell, normal, axes = free.cell[facet], free.normal[facet], fixed.axes.astype(float)
     stiffness = 2.0 * G[cell] / free.depth[facet]

@@ -15,9 +15,9 @@ class CellStrain:
     """Small deformation of every facet and cell from the reference, user's order.
 
     Attributes:
-        gap: δ = u_j + θ_j × b_j - u_i - θ_i × b_i, gap between the faces of each facet [m], (m, 3).
+        gap: δ = u_j + θ_j × b_j - u_i - θ_i × b_i with levers b, gap between the faces of a facet [m], (m, 3).
         turn: θ_j - θ_i [rad], (m, 3).
-        wall_gap: gaps at the facets that walls hold, along the fixed axes [m], (g, 3).
+        wall_gap: gaps at the facets that walls constrain, along the fixed axes [m], (g, 3).
         rotation: rotations of the elements [rad], (n, 3).
         swelling: V θ of each cell, without the opening of free facets by its own stress [m³], (n,).
     """
@@ -48,7 +48,7 @@ class CellStrain:
             displacement, rotation: displacements and rotations of the elements.
             slip: additional opening of every facet [m], (m, 3): that of a macroscopic strain in a periodic cell, or
                 minus the stress-free opening.
-            wall: displacement of walls that hold facets [m], (g, 3); None for walls at rest.
+            wall: displacement of walls that constrain facets [m], (g, 3); None for walls at rest.
             pressed: contribution of tractions on free facets to V θ [m³], (n,); None for none.
         """
         i, j = body.pairs.T
@@ -89,7 +89,7 @@ class CellStrain:
         return load + self.of_walls(len(load), constants)
 
     def of_walls(self, n: int, constants: CellConstants) -> PerElement6:
-        """Return forces and torques of the walls on the elements that they hold [N, N·m], (n, 6)."""
+        """Return forces and torques of the walls on the elements that they constrain [N, N·m], (n, 6)."""
         supports = constants.supports
         return row_sums(supports.cell, supports.nodal(self.wall_gap, self.rotation, self.stress(constants)), n)
 

@@ -58,7 +58,7 @@ def gradient_tables(gradients: GradientConstants, n: int, walls: WallConstraints
     Args:
         gradients: constants in internal order.
         n: number of cells.
-        walls: walls that hold facets of the cells.
+        walls: walls that constrain facets of the cells.
     """
     near, far, spring = gradients.springs()
     start, order, other = _of_cells(near, far, n)
@@ -96,7 +96,7 @@ def facet_release(
         layout: cells of the facets.
         facets: facets with their integrity.
         cells: cells, whose weights are set by their unbroken facets.
-        walls: walls that hold facets of the cells.
+        walls: walls that constrain facets of the cells.
     """
     n, (slack_i, slack_j) = len(constants.weight), constants.slack()
     release = FacetRelease(
@@ -109,5 +109,5 @@ def facet_release(
 
 
 def place_supports(walls: WallConstraints, time: float) -> None:
-    """Move walls that hold facets to their places at a time [s], in place."""
+    """Move walls that constrain facets to their places at a time [s], in place."""
     run_pass(calls.place_walls(walls, WallTime(time)))

@@ -42,7 +42,7 @@ class BodyTables:
         facets: facets of the body.
         cells: cells of the body.
         gradients: gradients of the dilatation.
-        walls: facets that walls hold.
+        walls: facets that walls constrain.
     """
 
     facets: ElasticFacets
@@ -168,7 +168,7 @@ class CellsAtAnyPose(Interaction):
         return bsr_array((forms, pattern.indices, start), shape=(len(pose), 6 * len(pose)))
 
     def _support_blocks(self, pose: Floats) -> tuple[np.ndarray, Floats]:
-        """Return the cells that walls hold, (g,), and their parts of diagonal blocks in a pose, (g, 6, 6)."""
+        """Return the cells that walls constrain, (g,), and their parts of diagonal blocks in a pose, (g, 6, 6)."""
         supports = self.constants.supports
         supported = self.layout.rank[supports.cell]
         arm = turned_vectors(pose[supported, 4:], supports.arm)

@@ -1,11 +1,11 @@
 """Mass matrix for which pressure waves have their exact speed up to fourth order in the size of the cells.
 
-Facets sample a sine over the distance of two centres, and the dilatation of a cell is a central difference. A plane
-wave of pressure of wave number k has therefore, in an isotropic tessellation,
+Facets sample a sine over the distance L of two centres, and the dilatation of a cell is a central difference. A plane
+pressure wave of frequency ω and wave number k has therefore, in an isotropic tessellation with facets of area A,
 
     ω² ρ / k² = 2 G (1 - k² L̄² / 20) + λ (1 - k² L̄² / 5) + κ k²,     L̄² = Σ A L³ / Σ A L
 
-with κ = min(λ, 2 G) j of the gradients between cells. M' = M - Θᵀ (ρ V β) Θ, with θ = Θ u, corrects this by
+with κ of `gradient_stiffness`. The mass matrix M' = M - Θᵀ (ρ V β) Θ, with the dilatations θ = Θ u, corrects this by
 
     β = (L̄² (λ / 5 + 2 G / 20) - κ) / (λ + 2 G)
 """

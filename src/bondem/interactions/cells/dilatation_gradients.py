@@ -1,16 +1,17 @@
-"""Gradients of the dilatation: between cells, and across layers one cell thick.
+"""Energy of gradients of the dilatation θ: between cells, and across layers one cell thick.
 
-A cell has one dilatation θ, so that the energy ½ λ j |∇θ|² of its gradient within a cell is missing, j = ∫ z² dV / V.
-Two terms add it.
+A cell p has one dilatation θ_p and the stress σ_p = λ_p θ_p. The energy ½ λ j |∇θ|² per volume of a gradient within
+the cell is therefore missing. j is the mean of z² over cells, with z the distance from the centre. Two terms add it.
 
-- Between cells: U = Σ ½ c (σ_i - σ_j)² over facets, σ = λ_p θ_p. The difference between neighbours stands for the
-  gradient within: c = A L κ / λ², κ = λ j / L̄², with j and L̄² = Σ A L³ / Σ A L of the body. In κ, λ is at most 2 G,
-  the stiffness of the facets. Beyond it the term would raise the highest frequency, and stiffen plates near ν = 0.4.
-- Across a layer of normal a, a relative rotation ρ opens a facet by ρ × a per height: V χ = Σ ρ·(a × s), with the
-  shares s of the facets within the layer, and U = ½ J λ_p χ², J = ∫ (a·(x - x_p))² dV. Columns have two of these.
+- Between cells: U = Σ ½ c (σ_i - σ_j)² over facets of area A between centres L apart. The difference between cells
+  represents the gradient within them. c = A L κ / (λ² L̄²), with κ = λ j and L̄² = Σ A L³ / Σ A L. In κ, λ is at most
+  2 G, the stiffness of the facets. A larger κ would raise the highest frequency, and stiffen plates near ν = 0.4.
+- Across a layer of normal a: a relative rotation ρ opens a facet by ρ × a per height. The curvature χ follows from
+  V χ = Σ ρ·(a × s) over the facets within the layer, with their shares s. Its energy is U = ½ J λ_p χ² with
+  J = ∫ (a·(x - x_p))² dV. A column has two such directions a.
 
-Both are for λ ≥ 0. Models whose facets may fail have neither: a facet that fails would change the stress of the
-neighbours of its cells.
+Both terms are for λ ≥ 0. Models whose facets may fail have neither, because a facet that fails would change the
+stress of the neighbours of its cells.
 """
 
 from collections.abc import Callable
@@ -44,10 +45,10 @@ class GradientConstants:
         facet: numbers of these facets, shape (l,).
         way_a, way_b: n × s of both cells for each direction across their layer [m²], shape (l, 2, 3): V χ is
             Σ ρ·(n × s), with ρ = θ_b - θ_a.
-        wall: numbers of the walls that hold cells of layers, as in `CellConstants.supports`, shape (h,).
-        wall_cell: cells that these walls hold, shape (h,).
+        wall: rows of `CellConstants.supports` with walls that constrain cells of layers, shape (h,).
+        wall_cell: cells that these walls constrain, shape (h,).
         wall_way: n × s of these walls [m²], shape (h, 2, 3): they add -θ·(n × s) to V χ.
-        weight: J λ_p / V² of each cell and direction, shape (n, 2); (0, 2) without layers [Pa/m].
+        weight: J λ_p / V² of each cell and direction [Pa/m], shape (n, 2), or (0, 2) without layers.
     """
 
     springs: Callable[[], Springs]
@@ -80,7 +81,7 @@ class GradientConstants:
             layered: λ_p of each cell, which its free facets reduce [Pa], (n,).
             walls: directions across which the cells are free.
             shares: shares of the facets in both cells [m²], (m, 3) each.
-            supports: walls that hold facets.
+            supports: walls that constrain facets.
         """
         _, cells = body_of(body)
         i, j = body.pairs.T
@@ -120,7 +121,9 @@ class GradientConstants:
         return np.asarray(np.bincount(i, force, n) - np.bincount(j, force, n), dtype=float)
 
     def bends(self, turn: Floats, rotation: Floats) -> Floats:
-        """Return V χ, the volume of each cell times its curvature across its layers [m²], (n, 2).
+        """Return V χ [m²], (n, 2): volume times curvature of each cell across layers that are one cell thick.
+
+        A cell of a column has two such directions. Other entries are zero. Without layers the shape is (0, 2).
 
         Args:
             turn: relative rotations of all facets [rad], (m, 3).
@@ -133,9 +136,9 @@ class GradientConstants:
         return found
 
     def moments(self, turn: Floats, rotation: Floats) -> tuple[Floats, Floats]:
-        """Return moments of bent layers on cells i of facets, (m, 3), and of walls on all cells, (n, 3) [N·m].
+        """Return the moments of bent layers on cells i of facets, (m, 3), and those by walls on cells, (n, 3) [N·m].
 
-        The arguments are those of `bends`.
+        Layers are one cell thick. The arguments are those of `bends`. Cell j of a facet has the opposite moment.
         """
         moment, wall = np.zeros_like(turn), np.zeros_like(rotation)
         if len(self.facet):
@@ -146,7 +149,7 @@ class GradientConstants:
         return moment, wall
 
     def coupling(self, weight: PerElement) -> csr_array | None:
-        """Return W L W, (n, n), of `weight` W = λ_p / V_p [Pa/m³] and the Laplacian L of springs; None if none."""
+        """Return W L W, (n, n), of the diagonal `weight` W [Pa/m³] and the Laplacian L of springs, or None."""
         i, j, spring = self.springs()
         if not len(spring):
             return None

@@ -1,11 +1,11 @@
 """Resistance of facets to relative rotations of their cells: bending, and twist at free surfaces.
 
 The opening of a facet varies over it where its cells turn. Openings along the normal n give the bending resistance
-H = (2 G / L)(tr S P - S), with the second moment S of the facet and P = 1 - n⊗n. Openings in its plane (twist) would
-give up to (2 G / L) tr S n⊗n. The curl of the shear on a facet is ∂ω_n/∂n in a continuum, and twice that on a rigid
-facet, so that only a part of this energy is right. At a free surface of normal a it is (2 G / L) a·S·a, the bending
-energy of a plate whatever the directions of its facets. In a column it is that of Saint-Venant's torsion. Inside a
-body, and where two free surfaces meet, facets do not resist twist.
+H = (2 G / L)(tr S P - S), with the shear modulus G, the distance L of the centres, the second moment S of the facet
+and P = 1 - n⊗n. Openings in its plane (twist) would give up to (2 G / L) tr S n⊗n. The curl of the shear on a facet
+is ∂ω_n/∂n in a continuum, and twice that on a rigid facet, so that only a part of this resistance is right. At a free
+surface of normal a this part is (2 G / L) a·S·a, the bending of a plate whatever the directions of its facets. In a
+column it is that of Saint-Venant's torsion. Inside a body, and where two free surfaces meet, facets resist no twist.
 """
 
 import numpy as np

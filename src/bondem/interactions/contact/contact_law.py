@@ -105,9 +105,9 @@ class ContactLaw(ABC):
 def rebound(beta: float) -> float:
     """Return the restitution e of a collision with the share β of the critical damping [-].
 
-    The collision ends where the force vanishes. The formula holds for a linear spring and dashpot. It also holds for
-    a Hertzian one, whose overlap to the power 5/4 oscillates as a linear one does (Antypov and Elliott, EPL 94,
-    2011). The force vanishes before the overlap does (Schwager and Pöschel, Granular Matter 9, 2007).
+    The collision ends where the force vanishes. The formula is valid for a linear spring and dashpot. It is also
+    valid for a Hertzian contact, because its overlap to the power 5/4 oscillates as a linear one (Antypov and
+    Elliott, EPL 94, 2011). The force vanishes before the overlap (Schwager and Pöschel, Granular Matter 9, 2007).
     """
     if beta < 1.0:
         omega = math.sqrt(1.0 - beta * beta)
@@ -146,7 +146,7 @@ def fastest(
 
 
 def slowest_root(pair: Floats, wall: Floats, mass: Floats, platens: Floats, *, walled: bool) -> float:
-    """Return the least √(m̄ / k) [s] over all pairs of equal spheres, and all spheres at a wall.
+    """Return the least √(m̄ / k) [s], with the reduced mass m̄, of pairs of equal spheres and of spheres at a wall.
 
     Args:
         pair: stiffness of two spheres of each size [N/m], (n,).
@@ -167,7 +167,7 @@ def passage(
 ) -> float:  # fmt: skip
     """Return the least duration π √(m̄ D / F_c) of motion within the reach D of adhesion [s]; inf without adhesion.
 
-    Further arguments are those of `ContactLaw.shortest`.
+    F_c is the pull-off force and m̄ the reduced mass. Further arguments are those of `ContactLaw.shortest`.
     """
     if adhesion is None:
         return math.inf
@@ -195,7 +195,8 @@ class LinearContact(ContactLaw):
         E: effective modulus [Pa] in kn = E A / L; a pair whose bond is broken has the kn of that bond.
         friction: Coulomb's coefficient μ [-]; 0 for no tangential force at all.
         kappa: kn / ks [-].
-        damping: share β of the critical damping of a pair, in [0, 1) [-]: cn = 2 β √(kn m̄), cs = 2 β √(ks m̄).
+        damping: share β of the critical damping of a pair, in [0, 1) [-]: cn = 2 β √(kn m̄), cs = 2 β √(ks m̄), with
+            its reduced mass m̄.
         stress_free: True if overlaps of the reference configuration carry no force, so that a packing is at rest.
             Gaps are then measured from min(0, reference gap). The gap of a pair whose bond is broken is measured from
             the rest length of the bond. False to measure all gaps from the spheres, with kn of this law.

@@ -40,12 +40,13 @@ class HertzMindlin(ContactLaw):
 
         F_n = 4/3 E* √R* u^(3/2) + cn u',    ks = 8 G* √(R* u)    (stick; |F_t| <= μ F_n)
 
-    with E* = E / 2(1 − ν²), G* = G / 2(2 − ν), R* = Ri Rj / (Ri + Rj). A wall is rigid: E* and G* are doubled, R* =
-    R. The dashpots are cn = 2 √(5/6) β √(m̄ kn), kn = 2 E* √(R* u), and likewise with ks. They give the requested
-    restitution at all speeds, with contacts that only repel. A tangential spring of stretch ξ stores ½ ks(u) ξ² and
-    adds ½ ks'(u) ξ² to F_n, about μ² kn / 6 ks of F_n where it slides. A contact that does not slide is therefore
-    elastic, and does not creep under oscillating loads (docs/decisions/0053-tangential-potential-and-rolling.md).
-    Friction acts up to F_t / F_n = √(3 ks / 2 kn), 1.1 for ν = 0.3.
+    with the overlap u, E* = E / 2(1 − ν²), G* = G / 2(2 − ν) and R* = Ri Rj / (Ri + Rj). A wall is rigid: E* and G*
+    are doubled, and R* = R. The dashpots are cn = 2 √(5/6) β √(m̄ kn), with kn = 2 E* √(R* u) and the reduced mass m̄,
+    and likewise with ks. They give the requested restitution at all speeds, with contacts that only repel. A
+    tangential spring of stretch ξ stores ½ ks(u) ξ² and adds ½ ks'(u) ξ² to F_n, about μ² kn / 6 ks of F_n where it
+    slides. A contact that does not slide is therefore elastic, and does not creep under oscillating loads
+    (docs/decisions/0053-tangential-potential-and-rolling.md). Friction acts up to F_t / F_n = √(3 ks / 2 kn), 1.1 for
+    ν = 0.3.
 
     A pair whose bond is broken acts as a linear spring with the kn of that bond and the same ks / kn. The reason is
     that crack faces meet over their whole area. With `stress_free=False` such a pair is like any other. References:
@@ -148,11 +149,11 @@ class HertzMindlin(ContactLaw):
 
     @property
     def deepest(self) -> float:
-        """Overlap over the smaller radius up to which the law holds [-]: 0.1, or `overlap` if larger."""
+        """Overlap over the smaller radius up to which the law is valid [-]: 0.1, or `overlap` if larger."""
         return max(_DEEPEST, self.overlap)
 
     def shortest(self, radius: Floats, mass: Floats, platens: Floats, *, walled: bool) -> float:
-        """Return the shortest duration of an elastic collision, with the overlap `overlap` [s]; see `ContactLaw`."""
+        """Return the shortest duration of an elastic collision at `overlap` [s]; arguments as in `ContactLaw`."""
         kn = 2.0 * self.modulus * radius * math.sqrt(0.5 * self.overlap)
         elastic = _DURATION * slowest_root(kn, 2.0 * math.sqrt(2.0) * kn, mass, platens, walled=walled)
         return min(elastic, passage(self.adhesion, radius, mass, platens, walled=walled))

@@ -6,7 +6,7 @@ and linear interpolation between these. A bond has the mean of the areas scaled 
 surface has no closed polyhedron: its bonds have the area scaled at the inner element. Between two elements at the
 surface A0 is scaled by the average factor of inner elements.
 
-The paper of 2020 refers to an earlier one for areas; this follows the authors' published code.
+The paper (Celigueta et al. 2020) refers to an earlier one for areas. These follow the authors' published code.
 """
 
 import math

@@ -29,7 +29,7 @@ class NonLocalConstants:
         lever_i, lever_j: levers from the elements to the contact point [m], shape (m, 3).
         volume: V by which the stress of an element is divided [m³], shape (n,).
         nu: ν [-].
-        limited: True if the extra shear force is limited.
+        limited: True if the extra shear force is limited, as `NonLocal.limited` defines.
     """
 
     area: PerBond
@@ -103,9 +103,9 @@ def _of_body(lattice: Lattice, law: NonLocal) -> _Parts:
 
 
 def _of_spheres(lattice: Lattice, law: NonLocal) -> _Parts:
-    """Return area, length, direction and both levers of the bonds, and volumes of the spheres.
+    """Return area A, length, direction and both levers of the bonds, and the volume V of each element.
 
-    The volume is Σ A l / 3 with l to the radical plane, and at least that of the sphere.
+    V is Σ A l / 3 with the distance l of the radical plane, but at least the volume of the sphere.
     """
     lattice.elements.refuse_cells("areas='weighted' applies to lattices of spheres; leave it out for a body of cells")
     if len(lattice.pairs) == 0:

@@ -1,20 +1,19 @@
-"""The non-local law of Celigueta, Oñate et al.: a bond follows the mean stress of its two elements.
+"""The non-local law of Celigueta et al. (2020): the force of a bond follows from the mean stress of its two elements.
 
-A bond of area A between centres L apart has the gap δ at its contact point, with the normal part δ_n and the
-tangential part δ_t; σ is the mean stress of its two elements, found with the forces of the step (or iteration)
-before. With kn = A E / L and kt = A G / L, tension positive,
+A bond of area A and normal n between centres L apart has the gap δ at its contact point, with the normal part δ_n
+and the tangential part δ_t. The mean stress σ of its two elements follows from the forces of the step (or iteration)
+before, and δ_t⁻ is δ_t at that step. With kn = A E / L and kt = A G / L, tension positive, the force is
 
     F = kn δ_n n + kt δ_t + e                                             eqs (2), (3), (6)
     e = A ν (tr σ - n·σ n) n + t - kt δ_t⁻,      t = A (σ n - (n·σ n) n)
 
-where δ_t⁻ is the tangential gap when σ was found, so that in one step F_t changes by kt (δ_t - δ_t⁻) from A τ. The
-spring kt δ_t represents only half of the engineering shear strain; A τ supplies the other half. The stress of an
-element of volume V is the symmetric part of
+The tangential part of F is thus t + kt (δ_t - δ_t⁻). The spring kt δ_t represents only half of the engineering shear
+strain, and t adds the other half. The stress of an element of volume V is the symmetric part of
 
     σ = (1/V) Σ l ⊗ F,     l from its centre to the contact point         eq (1)
 
-The limiter keeps the length of t - kt δ_t⁻ at most |t|, and so each of its components at most |A τ|, for any
-axes. The paper does not print it; without it, only the lag of the law itself restrains the rotation of an element.
+If `NonLocal.limited` is set, t - kt δ_t⁻ is shortened to the length of t where it is longer. The paper does not
+mention this limit. Without the limit only the lag of the law restrains the rotation of an element.
 """
 
 from dataclasses import dataclass
@@ -37,25 +36,27 @@ _NOTHING = 1e-200
 @of_material
 @dataclass(frozen=True, kw_only=True)
 class NonLocal:
-    """Bonds that follow the mean stress of their two elements, with the material's own E and ν.
+    """Bonds whose force follows from the mean stress σ of their two elements, with E and ν of the material.
 
-        kn = E A / L    kt = G A / L    F = kn δ_n n + kt δ_t + e(σ, δ_t of the step before)
+        kn = E A / L    kt = G A / L    F = kn δ_n n + kt δ_t + e
 
-    The law has no potential. The work of its extra force e is therefore a separate entry of the energy balance, and
-    there is no symmetric stiffness and no mode. Stress lags one step or one iteration behind. The only moments are
-    those of forces. The page "The non-local law" of the documentation defines e and the stresses.
+    The docstring of the module `bondem.interactions.non_local.non_local_law` defines these symbols. e follows from σ
+    and δ_t of the step before. The law has no potential, so that the work of e is a separate entry of the energy
+    balance. There is no symmetric stiffness matrix, and there are no natural modes. The only moments are those of F.
 
     `bd.NonLocal(granite)` takes E and ν from a `bd.Material`.
 
     Attributes:
         E: Young's modulus of the material [Pa].
-        nu: Poisson's ratio of the material [-], at least 0.
-        lever: point of action. "facet" is the centroid of the facet, where a uniform strain has its exact stress in
-            every cell. "contact" is the line of centres, as printed; a lattice of spheres has no other.
-        areas: "facet" (needs a body from `bd.connect(..., method="laguerre")`) or "weighted" (a lattice of spheres,
-            see `bondem.interactions.non_local.contact_areas`).
-        volume: V of eq (1): "cell", or "sphere" as printed, which gives too large stresses that amplify themselves.
-        limited: True to limit the extra shear force.
+        nu: Poisson's ratio of the material [-], from 0 to below 0.5.
+        lever: point of action of the force. "facet" is the centroid of the facet, with which every cell has the exact
+            stress of a uniform strain. "contact" is a point on the line of centres, as in the paper, and the only
+            choice for a lattice of spheres.
+        areas: areas A. "facet" requires a body from `bd.connect(..., method="laguerre")`, and "weighted" a lattice of
+            spheres (`bondem.interactions.non_local.contact_areas`).
+        volume: V of eq (1): "cell" (estimated as Σ A l / 3 for spheres), or "sphere" as in the paper, with which
+            stresses are too large and amplify themselves.
+        limited: True to limit the tangential part of e, as the docstring of the module defines.
 
     Reference: Celigueta, Latorre, Arrufat and Oñate, non-local bonded DEM with fracture (2020), eqs (1) to (6).
 

@@ -21,7 +21,7 @@ class NonLocalStrain:
     Attributes:
         lattice: the elements and bonds.
         constants: constants of the law, user's order.
-        gap: δ = u_j + θ_j × b_j - u_i - θ_i × b_i [m], (m, 3).
+        gap: δ = u_j + θ_j × b_j - u_i - θ_i × b_i of each bond, with its levers b [m], (m, 3).
         extra: extra force e of each bond [N], (m, 3).
     """
 

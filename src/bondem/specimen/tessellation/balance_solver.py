@@ -1,9 +1,9 @@
 """Solution of the equations of the balanced shares: symmetric tensors Y of the cells, by conjugate gradients.
 
 The operator is N Y = Σ sym((Y_p - Y_q) b ⊗ b) over the facets of cell p, a Laplacian of tensors on the graph of the
-cells. Averaged over all directions of b it is the scalar Laplacian of weights |b|² / 3 for each component. The
-preconditioner is the diagonal of that, plus the same Laplacian between groups of neighbouring cells, which reduces
-errors of long wavelength.
+cells. b is the vector to the neighbour q, scaled as in `CellBranches`. The average over all directions of b is the
+scalar Laplacian of weights |b|² / 3 for each component. The preconditioner is the inverse of its diagonal, plus the
+inverse of this Laplacian between groups of neighbouring cells, which reduces errors of long wavelength.
 """
 
 import numpy as np

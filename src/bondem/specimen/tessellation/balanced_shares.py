@@ -6,12 +6,12 @@ opening δ. Two conditions make every uniform stress an exact solution in every 
     balance       s_i + s_j = A n on inner facets,  s = A n on the surface
     consistency   Σ_inner sym(s_p ⊗ B) + Σ_surface sym(s_p ⊗ (c - g_p)) = V_p 1   in every cell
 
-g_p is the centre (generator) of the cell, B = g_q - g_p the branch to its neighbour, c the centroid of a facet. With
-s_i = A (w_i n + a) and s_j = A (w_j n - a), w_p = d_p / L, balance holds by itself. The corrections a, one vector per
-facet, follow from consistency. By the divergence theorem the equations of all cells add up to zero, so that they have
-solutions in every body. The solution is that of least Σ W |a|² with W = √(A Ā) L / (4 w_i w_j), Ā the mean area.
-With A in place of √(A Ā) this norm would be Σ A d |m - n|² / 4 over the halves of all facets, s_p = A w_p m. The
-root keeps corrections of small facets small, and the product w_i w_j those of a facet close to a centre.
+g_p is the centre (generator) of the cell, B = g_q - g_p the branch to its neighbour, and c the centroid of a facet.
+d_p is the distance of g_p from the facet, L = d_i + d_j and w_p = d_p / L. The shares s_i = A (w_i n + a) and
+s_j = A (w_j n - a) satisfy the balance for any correction a, one vector per facet. The corrections follow from
+consistency. By the divergence theorem the equations of all cells add up to zero, so that they have solutions in every
+body. The solution is that of least Σ W |a|² with W = √(A Ā) L / (4 w_i w_j) and the mean area Ā. The root keeps
+corrections of small facets small, and the product w_i w_j those of a facet close to a centre.
 
 With a symmetric tensor Y of each cell as multiplier, a = (A / W) (Y_i - Y_j) B, and Y solves a symmetric system of
 six equations per cell (`balance_solver`). Y is determined up to a constant.
@@ -38,8 +38,8 @@ class Shares(NamedTuple):
     """Shares of all inner facets in the dilatation of their cells, and the error that they leave.
 
     Attributes:
-        i, j: s of both sides [m²], shape (m, 3).
-        remainder: error of θ under a unit strain, the norm of the consistency equation over V [-], shape (n,).
+        i, j: shares s of each facet in the dilatations of cells i and j [m²], shape (m, 3): V θ is Σ s·δ.
+        remainder: error of θ of each cell under a unit strain [-], shape (n,).
     """
 
     i: PerBond3

@@ -186,7 +186,8 @@ def tessellation(
         outlines: True to return the whole cells as solids too.
 
     Raises:
-        InputError: Centres coincide or lie outside the shape, a cell has no volume, or a periodic cell is too small.
+        InputError: Centres coincide or lie outside the shape, a cell has no volume, a periodic cell is too small, or
+            a part of the shape is connected to no element.
     """
     shape, n = particles.envelope, len(particles)
     reach = usual_reach(particles)

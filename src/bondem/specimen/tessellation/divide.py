@@ -20,7 +20,8 @@ def divided(solids: Solids, sphere: Floats, near: Ints, start: Ints, tolerance: 
         tolerance: least depth to which a plane reaches into a solid that it divides [m].
 
     Returns:
-        The parts, and the element to which each belongs, (parts,). Tags of faces between parts are `SPLIT` or less.
+        The parts, and the element to which each belongs, (parts,). `Solids.tag` of a face between two parts is not
+        the number of a neighbour, but -16 or less: two numbers for each dividing plane, one for each side.
     """
     cell, owner, end = (np.empty(64, np.int64) for _ in range(3))
     lid, work = polygon_buffer(), polygon_buffer()

@@ -1,10 +1,10 @@
-"""Plain Laguerre cells: the points nearer to one sphere than to all others, in the power x² - R².
+"""Plain Laguerre cells: the points x for which one sphere has the least power |x - c|² - R² (centre c, radius R).
 
 A cell begins as a box and is cut by the radical plane of one neighbour after another, in the order of their distance.
 Every face is a polygon of its own, cut by planes, without any record of connections. Degenerate cases are therefore
-harmless, and volumes and areas are exact to rounding. With ρ the distance of the farthest corner, a neighbour at
-distance L cuts only if ½ (L - (R_max² - R²) / L) < ρ: there the search ends. It ends earlier where small spheres are
-far from large ones: no radius is above B + κ L, with B a bound around each element.
+harmless, and volumes and areas are exact to rounding. Let ρ be the distance of the farthest corner and R_max the
+largest radius. A neighbour at distance L cuts only if ½ (L - (R_max² - R²) / L) < ρ, so that the search ends beyond.
+It ends earlier where small spheres are far from large ones, as no radius there is above B + L / 2, with a bound B.
 """
 
 import math
@@ -84,7 +84,7 @@ def bins(particles: Particles, lower: Vector, upper: Vector, reach: float) -> Bi
 
 
 def _bounds(radius: Floats, box: Ints, count: Ints, width: Vector) -> Floats:
-    """Return bounds at elements [m], (n,): at a distance L, no radius is above the bound + `_SLOPE` L."""
+    """Return bounds at elements [m], (n,): at a distance L, no radius is above the bound + L / 2."""
     most = np.zeros(int(count.prod()))
     np.maximum.at(most, box, radius)
     most = most.reshape(tuple(count))
@@ -130,7 +130,7 @@ def plain_cells(centres: Bins, chosen: Ints, half: Floats) -> Solids:
     Args:
         centres: all elements.
         chosen: elements of the cells, (k,).
-        half: half the widths of their boxes [m], (k,); faces that remain on these have the tag LOCAL.
+        half: half the widths of their boxes [m], (k,); faces that remain on these have the `Solids.tag` -7.
 
     Raises:
         InputError: A cell has no volume or too many faces, or reaches half a period.

@@ -1,7 +1,7 @@
 """Ownership of the pieces of cut cells by elements.
 
 A wall may divide a cell, for example at a slot thinner than the cell, or at a notch. The part connected to the centre
-is the cell. The rest is divided by the same rule among the elements to whose cells it is connected. No facet extends
+is the cell. The rest is divided, by least power, among the elements to whose cells it is connected. No facet extends
 across a slot, and every facet lies in the radical plane of its two elements.
 """
 

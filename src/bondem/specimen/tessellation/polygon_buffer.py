@@ -28,7 +28,7 @@ def buffer_corners(pile: PolygonBuffer) -> Floats:
 
 
 def solids_in(pile: PolygonBuffer, cell: Ints, face: Ints) -> Solids:
-    """Return the solids of which a buffer has the faces: their cells (k,), and the first face of each, (k + 1,)."""
+    """Return the solids whose faces a buffer contains; `face` is the first face of each, and the end, (k + 1,)."""
     faces = polygon_count(pile)
     return Solids(
         cell, face, pile.what[:faces, TAG].copy(), pile.plane[:faces], first_corners(pile), buffer_corners(pile)

@@ -39,7 +39,7 @@ def polyhedra(lattice: Lattice) -> Polyhedra:
         lattice: a body of cells, from `bd.connect(..., method="laguerre")`.
 
     Returns:
-        Convex polygons. In a periodic cell those of an element lie in the image at its centre.
+        Convex polygons. In a periodic cell the polygons of an element lie in the image at its centre.
 
     Raises:
         InputError: The lattice has no cells.

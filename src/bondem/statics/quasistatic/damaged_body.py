@@ -1,9 +1,10 @@
 """Body of cells whose facets have any integrity, in small motions: its matrix, and the loads of its facets.
 
-A facet of integrity s follows `core/laws/softening.hpp`, for small motions. A half in compression keeps its stiffness
-along the normal n: its stiffness is k (s 1 + (1 - s) n⊗n), and its share of the dilatation changes likewise. A facet
-with a pressure along its crack softens in a single direction e: its stiffness is k (1 - (1 - s) e⊗e) where it opens,
-else k. Closed cracks have no friction. All values are for a load factor of 1, and proportional to the factor.
+A facet of integrity s follows `core/laws/softening.hpp`, for small motions. It consists of two springs of stiffness
+k, one towards each cell. A spring in compression keeps its stiffness along the normal n. Its stiffness is then
+k (s 1 + (1 - s) n⊗n), and its share of the dilatation changes likewise. A facet with a pressure along its crack
+softens in one direction e: its springs have k (1 - (1 - s) e⊗e) where it opens, else k. Closed cracks have no
+friction. All values are for a load factor of 1, and proportional to the factor.
 """
 
 from dataclasses import dataclass, replace

@@ -1,4 +1,4 @@
-"""Cracks with a pressure parallel to their faces, which must not fall as the cracks open."""
+"""Cracks with a pressure parallel to their faces; this pressure must not fall as the cracks open."""
 
 import numpy as np
 
