@@ -2,8 +2,8 @@
 
 `core/` contains the C++ sources; installing bondem compiles them (`_core_build.py`). This module loads the library
 for this CPU: the highest level of instructions that the CPU offers, or the one that BONDEM_ISA names ("v2", "v3",
-"v4"). In a source tree with sources newer than the library, it compiles them first. BONDEM_CORE names another
-library, such as one with sanitizers.
+"v4"). In a source tree without a library of exactly the present sources, it compiles them first. BONDEM_CORE names
+another library, such as one with sanitizers.
 
 A pass takes tables, named tuples of arrays and numbers. The C++ headers declare them, `bondem._tables` is written
 from these headers, and `bondem._passes` has a function for each pass of the library. A call compares the tables with

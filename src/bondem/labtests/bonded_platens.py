@@ -336,7 +336,7 @@ class BondedSpecimen:
 
         Raises:
             UnstableRunError: the run became unstable or lost its energy balance.
-            RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
+            RunInterrupted: Ctrl-C was pressed. The `.result` of the error has the test so far, None for a short run.
 
         Warns:
             NotQuasistaticWarning: the forces of both ends do not balance.

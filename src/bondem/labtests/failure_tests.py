@@ -220,7 +220,7 @@ def failure_outcome(
     Raises:
         InputError: an unknown test, or a specimen, law or criterion that the test does not support.
         UnstableRunError: the run became unstable or lost its energy balance.
-        RunInterrupted: Ctrl-C was pressed; its `.result` is that of the test so far.
+        RunInterrupted: Ctrl-C was pressed. The `.result` of the error has the test so far, None for a short run.
     """
     asked, test = dict(options or {}), FAILURE_TESTS.get(name)
     if test is not None and test.bonded and not is_cells(body, law):

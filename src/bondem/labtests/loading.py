@@ -46,7 +46,7 @@ def load_to_failure(
     Raises:
         InputError: a lattice without cells, or a shape without faces x_min and x_max.
         UnstableRunError: the run became unstable or lost its energy balance.
-        RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
+        RunInterrupted: Ctrl-C was pressed. The `.result` of the error has the test so far, None for a short run.
     """
     options.check_traverses(test)
     moduli = Moduli.of(test, body, law, options.density)

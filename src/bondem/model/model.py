@@ -280,7 +280,7 @@ class Model:
 
     @property
     def pressed(self) -> PerElement:
-        """Final change V θ of the volume of each cell by tractions on its free facets [m³], user's order, (n,)."""
+        """Part of V θ of each cell by tractions on its free facets, at the end of schedules [m³], user's order, (n,)."""
         return self.constraints.final_press()[self.layout.rank]
 
     @cached_property

@@ -87,7 +87,7 @@ class TomlTable:
         return found
 
     def has(self, key: str) -> bool:
-        """Return True if the key is given; the key then counts as requested."""
+        """Return True if the key is given; in any case it is known from now on (`TomlTable`)."""
         self._asked.append(key)
         return key in self._data
 

@@ -27,7 +27,8 @@
 // stores ½ |q|² / (1 - γ) k, and bending s 2 v·H v as in `cell.hpp`, with s the least of s_1, s_2, s_3.
 //
 // Signs: f acts on cell i, -f on j; D is from i to j, so tension is positive. The couple of the frame that turns with
-// cell i follows from the balance of angular momentum: all torques and D × f together are zero.
+// cell i follows from the balance of angular momentum: the torques on both cells, without those of f and -f at the
+// levers, add up to D × f.
 //
 // The dissipation of a crack in a step is -∂U/∂s times the loss of each integrity, with the geometric mean of the
 // rates -∂U/∂s before and after the step. This mean is exact where the opening keeps its direction: the work by the

@@ -33,7 +33,7 @@ def _flat(corner: Floats) -> Floats:
 
 
 def _ear(flat: Floats, left: list[int]) -> int:
-    """Return the index in `left` of a corner that may be cut off: convex, with no other corner in its triangle."""
+    """Return the index in `left` of a convex corner with no other corner in its triangle, else of the most convex."""
     b = flat[left]
     a, c = np.roll(b, 1, axis=0), np.roll(b, -1, axis=0)
     turn = _turn(a, b, c)

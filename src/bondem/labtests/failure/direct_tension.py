@@ -51,7 +51,7 @@ def direct_tension(
     Raises:
         InputError: a criterion without a tensile strength, no criterion, or a shape without flat ends.
         UnstableRunError: the run became unstable or lost its energy balance.
-        RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
+        RunInterrupted: Ctrl-C was pressed. The `.result` of the error has the test so far, None for a short run.
 
     Warns:
         FractureEnergyWarning: the work per section is not a fracture energy.

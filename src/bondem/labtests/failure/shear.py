@@ -123,7 +123,7 @@ def shear(
     Raises:
         InputError: a body without such borings, no criterion, a criterion without strength, or a value out of range.
         UnstableRunError: the run became unstable or lost its energy balance.
-        RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
+        RunInterrupted: Ctrl-C was pressed. The `.result` of the error has the test so far, None for a short run.
 
     Warns:
         NotQuasistaticWarning: `.unbalance` is above 0.02 for bonded spheres; for cells as in `solve_explicit`.

@@ -165,7 +165,7 @@ def spall(
         InputError: a lattice without cells, no faces x_min and x_max, a pulse longer than two passes along the bar,
             or a value out of range.
         UnstableRunError: the run became unstable or lost its energy balance.
-        RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
+        RunInterrupted: Ctrl-C was pressed. The `.result` of the error has the test so far, None for a short run.
 
     Reference: Novozhilov's formula as in Schuler, Mayrhofer and Thoma, Int. J. Impact Eng. 32 (2006) 1635-1650.
     """

@@ -129,7 +129,7 @@ def sphere_crushing(
     Raises:
         InputError: a shape other than a ball, no criterion, or a value out of range.
         UnstableRunError: the run became unstable or lost its energy balance.
-        RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
+        RunInterrupted: Ctrl-C was pressed. The `.result` of the error has the test so far, None for a short run.
 
     Reference: Hiramatsu and Oka, Int. J. Rock Mech. Min. Sci. 3 (1966) 89-99; Jaeger, Can. Geotech. J. 4 (1967).
     """

@@ -113,7 +113,7 @@ def sphere_impact(
         InputError: a shape other than a ball, a plane inside the ball or more than a diameter away, a velocity away
             from the plane, or a value out of range.
         UnstableRunError: the run became unstable or lost its energy balance.
-        RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
+        RunInterrupted: Ctrl-C was pressed. The `.result` of the error has the test so far, None for a short run.
     """
     density = constant("density", density)
     owner = "labtests.sphere_impact"

@@ -150,7 +150,7 @@ def three_point_bending(
         InputError: an unsuitable body, a span or strip that does not fit, an unsupported criterion or option, or the
             name of a gauge used twice.
         UnstableRunError: the run of bonded spheres became unstable or lost its energy balance.
-        RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
+        RunInterrupted: Ctrl-C was pressed. The `.result` of the error has the test so far, None for a short run.
 
     Warns:
         NotQuasistaticWarning, StrengthWarning: conditions of `uniaxial_compression`, for bonded spheres.

@@ -79,7 +79,7 @@ def triaxial(
         InputError: a pressure that is not positive, a criterion without yielding of cells, no criterion, or a shape
             that walls cannot confine.
         UnstableRunError: the run became unstable or lost its energy balance.
-        RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
+        RunInterrupted: Ctrl-C was pressed. The `.result` of the error has the test so far, None for a short run.
 
     Warns:
         NotQuasistaticWarning: `.test.unbalance` is above 0.02 for bonded spheres; for cells as in `solve_explicit`.

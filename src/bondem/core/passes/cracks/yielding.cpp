@@ -1,4 +1,4 @@
-// Passes over cells that yield under their mean stress. Plastic deformation stretches the levers of a cell, which are
+// Passes over cells that yield under their stress tensor, the average over the cell. Plastic deformation stretches the levers of a cell, which are
 // the vectors from its centre to its facets.
 #include "../../registered.hpp"
 #include "yielding_cells.hpp"
