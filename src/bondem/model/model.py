@@ -280,7 +280,7 @@ class Model:
 
     @property
     def pressed(self) -> PerElement:
-        """Part of V θ of each cell by tractions on its free facets, at the end of schedules [m³], user's order, (n,)."""
+        """Part of V θ of each cell by tractions on free facets, at the end of schedules [m³], user's order, (n,)."""
         return self.constraints.final_press()[self.layout.rank]
 
     @cached_property

@@ -141,7 +141,7 @@ class Jammed:
 
 
 def _barely_touch(spheres: SoftSpheres, rest: Rest) -> bool:
-    """Return True if overlaps are at most 1e-3 mean radii or, if masses grow with size, 1e-3 of the smaller radius."""
+    """Return True if overlaps are at most 1e-3 mean radii or, if masses grow with size, of the smaller radius."""
     if rest.largest_overlap <= _JAMMED_WORST:
         return True
     return spheres.weighed and spheres.deepest() <= _JAMMED_WORST

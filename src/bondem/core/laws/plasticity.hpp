@@ -1,4 +1,5 @@
-// Cells that yield under their stress tensor, the average over the cell, with a cohesion that falls with plastic slip, and constant friction.
+// Cells that yield under their stress tensor, the average over the cell. The cohesion falls with plastic slip, and the
+// friction is constant.
 //
 // The yield function F by Mohr and Coulomb has the largest and the least principal stress σ_1 and σ_3, the cohesion
 // c, the angle of friction φ and that of dilatancy ψ. Δε is the plastic strain of a step, Δγ its slip, r the share of
