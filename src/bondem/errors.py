@@ -89,7 +89,7 @@ class UnitWarning(UserWarning):
 
 
 class StrengthWarning(UserWarning):
-    """Warning of a strength or implied fracture energy that no solid has, or of a test that reaches no peak load."""
+    """Warning of a strength or implied fracture energy that no solid has, or of a test or path without a peak."""
 
 
 class FillingWarning(UserWarning):

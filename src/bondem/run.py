@@ -1,6 +1,7 @@
 """Public solvers, which open the run file and choose the device."""
 
 import importlib
+import math
 import os
 import warnings
 from collections.abc import Callable, Mapping, Sequence
@@ -117,8 +118,8 @@ def solve_explicit(
 
     Raises:
         UnstableStepError: dt exceeds the critical step.
-        InputError: A value is invalid, the state belongs to another model, the output file cannot be written, or a
-            prescribed displacement does not begin where the elements are.
+        InputError: A value is invalid, the state belongs to another model or is too late for the steps, the output
+            file cannot be written, or a prescribed displacement jumps or does not begin where the elements are.
         RunInterrupted: Ctrl-C was pressed; the exception, a `KeyboardInterrupt`, contains the `.result` so far.
     """
     instance("solve_explicit", "model", model, Model, "bd.Model(...)")
@@ -138,6 +139,10 @@ def solve_explicit(
     step = choose_step(model, plan.scheme, plan.dt, safety=plan.safety, damping=plan.damping)
     plan = replace(plan, dt=step.dt)
     plan.steps  # noqa: B018  rejects excessive numbers of steps
+    if math.ulp(own.time) > 0.1 * step.dt:  # a tenth of a step, by which times of records would be off
+        raise InputError(
+            f"state: time = {own.time:.6g} s: steps of {step.dt:.3g} s are lost against it; set an earlier time"
+        )
     if resume:
         found = _file_of_run(out, model, plan, own, callback)
         if found is not None:

@@ -133,6 +133,30 @@ def test_the_wall_that_would_have_to_jump_is_refused():
         go(model_of(contact=bd.LinearContact(E=1e6), walls=[wall]), 10)
 
 
+TIMES, VALUES = (0.0, 4 * DT, 4 * DT), (0.0, 0.0, 1e-6)
+TABLE = bd.Table(TIMES, VALUES)
+
+
+@pytest.mark.parametrize("options", [
+    {"boundary": [bd.Fix(LEFT), bd.Drive(RIGHT, x=TABLE)]},
+    {"walls": [bd.PlaneWall((1.0, 0, 0), (-1, 0, 0), motion=bd.Driven(x=TABLE))], "contact": bd.LinearContact(E=1e6)},
+    {"walls": [bd.PlaneWall((1.0, 0, 0), (-1, 0, 0), motion=bd.Driven(angle=TABLE))],
+     "contact": bd.LinearContact(E=1e6)},
+], ids=["a drive", "a wall", "a turning wall"])  # fmt: skip
+def test_a_displacement_that_jumps_later_is_refused(options):
+    model = bd.Model(LATTICE, LAW, 2000.0, **options)
+    with pytest.raises(InputError, match=r"jumps from 0 to 1e-06 at t = 2e-07 s.*cannot jump: give different times"):
+        go(model, 10)
+
+
+def test_jumps_of_velocities_and_of_equal_values_are_none():
+    steady = bd.Table(TIMES, (0.0, 1e-6, 1e-6 + 1e-20))
+    end = go(model_of(bd.Fix(LEFT), bd.Drive(RIGHT, x=steady, vy=TABLE)), 10).state
+    moved = end.displacement[RIGHT.select(LATTICE)]
+    np.testing.assert_allclose(moved[:, 0], 1e-6, rtol=1e-9)
+    np.testing.assert_allclose(moved[:, 1], 6 * DT * 1e-6, rtol=0.1)
+
+
 def test_static_and_explicit_mean_the_same_displacement():
     ramp = model_of(bd.Fix(LEFT), bd.Drive(RIGHT, x=bd.Ramp(0.0, 1e-6, 20 * DT)))
     end = RIGHT.select(LATTICE)

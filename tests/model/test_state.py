@@ -85,6 +85,8 @@ def test_dir_of_a_model_lists_no_table_of_the_solvers():
         ("bond_integrity", 0.0, "cannot be set"),
         ("veloctiy", (0.0, 0.0, 1.0), "did you mean 'velocity'"),
         ("eigenstrain", 1e-3, "set a property"),
+        ("time", np.nan, "time = nan s; give a finite time"),
+        ("time", "later", "time = 'later'; give a finite time"),
     ],
 )
 def test_what_cannot_be_set_is_refused_in_one_line(name, value, words):
@@ -100,6 +102,17 @@ def test_a_velocity_that_was_set_is_the_one_of_the_run():
     state.velocity = (0.0, 0.0, -5.0)
     moved = bd.solve_explicit(model, duration=2e-3, state=state).state
     assert moved.displacement.mean(axis=0) == pytest.approx([0.0, 0.0, -1e-2], rel=0.1, abs=1e-9)
+
+
+def test_a_time_against_which_steps_are_lost_is_refused():
+    model = spheres()
+    state = model.state()
+    state.time = np.float64(1e6)
+    run = bd.solve_explicit(model, state=state, duration=5e-6, dt=1e-6, every=1)
+    assert run.history.time == pytest.approx(1e6 + 1e-6 * np.arange(6), abs=1e-9)
+    state.time = 1e12
+    with pytest.raises(InputError, match=r"state: time = 1e\+12 s: steps of 1e-06 s are lost .* an earlier time"):
+        bd.solve_explicit(model, state=state, duration=5e-6, dt=1e-6)
 
 
 def test_stress_free_strains_are_in_the_order_of_the_user():

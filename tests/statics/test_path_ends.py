@@ -1,11 +1,13 @@
 """Where a path of load factors ends: in two parts that hardly anything holds, and where motions are not small."""
 
+import math
 import warnings
 
 import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.errors import StrengthWarning
 from bondem.statics.quasistatic.load_response import MeasuringPoints, PointGauges
 from tests.models import pulled
 from tests.specimens import bar, crooked_cells, cubes, two_cubes
@@ -34,10 +36,26 @@ def test_a_path_ends_where_it_folds(turn: float) -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # a fracture energy without bounds
         model = bd.Model(two_cubes(SIZE), law, 2500.0, failure=failure, boundary=[bd.Fix(bd.Index([0])), drive])
-    found = bd.solve_quasistatic(model, last, together=0.0, until=0.0, most=20)
+    with warnings.catch_warnings(record=True) as given:
+        warnings.simplefilter("always")
+        found = bd.solve_quasistatic(model, last, together=0.0, until=0.0, most=20)
     assert found.end == "folded"
+    expected = f"first facet would fail at {1e4 * turn:.3g} times the loads and drives"
+    assert [expected in str(one.message) for one in given] == ([True] if turn > 0.1 else [])
     assert (1e-4 * found.factor <= 0.1).all()
     assert len(found.factor) == 0 if turn > 0.1 else found.factor[0] == pytest.approx(1e4 * turn, rel=1e-6)
+
+
+def test_a_path_on_which_nothing_fails_has_no_peak() -> None:
+    """Pressed facets of a row of cubes carry no shear, which friction would add strength to at any load."""
+    last = bd.Index([3])
+    ends = [bd.Fix(bd.Index([0])), bd.Drive(last, x=-1e-6 * SIZE)]
+    failure = bd.MohrCoulomb(tension=STRENGTH, cohesion=STRENGTH, friction_angle=0.6)
+    model = bd.Model(cubes((4, 1, 1), SIZE), bd.CellBond(E=E, nu=0.0), 2500.0, failure=failure, boundary=ends)
+    with pytest.warns(StrengthWarning, match="has no peak: nothing fails at any load; check the signs"):
+        found = bd.solve_quasistatic(model, last)
+    assert found.end == "strong"
+    assert math.isnan(found.peak)
 
 
 def test_progress_does_not_run_backwards() -> None:

@@ -85,8 +85,8 @@ class Drive:
 
     `Drive(Face("x_max"), x=Ramp(0, 1e-4, 1e-3))` moves the face along x. Numbers are constant schedules.
     Displacements and rotations are measured from the reference configuration, in static and explicit solutions. A
-    static solution uses the final values of the schedules. An explicit run cannot jump: its schedules must begin at
-    the current displacement of the elements, which is 0 at rest.
+    static solution uses the final values of the schedules. An explicit run cannot jump: schedules of displacements
+    must begin at the current one of the elements, which is 0 at rest, and have no jumps afterwards.
 
     Attributes:
         region: elements to move.

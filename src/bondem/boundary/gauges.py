@@ -63,7 +63,9 @@ class WallGauge:
 class StrainGauge:
     """Normal strains along x, y and z over time [-], of the affine field closest to the displacements of a region.
 
-    A run with such a gauge stops at each record to evaluate it.
+    They are relative changes of length of lines of material, which were along x, y and z in the reference and turn
+    with the region: a rotation, however large, gives no strain. A run with such a gauge stops at each record to
+    evaluate it.
 
     Attributes:
         region: elements whose centres the field fits, four or more not in a plane; others raise InputError in a run.

@@ -84,7 +84,7 @@ class Ramp(Schedule):
 
 @dataclass(frozen=True)
 class Table(Schedule):
-    """A piecewise linear function of time; two equal times define a jump.
+    """A piecewise linear function of time; two equal times define a jump, of loads or velocities in explicit runs.
 
     Attributes:
         times: times in non-decreasing order [s], (k,); other lists raise InputError.

@@ -33,7 +33,8 @@ def direction(owner: str, value: object) -> Triple:
 class Driven:
     """Prescribed motion of a wall, such as `Driven(x=bd.Ramp(0, -1e-4, 1e-3))` or `Driven(spin=2.0, axis=(0, 1, 0))`.
 
-    Other components stay at rest. Several walls with the same turn about the same point move as one rigid body.
+    Other components stay at rest, and displacements cannot jump in a run. Several walls with the same turn about the
+    same point move as one rigid body.
 
     Attributes:
         motion: triples of component (0 … 4 for x, y, z, growth, angle), schedule, and True for a velocity.

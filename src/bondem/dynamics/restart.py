@@ -131,6 +131,7 @@ def _refuse_wall_jumps(supports: Supports, state: State, *, at_rest: bool) -> No
 
 
 def _refuse_jump(owner: str, schedule: Schedule, time: float, where: Floats, slack: float) -> None:
+    """Raise InputError if a displacement jumps from `where` it is, or at a time of its schedule that is to come."""
     value = schedule.at(time)
     worst = where[np.abs(where - value).argmax()]
     if abs(worst - value) > _SHARE * max(abs(worst), abs(value)) + slack:
@@ -138,6 +139,13 @@ def _refuse_jump(owner: str, schedule: Schedule, time: float, where: Floats, sla
             f"{owner} begins at {value:.6g}, but is at {worst:.6g} when the run begins (t = {time:.6g} s), and an"
             f" explicit run cannot jump: begin there, as by bd.Ramp({worst:.6g}, {schedule.final:.6g}, duration),"
             " or give a velocity"
+        )
+    times, values = schedule.table
+    jump = np.abs(np.diff(values)) > _SHARE * np.maximum(np.abs(values[1:]), np.abs(values[:-1])) + slack
+    for k in np.flatnonzero(jump & (np.diff(times) == 0.0) & (times[1:] > time)).tolist():
+        raise InputError(
+            f"{owner} jumps from {values[k]:.6g} to {values[k + 1]:.6g} at t = {times[k]:.6g} s, and an explicit run"
+            " cannot jump: give different times for both values, or give a velocity"
         )
 
 

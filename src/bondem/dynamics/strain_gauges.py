@@ -38,9 +38,16 @@ class StrainGauges:
         return bool(self._parts)
 
     def fill(self, records: Floats, state: State) -> None:
-        """Write the strains of a state into the last row of `records`, (s, columns), in place."""
+        """Write the strains of a state into the last row of `records`, (s, columns), in place.
+
+        A line along e becomes F e = e + u' with u' = (∂u/∂x) e: its strain |F e| - 1 is 2 E / (1 + |F e|) with the
+        Green strain E = e · u' + ½ |u'|², without loss of digits where it is small.
+        """
         if not self._parts or not len(records):
             return
         moved = state.displacement
         for column, chosen, weights in self._parts:
-            records[-1, column : column + 3] = (weights * moved[chosen]).sum(axis=0)
+            gradient = np.einsum("ni,nj->ij", moved[chosen], weights)
+            green = gradient.diagonal() + 0.5 * (gradient**2).sum(axis=0)
+            length = np.linalg.norm(np.eye(3) + gradient, axis=0)
+            records[-1, column : column + 3] = 2.0 * green / (1.0 + length)

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from bondem._cache_lines import lines
-from bondem._checks import array, instance, shown
+from bondem._checks import array, instance, number, shown
 from bondem._names import meant
 from bondem._tables.columns import EventColumn, PlasticColumn, SoftColumn
 from bondem._types import ArrayLike, Floats, Pairs, PerBond, PerElement
@@ -137,7 +137,7 @@ class State(StateMotion):
         """Set a quantity of the state.
 
         Raises:
-            InputError: The name is unknown, the quantity cannot be set, or the value of an array is no array.
+            InputError: The name is unknown, the quantity cannot be set, or the value is no array or time.
         """
         known = getattr(type(self), name, None)
         if isinstance(known, property):
@@ -145,6 +145,8 @@ class State(StateMotion):
                 raise InputError(f"State: {name} cannot be set; it follows from {', '.join(_SETTABLE)}; set these")
         elif name in self.ARRAYS or (name not in self._SCALARS and name in self.arrays):
             instance("State", name, value, np.ndarray, "an array in the internal order, or set a property")
+        elif name == "time":
+            value = number("State", "time", value, unit="s", advice="a finite time")
         elif name not in self._SCALARS:
             raise InputError(f"State: there is no quantity '{name}' to set{meant(name, dir(self))}")
         object.__setattr__(self, name, value)

@@ -9,10 +9,11 @@ import numpy as np
 from bondem._blas import one_blas_thread
 from bondem._checks import count, instance, number
 from bondem._drawing import PlottedState, columns_of
+from bondem._names import warn_user
 from bondem._progress import staged
 from bondem._signals import Halt, noticing, stop_by
 from bondem._types import Floats, Ints, Mask, PerBond, PerElement3
-from bondem.errors import ConvergenceError, InputError
+from bondem.errors import ConvergenceError, InputError, StrengthWarning
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.specimen.regions import Region
@@ -39,6 +40,12 @@ _FEWEST = 2.0
 _SMALL, _TURNED = 0.1, 0.1
 # Largest number of rounds in which halves of facets open and close.
 _ROUNDS = 40
+# Reasons for ends of paths without an event.
+_ENDS = {
+    "strong": "nothing fails at any load",
+    "folded": "the first facet would fail at {:.3g} times the loads and drives, where a tenth of the elements would"
+    f" rotate by more than {_SMALL} rad",
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,8 +98,8 @@ class QuasistaticResult(PlottedState):
 
     @property
     def peak(self) -> float:
-        """Largest load [N]."""
-        return float(self.load.max(initial=0.0))
+        """Largest load [N]; NaN if the path has no event."""
+        return float(self.load.max(initial=0.0)) if len(self.load) else math.nan
 
     @property
     def table(self) -> dict[str, Floats]:
@@ -150,6 +157,7 @@ def solve_quasistatic(
 
     Warns:
         FractureEnergyWarning: The pressure along cracks that began without it grows to a fifth of the strength.
+        StrengthWarning: No facet fails before the path ends.
 
     Reference: sequentially linear analysis, Rots (2001); DeJong, Hendriks and Rots (2008).
     """
@@ -179,7 +187,7 @@ def _followed(
     reading, gauge = Reading(body, drive), PointGauges(model, pairs)
     path, lost, softening = _Path(model), LostPressure(body, onset.strength), SofteningFacets(body, onset, band)
     motion, before = body.motion.copy(), (body.integrity, body.closed)
-    first, size, reported, end = 0.0, 0.0, 0.0, "events"
+    first, size, reported, factor, end = 0.0, 0.0, 0.0, 0.0, "events"
     report = progress or (lambda share: None)
     report(0.0)
     for event in range(limit):
@@ -222,7 +230,14 @@ def _followed(
         report(reported)
     report(1.0)
     lost.warn()
-    return path.result(body, before, end, equilibrium)
+    result = path.result(body, before, end, equilibrium)
+    if end in _ENDS and not len(result.factor):
+        warn_user(
+            f"solve_quasistatic: the path ends before its first event and has no peak: {_ENDS[end].format(factor)};"
+            " check the signs of the loads and drives (bd.Rankine limits tension only) and the strengths, or use"
+            " solve_explicit", StrengthWarning,
+        )  # fmt: skip
+    return result
 
 
 def _balance(body: DamagedBody, equilibrium: Equilibrium, motion: Floats, size: float) -> tuple[Floats, Loaded]:
