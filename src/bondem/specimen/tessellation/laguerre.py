@@ -40,6 +40,8 @@ _SHALLOW, _ROUNDING = 1e-12, 4e-15
 def usual_reach(particles: Particles) -> float:
     """Return the distance within which most elements have all their neighbours [m], about twice that of the nearest.
 
+    A single element has none; its distance follows from its radius and the volume of its shape.
+
     Raises:
         InputError: Centres coincide.
     """
@@ -49,7 +51,7 @@ def usual_reach(particles: Particles) -> float:
     near = np.asarray(tree.query(x[some], k=min(n, 13))[0]).reshape(len(some), -1)
     reach = 1.5 * float(np.median(near[:, -1]))
     if n == 1:
-        reach = 4.0 * particles.mean_radius
+        reach = max(4.0 * particles.mean_radius, particles.envelope.volume ** (1.0 / 3.0))
     pair = tree.query_pairs(1e-9 * reach, output_type="ndarray")
     if reach <= 0.0 or len(pair):
         name = f"elements {pair[0, 0]} and {pair[0, 1]}" if len(pair) else "elements"
