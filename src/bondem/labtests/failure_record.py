@@ -21,12 +21,17 @@ Curve = tuple[Floats, Floats]
 
 @dataclass(frozen=True)
 class TestOption:
-    """Option of a test in a study, a number in the SI unit `unit`; `needed` is True if it has no default."""
+    """Option of a test in a study, a number in the SI unit `unit` from zero up to `below`, both excluded.
+
+    `closed` is True if it may be zero, and `needed` if it has no default.
+    """
 
     __test__ = False  # no test of pytest
 
     unit: str
     needed: bool = False
+    closed: bool = False
+    below: float = math.inf
 
 
 @dataclass(frozen=True)
