@@ -102,9 +102,8 @@ def read_lattice(
 ) -> Lattice:
     """Read spheres and their bonds from a file of bondem, a LAMMPS data file with bonds, or VTKHDF with lines.
 
-    Bonds are at rest at the lengths that they have in the file; broken bonds of a state are left out, and damaged
-    ones become intact. Bodies of cells can only be read from files of bondem, which store facets and cells bit for
-    bit.
+    Bonds are intact and at rest at the lengths that they have in the file, without the broken bonds of a state.
+    Bodies of cells can only be read from files of bondem, which store facets and cells bit for bit.
 
     Args:
         path: the file.

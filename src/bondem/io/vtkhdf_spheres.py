@@ -24,9 +24,7 @@ _KIND = Kind(
 
 
 def read_vtkhdf_spheres(path: Path, radius: str | None = None, *, frame: int = -1) -> RawSpheres:
-    """Read spheres from a VTKHDF file of PolyData or an UnstructuredGrid; lines of two points are bonds.
-
-    Broken bonds, which have `integrity` 0 in files of bondem, are left out.
+    """Read spheres from a VTKHDF file of PolyData or an UnstructuredGrid; lines are bonds, unless broken.
 
     Args:
         path: the file.

@@ -21,10 +21,7 @@ Curve = tuple[Floats, Floats]
 
 @dataclass(frozen=True)
 class TestOption:
-    """Option of a test in a study, a number in the SI unit `unit` from zero up to `below`, both excluded.
-
-    `closed` is True if it may be zero, and `needed` if it has no default.
-    """
+    """Option of a test in a study, in SI: above zero, or zero if `closed`, below `below`; `needed` has no default."""
 
     __test__ = False  # no test of pytest
 

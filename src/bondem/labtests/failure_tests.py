@@ -145,9 +145,8 @@ _RECORDS = (
     FailureTest(
         name="three_point_bending", perform=_bend, requirements=BEAM,
         options={"span": TestOption("m"), "until": TestOption("-", closed=True, below=1.0)},
-        energy=energy_ledger, integrity=_bent_integrity,
+        energy=energy_ledger, integrity=_bent_integrity, details=_bent,
         more=lambda test: _worked(test) | ({"plain": 1.0} if test.cmod is None else {}), curve=_load_curve,
-        details=_bent,
         figure=TestFigure(
             "Three-point bending", strain="CMOD", plain="deflection", stress="load", across=(1e6, "µm"),
             up=(1e-3, "kN"), line=False, azimuth=math.radians(25.0), elevation=math.radians(56.0),

@@ -40,8 +40,6 @@ _SHALLOW, _ROUNDING = 1e-12, 4e-15
 def usual_reach(particles: Particles) -> float:
     """Return the distance within which most elements have all their neighbours [m], about twice that of the nearest.
 
-    A single element has none; its distance follows from its radius and the volume of its shape.
-
     Raises:
         InputError: Centres coincide.
     """
