@@ -42,11 +42,11 @@ class _Range:
     high: float
     slips: tuple[tuple[str, float], ...] = ()
 
-    def doubt(self, name: str, value: float, *, explained: bool = True) -> str:
+    def doubt(self, name: str, value: float, *, explained: bool = True, written: str = "") -> str:
         """Return a sentence about an implausible value, or "".
 
         The value 1, usual in dimensionless models, raises no doubt. Values that no unit of data sheets explains raise
-        doubt only with `explained=False`.
+        doubt only with `explained=False`. `written` is the text with a unit from which the value was read, if any.
         """
         meant = self.meant(value)
         if self.low <= value <= self.high or value == 1.0 or (explained and not meant):
@@ -54,6 +54,7 @@ class _Range:
         words = f"{self.low:.2g} to {self.high:.2g} {self.unit}"
         if math.isinf(self.high):
             words = f"{self.low:.2g} {self.unit} or more"
+        meant = self.capitals(written) if written else meant
         return f"{name} = {value:.4g} {self.unit}; solids have {words}{meant or self.check}"
 
     def meant(self, value: float) -> str:
@@ -62,6 +63,13 @@ class _Range:
             if self.low <= value * size <= self.high:
                 return f"; if {unit} is meant, write {value * size:.4g}"
         return ""
+
+    def capitals(self, written: str) -> str:
+        """Return the end of a sentence about a text with a unit, such as "4 mPa", which may be one in capitals."""
+        for unit, _ in self.slips:
+            if written.lower().endswith(unit.lower()) and not written.endswith(unit):
+                return f'; if {unit} is meant, write "{written[: -len(unit)]}{unit}"'
+        return self.check
 
     @property
     def check(self) -> str:
@@ -124,9 +132,9 @@ def physical(owner: str, name: str, value: object, *, quantity: str = "", advice
     return found
 
 
-def question(owner: str, name: str, value: float, *, quantity: str = "") -> None:
-    """Warn about a positive value whose unit may be wrong; arguments as in `physical`."""
-    doubt = _RANGES[quantity or name].doubt(name, value)
+def question(owner: str, name: str, value: float, *, quantity: str = "", written: str = "") -> None:
+    """Warn about a positive value whose unit may be wrong; arguments as in `physical` and `_Range.doubt`."""
+    doubt = _RANGES[quantity or name].doubt(name, value, written=written)
     if doubt:
         _question(f"{owner}: {doubt}" if owner else doubt)
 

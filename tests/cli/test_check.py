@@ -71,3 +71,8 @@ def test_a_right_study_is_begun_and_one_in_other_units_is_warned_of_by_its_keys(
     assert told.returncode == 2  # a test of 10^15 steps
     assert "warning: 'failure.tension' = 4 Pa" in told.stderr
     assert "if MPa is meant, write 4e+06" in told.stderr
+    told = checked(tmp_path, tension='"4 mPa"')
+    assert "'failure.tension' = 0.004 Pa; solids have 1e+03 Pa or more" in told.stderr
+    assert 'if MPa is meant, write "4 MPa"' in told.stderr
+    told = checked(tmp_path, tension='"0.0004 MPa"')
+    assert "400 Pa; solids have 1e+03 Pa or more; check its unit (Pa)" in told.stderr

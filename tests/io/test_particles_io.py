@@ -317,6 +317,23 @@ def test_a_strained_vtkhdf_is_read_with_a_warning(tmp_path):
         bd.read_lattice(tmp_path / "strained.vtkhdf")
 
 
+def test_broken_bonds_of_a_vtkhdf_stay_broken(tmp_path):
+    row = np.column_stack([np.arange(24.0), np.zeros((24, 2))])
+    lattice = bd.Lattice(bd.Particles(row, np.full(24, 0.5)), np.column_stack([np.arange(23), np.arange(1, 24)]))
+    strength = bd.PeripheralStress(tension=1e6, shear=1e6)
+    model = bd.Model(lattice, bd.EulerBernoulli(E=1e9, nu=0.2, radius_ratio=0.5), density=1000.0, failure=strength)
+    state = model.state()
+    state.integrity[[2, 5]] = 0.0, 0.5
+    bd.write_vtkhdf(tmp_path / "broken.vtkhdf", lattice, state=state)
+    with pytest.warns(bd.errors.StressFreeWarning, match="1 of its 23 bonds are broken and left out; 1 of its 23"):
+        again = bd.read_lattice(tmp_path / "broken.vtkhdf")
+    np.testing.assert_array_equal(again.pairs, np.delete(lattice.pairs, 2, axis=0))
+    state.integrity[13] = 0.0
+    bd.write_vtkhdf(tmp_path / "pieces.vtkhdf", lattice, state=state)
+    with pytest.raises(bd.errors.DisconnectedError, match=r"broken and left out; .* of 11 and 10 .*with bd.read_run"):
+        bd.read_lattice(tmp_path / "pieces.vtkhdf")
+
+
 @pytest.mark.parametrize("suffix", ["vtk", "vtp", "vtu"])
 def test_vtk_points_with_radii(tmp_path, suffix):
     pv = pytest.importorskip("pyvista")

@@ -12,7 +12,7 @@ from bondem.dynamics.explicit import integrate
 from bondem.errors import InputError, RunFileError
 from bondem.io.codec import decode, encode
 from bondem.io.runfile import RunFile
-from tests.models import loaded_row
+from tests.models import loaded_row, torn_row
 from tests.specimens import grid
 
 
@@ -88,6 +88,14 @@ def test_resume_is_exact_to_the_bit(tmp_path, make, scheme):
     assert np.abs(whole.history["end"][-1]).max() > 0.0
     # the file the resumed run leaves is again one to go on from
     np.testing.assert_array_equal(bd.read_run(tmp_path / "killed.h5").state.pose, whole.state.pose)
+
+
+def test_a_run_file_has_the_failures_of_its_run(tmp_path):
+    run = bd.solve_explicit(torn_row(), duration=2e-4, every=20, imbalance=None, out=tmp_path / "torn.h5")
+    read = bd.read_run(tmp_path / "torn.h5").events
+    assert len(run.events) > 0
+    np.testing.assert_array_equal(read.bond, run.events.bond)
+    np.testing.assert_array_equal(read.time, run.events.time)
 
 
 def test_a_finished_run_resumes_to_itself(tmp_path):

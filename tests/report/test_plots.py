@@ -56,6 +56,14 @@ def test_a_model_shows_supports_loads_and_walls() -> None:
         held.plot(solution=torn_row().state())
 
 
+@pytest.mark.parametrize("every", [0, 1])
+def test_a_run_without_records_or_energy_shows_its_body(every: int) -> None:
+    model = turned_cubes()[0]
+    still = bd.Model(model.lattice, model.bond, 1e3)
+    figure = bd.solve_explicit(still, duration=1e-6, dt=2e-7, every=every).plot()
+    assert [ax.get_title("left") for ax in figure.axes] == ["motion × 1", ""]  # the body and its colour bar
+
+
 def test_a_window_needs_a_display() -> None:
     with pytest.raises(InputError, match="no display is available"):
         turned_cubes()[0].lattice.plot().show()

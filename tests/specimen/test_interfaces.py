@@ -13,6 +13,7 @@ from bondem.io.codec import decode, encode
 BLOCK = bd.Box((12.0, 12.0, 12.0))
 LONG, WIDE, HIGH = 40.0, 4.0, 6.0
 STRIP, MIDDLE = bd.Box((LONG, WIDE, HIGH)), bd.Plane(point=(0.0, 0.0, 0.5 * HIGH), normal=(0.0, 0.0, 2.0))
+ACROSS = bd.Plane(point=(6.0, 0.0, 0.0), normal=(1.0, 0.0, 0.0))
 RATIO = 10.0
 
 
@@ -134,6 +135,7 @@ def plane(z, **other):
         (lambda: plane(np.nan), "point"),
         (lambda: bd.pack(BLOCK, count=500, method="even", around=plane(20.0), cache=False), "no room for cells"),
         (lambda: bd.pack(BLOCK, count=500, method="even", around=[plane(6.0), plane(7.0)], cache=False), "nearer"),
+        (lambda: bd.pack(BLOCK, count=500, method="even", around=[plane(6.0), ACROSS], cache=False), "cross"),
         (lambda: bd.pack(BLOCK, count=500, around=plane(6.0)), "even"),
         (lambda: bd.pack(BLOCK, count=500, method="even", around=[]), "around"),
         (lambda: bd.pack(BLOCK, count=500, method="even", around=[plane(6.0), 1.0]), "around"),

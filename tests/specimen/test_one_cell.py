@@ -26,6 +26,18 @@ def test_a_block_falls_as_galilei_says(failure, tmp_path):
     assert bd.fragments(BLOCK, run.state).size.tolist() == [1]
 
 
+@pytest.mark.parametrize(("shape", "inertia"), [
+    (bd.Ball(1e-2), (0.4e-4,) * 3),  # 2/5 R² of a ball of unit mass
+    (bd.Cylinder(radius=5e-3, length=2e-2), (1.25e-5, *((3 * 5e-3**2 + 2e-2**2) / 12,) * 2)),
+], ids=["ball", "cylinder"])  # fmt: skip
+def test_a_curved_body_of_one_cell_has_its_inertia(shape, inertia):
+    body = cells(shape, 1)
+    assert body.cells.volume == pytest.approx(shape.volume, rel=1e-12)
+    middle = np.mean(shape.bounds, axis=0)
+    np.testing.assert_allclose(body.centre, [middle], atol=1e-8)
+    np.testing.assert_allclose(body.cells.inertia[0] / shape.volume, np.diag(inertia), rtol=1e-2, atol=1e-9)
+
+
 def test_blocks_that_collide_exchange_their_velocities():
     scene = bd.join(BLOCK, BLOCK.moved((0.0, 0.0, 1.3 * SIDE)), names=("low", "high"))
     state = bd.Model(scene, LAW, RHO, contact=bd.LinearContact(E=E)).state()

@@ -9,10 +9,13 @@ import pytest
 
 import bondem as bd
 from bondem.packing import METHODS
+from bondem.study.keys import STUDY
 from bondem.study.pipeline import run_study
 from bondem.study.results import deviation
 from bondem.study.specimen_step import SpecimenPlan
+from bondem.study.strength_tests import read_options
 from bondem.study.study_file import TESTS, Study, parse_study, read_study
+from bondem.study.toml_table import TomlTable
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "silica.toml"
 
@@ -287,6 +290,19 @@ def test_aggregates_are_those_of_the_packings(finished):
 def test_the_first_beams_are_calibrated_on_some_packings_and_tested_on_others():
     study = read_study(EXAMPLE.with_name("start_beams.toml"))
     assert (study.calibrating, study.packings) == (4, 8)
+
+
+@pytest.mark.parametrize(("test", "key", "right", "wrong", "wanted"), [
+    ("three_point_bending", "until", (0, 0.5), (-0.1, 1, 1.5, 1e300), r"of at least 0 and below 1 \[-\]"),
+    ("ucs", "platen_friction", (0.0, 2.0), (-0.1,), r"of at least 0 \[-\]"),
+    ("brazilian", "half_angle", (0.1, "5 deg"), (0, "40 deg"), r"between 0 and 0.349066 \(exclusive\) \[rad\]"),
+])  # fmt: skip
+def test_options_of_tests_have_the_ranges_of_the_tests(test, key, right, wrong, wanted):
+    for value in right:
+        assert list(read_options(TomlTable({test: {key: value}}, STUDY), (test,))[test]) == [key]
+    for value in wrong:
+        with pytest.raises(bd.errors.StudyError, match=f"'{test}.{key}' = .*; give a number {wanted}"):
+            read_options(TomlTable({test: {key: value}}, STUDY), (test,))
 
 
 def test_a_measured_range_has_two_ends():

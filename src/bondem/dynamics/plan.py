@@ -168,9 +168,9 @@ class ExplicitResult(Solution, PlottedState):
 
     @property
     def drawn(self) -> dict[str, Floats]:
-        """Curves of the plot of a run: time [s], and `History.parts` [J] that are not always zero, (s,) each."""
+        """Curves of the plot: time [s] and `History.parts` [J], (s,) each, without those that are always zero."""
         parts = {f"{name} [J]": values for name, values in self.history.parts.items() if np.any(values)}
-        return {"time [s]": self.history.time} | parts
+        return {"time [s]": self.history.time} | parts if parts else {}
 
 
 # Verdicts of a loop on a run.

@@ -13,7 +13,7 @@ from bondem._names import users_line
 from bondem._plausibility import is_long
 from bondem._types import ArrayLike, Pairs
 from bondem._units import length_unit
-from bondem.errors import InputError, StressFreeWarning, UnitWarning
+from bondem.errors import DisconnectedError, InputError, StressFreeWarning, UnitWarning
 from bondem.geometry.elementary_shapes import Shape
 from bondem.io.lammps import read_lammps
 from bondem.io.lammps_dump import read_dump
@@ -102,8 +102,8 @@ def read_lattice(
 ) -> Lattice:
     """Read spheres and their bonds from a file of bondem, a LAMMPS data file with bonds, or VTKHDF with lines.
 
-    Bonds are at rest at the lengths that they have in the file. Bodies of cells can only be read from files of
-    bondem, which store facets and cells bit for bit.
+    Bonds are intact and at rest at the lengths that they have in the file, without the broken bonds of a state.
+    Bodies of cells can only be read from files of bondem, which store facets and cells bit for bit.
 
     Args:
         path: the file.
@@ -119,7 +119,7 @@ def read_lattice(
         DisconnectedError: the specimen consists of two large pieces.
 
     Warns:
-        StressFreeWarning: the body in the file moves or is strained; the imported one is at rest and free of stress.
+        StressFreeWarning: the body in the file moves, is strained or has damage, and the imported one does not.
     """
     path = _existing(path)
     asked = _Asked(unit, None, radius, False, periodic, -1)
@@ -137,7 +137,15 @@ def read_lattice(
         particles, pairs = _particles(path, raw, unit, shape, period), raw.pairs
     if pairs is None:
         raise InputError(f"'{path}' has no bonds; read it with bd.read_particles and connect with bd.connect")
-    lattice = Lattice(particles, pairs)
+    try:
+        lattice = Lattice(particles, pairs)
+    except DisconnectedError as error:
+        if not strained:
+            raise
+        raise DisconnectedError(
+            f"'{path}': {strained}; {str(error).partition(';')[0]}; read the broken body from a run file (out=) with"
+            " bd.read_run, or its spheres alone with bd.read_particles"
+        ) from None
     _refuse_across(path, lattice)
     if strained:
         warnings.warn(

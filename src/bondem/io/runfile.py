@@ -49,6 +49,7 @@ from bondem.io.run_identity import IDENTITY, text_of_model
 from bondem.io.snapshots import Outlined, Snapshots
 from bondem.model.model import Model
 from bondem.model.state import State
+from bondem.observables.breakage import BrokenBonds
 
 FORMAT = "bondem run"
 SCHEMA = 12
@@ -92,6 +93,11 @@ class Checkpoint:
     history: History
     seconds: float = 0.0
     schema: int = SCHEMA
+
+    @property
+    def events(self) -> BrokenBonds:
+        """Broken bonds or facets in the order of breakage, as of a run."""
+        return BrokenBonds.of(self.state)
 
 
 class RunFile:

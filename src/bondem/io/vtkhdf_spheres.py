@@ -24,7 +24,7 @@ _KIND = Kind(
 
 
 def read_vtkhdf_spheres(path: Path, radius: str | None = None, *, frame: int = -1) -> RawSpheres:
-    """Read spheres from a VTKHDF file of PolyData or an UnstructuredGrid; lines of two points are bonds.
+    """Read spheres from a VTKHDF file of PolyData or an UnstructuredGrid; lines are bonds, unless broken.
 
     Args:
         path: the file.
@@ -46,8 +46,17 @@ def read_vtkhdf_spheres(path: Path, radius: str | None = None, *, frame: int = -
                 name: step.rows(item, f"PointDataOffsets/{name}") for name, item in root["PointData"].items()
             }
             pairs = step.pairs(root["Lines"]) if "Lines" in root else None
-    moved = "its elements have displacements" if np.any(arrays.get("displacement", 0.0)) else ""
-    return RawSpheres(centre, radii(path, arrays, radius), pairs=pairs, strained=moved if pairs is not None else "")
+            integrity = np.asarray(root["CellData/integrity"]) if "CellData/integrity" in root else np.zeros(0)
+    if pairs is None:
+        return RawSpheres(centre, radii(path, arrays, radius))
+    reasons = ["its elements have displacements"] if np.any(arrays.get("displacement", 0.0)) else []
+    if integrity.shape == (len(pairs),):
+        broken, count = integrity == 0.0, len(pairs)
+        reasons += [f"{broken.sum()} of its {count} bonds are broken and left out"] if broken.any() else []
+        softened = int((integrity < 1.0).sum() - broken.sum())
+        reasons += [f"{softened} of its {count} bonds are damaged, and become intact"] if softened else []
+        pairs = pairs[~broken]
+    return RawSpheres(centre, radii(path, arrays, radius), pairs=pairs, strained="; ".join(reasons))
 
 
 @dataclass(frozen=True, eq=False)

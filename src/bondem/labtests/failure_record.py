@@ -21,12 +21,14 @@ Curve = tuple[Floats, Floats]
 
 @dataclass(frozen=True)
 class TestOption:
-    """Option of a test in a study, a number in the SI unit `unit`; `needed` is True if it has no default."""
+    """Option of a test in a study, in SI: above zero, or zero if `closed`, below `below`; `needed` has no default."""
 
     __test__ = False  # no test of pytest
 
     unit: str
     needed: bool = False
+    closed: bool = False
+    below: float = math.inf
 
 
 @dataclass(frozen=True)

@@ -17,6 +17,7 @@ from bondem.interactions.law_catalogue import AnyLaw
 from bondem.labtests.ball import BrokenBall
 from bondem.labtests.bonded_platens import is_cells
 from bondem.labtests.cracking import Cracking, dissipated_in
+from bondem.labtests.disc import WIDEST
 from bondem.labtests.energy_balance import AnyTest, energy_ledger
 from bondem.labtests.failure.brazilian import brazilian
 from bondem.labtests.failure.direct_tension import direct_tension
@@ -113,7 +114,8 @@ def _load_curve(test: BendingTest) -> Curve:
 
 
 _PULSE = {"pressure": "Pa", "rise": "s", "fall": "s"}
-_PLATENS = {"platen_friction": TestOption("-")}
+_FRICTION = TestOption("-", closed=True)
+_PLATENS = {"platen_friction": _FRICTION}
 _RECORDS = (
     FailureTest(
         name="direct_tension", perform=direct_tension, theory=lambda softening, asked: softening.tension,
@@ -125,7 +127,8 @@ _RECORDS = (
         energy=energy_ledger, figure=TestFigure("Uniaxial compression", slips=True, quantity="compressive strength"),
     ),
     FailureTest(
-        name="brazilian", perform=brazilian, requirements=DISC, options={"half_angle": TestOption("rad"), **_PLATENS},
+        name="brazilian", perform=brazilian, requirements=DISC,
+        options={"half_angle": TestOption("rad", below=WIDEST), **_PLATENS},
         theory=lambda softening, asked: softening.tension, more=_worked, energy=energy_ledger,
         figure=TestFigure(
             "Brazilian test", strain="closing / D", stress="2 P / (π D t)", azimuth=math.radians(62.0),
@@ -141,9 +144,9 @@ _RECORDS = (
     ),
     FailureTest(
         name="three_point_bending", perform=_bend, requirements=BEAM,
-        options={"span": TestOption("m"), "until": TestOption("-")}, energy=energy_ledger, integrity=_bent_integrity,
+        options={"span": TestOption("m"), "until": TestOption("-", closed=True, below=1.0)},
+        energy=energy_ledger, integrity=_bent_integrity, details=_bent,
         more=lambda test: _worked(test) | ({"plain": 1.0} if test.cmod is None else {}), curve=_load_curve,
-        details=_bent,
         figure=TestFigure(
             "Three-point bending", strain="CMOD", plain="deflection", stress="load", across=(1e6, "µm"),
             up=(1e-3, "kN"), line=False, azimuth=math.radians(25.0), elevation=math.radians(56.0),
@@ -158,7 +161,7 @@ _RECORDS = (
         ),
     ),
     FailureTest(
-        name="sphere_crushing", perform=sphere_crushing, requirements=BALLS, options={"friction": TestOption("-")},
+        name="sphere_crushing", perform=sphere_crushing, requirements=BALLS, options={"friction": _FRICTION},
         details=_crushed, cracking=_parted,
         figure=TestFigure(
             "Crushing of a ball", strain="closing / D", stress="2.8 F / (π D²)",
@@ -167,7 +170,7 @@ _RECORDS = (
     ),
     FailureTest(
         name="sphere_impact", perform=sphere_impact, requirements=BALLS,
-        options={"velocity": TestOption("m/s", needed=True), "friction": TestOption("-")},
+        options={"velocity": TestOption("m/s", needed=True), "friction": _FRICTION},
         measured=lambda test: test.damage, unit="-", curve=lambda test: (test.time, test.force), details=_thrown,
         cracking=_parted,
         figure=TestFigure(

@@ -40,8 +40,8 @@ class State(StateMotion):
 
     Attributes:
         model: model of the state, that of its last run.
-        step: number of steps done.
-        time: time [s].
+        step: number of steps of the run; each run that continues from a state counts from zero.
+        time: time [s], which continues.
 
     Arrays of the solvers, in internal order; `dir` does not list them:
 

@@ -78,8 +78,8 @@ def around_surfaces(
         for other in layers[:k]:
             if KDTree(layer).query(other)[0].min() < _TWIN * h:
                 raise InputError(
-                    f"pack: two surfaces of around= are nearer to each other than 1.6 cells of {h:.3g} m; ask"
-                    " for more and smaller cells, or give surfaces farther apart"
+                    f"pack: two surfaces of around= cross, or are nearer to each other than 1.6 cells of {h:.3g} m;"
+                    " leave one out if they cross, else give surfaces farther apart, or more and smaller cells"
                 )
     pins = np.concatenate(layers)
     if count <= len(pins):

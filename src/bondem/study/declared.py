@@ -26,6 +26,7 @@ class Number(Key):
     Attributes:
         unit: SI unit.
         above, below: limits, both excluded.
+        closed: True if `above` itself is allowed.
         quantity: name in `bondem._plausibility`, by which a probable unit error gives a warning; "" for no check.
     """
 
@@ -33,6 +34,7 @@ class Number(Key):
     above: float = -math.inf
     below: float = math.inf
     quantity: str = ""
+    closed: bool = False
 
     def schema(self) -> Schema:
         words = f"{self.words} [{self.unit}]; a text may have another unit"

@@ -33,8 +33,6 @@ from bondem.study.failure import CRITERIA
 from bondem.study.specimen_step import SHAPES, SIZE_LAWS
 
 _DRAFT = "https://json-schema.org/draft/2020-12/schema"
-# Lower limit of a number that may be zero, as limits are excluded.
-_ZERO = -1e-300
 
 
 # Declarations of numbers by their descriptions.
@@ -43,6 +41,7 @@ _stress = partial(Number, unit="Pa", above=0.0)
 _strength = partial(Number, unit="Pa", above=0.0, quantity="tension")
 _energy = partial(Number, unit="J/m²", above=0.0, quantity="fracture_energy")
 _length = partial(Number, unit="m", above=0.0)
+_spread = partial(Number, unit="-", above=0.0, below=2.0, closed=True)
 
 MATERIAL = KeyTable("material of the specimen", {
     "name": Text("name of the material"), "preset": Text("material of the library", tuple(materials.names())),
@@ -72,7 +71,7 @@ FAILURE = KeyTable("failure criterion", {
     "fracture_energy_shear": _energy("fracture energy in shear G_II"),
     "dilatancy": Number("dilatancy: the angle ψ of MohrCoulomb, the factor of DruckerPrager", "rad"),
     "band_width": _length("width of shear bands"),
-    "friction": Number("friction of closed cracks", "-", above=_ZERO),
+    "friction": Number("friction of closed cracks", "-", above=0.0, closed=True),
     "curve": Text("softening curve", ("straight", "bilinear")),
     "kink_stress": Number("stress at the kink of the bilinear curve, over the strength"),
     "kink_opening": Number("opening at the kink of the bilinear curve, over the last opening"),
@@ -86,7 +85,7 @@ AGGREGATES = KeyTable("aggregates in the material, which is their matrix", {
 }, needed=("diameters", "mass_passing", "fraction", "E", "nu"))  # fmt: skip
 _SIZES = KeyTable("law of the radii", {
     "law": Text("kind of law", SIZE_LAWS),
-    "spread": Number("full range over the mean, κ", "-", above=-1e-12, below=2.0),
+    "spread": _spread("full range over the mean, κ"),
     "cv": Number("coefficient of variation"), "cut": Number("standard deviations that are kept"),
     "diameters": Numbers("openings of the sieves", "m"), "mass_passing": Numbers("share of the mass"),
 }, needed=("law",))  # fmt: skip
@@ -96,7 +95,7 @@ _SPECIMEN: dict[str, Key] = {
     "file": Text("file of a surface: STL, OBJ, 3MF, PLY or OFF"), "count": Count("number of elements", 100, MOST),
     "size": Lengths("edges of the box or cell"),
     "notch": KeyTable("notch of a box", {"width": _length("width along x"), "depth": _length("depth from below")}),
-    "spread": Number("full range of the radii over their mean, κ", "-", above=-1e-12, below=2.0), "sizes": _SIZES,
+    "spread": _spread("full range of the radii over their mean, κ"), "sizes": _SIZES,
     "coordination_number": Number("target coordination number", "-", above=0.0, below=12.0),
     "volume_fraction": Number("target volume fraction", "-", above=0.0, below=0.8),
     "jamming": Flag("pack until the packing jams"),
@@ -109,9 +108,10 @@ _TESTS = Texts("tests of each packing", (*ELASTIC_TESTS, *FAILURE_TESTS))
 _TARGETS = KeyTable("strengths to compare with", {
     name: _strength("strength to compare with") for name in FAILURE_TESTS
 })  # fmt: skip
+_QUANTITY = {"Pa": "pressure"}
 _OPTIONS: dict[str, Key] = {
     name: KeyTable(f"options of {name}", {
-        key: Number("option of the test", one.unit, above=0.0, quantity="pressure" if one.unit == "Pa" else "")
+        key: Number("option of the test", one.unit, 0.0, one.below, _QUANTITY.get(one.unit, ""), one.closed)
         for key, one in test.options.items()
     })
     for name, test in FAILURE_TESTS.items() if test.options

@@ -107,14 +107,16 @@ class TomlTable:
     def number(self, key: str, *, default: Any = NEEDED, unit: str | None = None, below: float | None = None) -> Any:
         """Read a number or a text with a unit, as a float in SI; `unit` and `below` replace the declared ones."""
         known = self._declared(key, Number)
-        above, below, unit = known.above, known.below if below is None else below, unit or known.unit
-        wanted = f"a number {_range(above, below)}[{unit}]"
+        below, unit = known.below if below is None else below, unit or known.unit
+        above = math.nextafter(known.above, -math.inf) if known.closed else known.above
+        wanted = f"a number {_range(known.above, below, closed=known.closed)}[{unit}]"
         value = self._get(key, default, wanted)
         if value is default:
             return value
         found = self._number(self.name(key), value, unit, wanted, above, below)
         if known.quantity:
-            question("", f"'{self.name(key)}'", found, quantity=known.quantity)
+            written = value.strip() if isinstance(value, str) else ""
+            question("", f"'{self.name(key)}'", found, quantity=known.quantity, written=written)
         return found
 
     def _number(
@@ -242,7 +244,9 @@ def _hint(value: object, choices: tuple[str, ...], otherwise: str) -> str:
     return f"did you mean '{near[0]}'?" if near else otherwise
 
 
-def _range(above: float, below: float) -> str:
+def _range(above: float, below: float, *, closed: bool = False) -> str:
+    if closed:
+        return f"of at least {above:g} " + (f"and below {below:g} " if math.isfinite(below) else "")
     if math.isfinite(above) and math.isfinite(below):
         return f"between {above:g} and {below:g} (exclusive) "
     if math.isfinite(above):

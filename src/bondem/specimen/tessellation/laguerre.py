@@ -49,7 +49,7 @@ def usual_reach(particles: Particles) -> float:
     near = np.asarray(tree.query(x[some], k=min(n, 13))[0]).reshape(len(some), -1)
     reach = 1.5 * float(np.median(near[:, -1]))
     if n == 1:
-        reach = 4.0 * particles.mean_radius
+        reach = max(4.0 * particles.mean_radius, particles.envelope.volume ** (1.0 / 3.0))
     pair = tree.query_pairs(1e-9 * reach, output_type="ndarray")
     if reach <= 0.0 or len(pair):
         name = f"elements {pair[0, 0]} and {pair[0, 1]}" if len(pair) else "elements"
