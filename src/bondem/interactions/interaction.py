@@ -37,14 +37,11 @@ from bondem.interactions.stiffness import Stiffness
 from bondem.interactions.stiffness_product import Product, loads_in, product_by
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.ordering import Layout
-from bondem.specimen.regions import Region
 
 #: Arrays of a state that belong to a law, by name, with the integrity of its bonds.
 Arrays = Mapping[str, np.ndarray]
 #: Boundary conditions of a model.
 Boundary = Sequence[BoundaryCondition]
-#: Pairs of regions that have strengths of their own, with the facets or bonds between them, user's order.
-Joints = Sequence[tuple[tuple[Region, Region], Ints]]
 #: Quantity that a criterion evaluates: forces of beams, tractions of facets, or the mean stress of two elements.
 Evaluated = Literal["force", "traction", "stress"]
 
@@ -181,8 +178,8 @@ class Interaction(ABC):
             InputError: The laws do not fit each other or the specimen.
         """
 
-    def question(self, joints: Joints) -> None:
-        """Warn about a specimen for which the law, or a criterion between two regions, is inaccurate."""
+    def question(self) -> None:
+        """Warn about a specimen for which the law is inaccurate."""
         return
 
     @classmethod

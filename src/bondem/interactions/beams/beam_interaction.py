@@ -24,7 +24,6 @@ from bondem.interactions.interaction import (
     Arrays,
     Boundary,
     Interaction,
-    Joints,
     LawParts,
     Run,
     StateField,
@@ -53,7 +52,7 @@ class BeamInteraction(Interaction):
         kind = BeamInteraction if formulation == "total" else StoredBeamInteraction
         return kind(lattice, layout, bond, bonds)
 
-    def question(self, joints: Joints) -> None:
+    def question(self) -> None:
         if isinstance(self._bond, BondLaw) and self._bond.radius is not None:
             question_bond_radius(self._bond.radius, self.lattice.particles.mean_radius)
 

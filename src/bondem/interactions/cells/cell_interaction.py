@@ -28,7 +28,7 @@ from bondem.interactions.cells.cell_plausibility import question_cells
 from bondem.interactions.cells.cell_strain import CellStrain
 from bondem.interactions.cells.cell_tangent import CellsAtAnyPose
 from bondem.interactions.energy_parts import EnergyParts
-from bondem.interactions.interaction import Arrays, Boundary, Evaluated, Joints
+from bondem.interactions.interaction import Arrays, Boundary, Evaluated
 from bondem.interactions.stiffness import Stiffness, new_block_rows
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.ordering import Layout
@@ -65,8 +65,8 @@ class CellInteraction(CellsAtAnyPose):
                 raise InputError(f"bond= has {shown(law)} in a part of the cells; {advice}")
         return cls(lattice, layout, bond, FixedFacets.of(lattice, boundary), may_fail)
 
-    def question(self, joints: Joints) -> None:
-        question_cells(self.lattice, self._laws, joints, may_fail=self._may_fail)
+    def question(self) -> None:
+        question_cells(self.lattice, self._laws, may_fail=self._may_fail)
 
     @classmethod
     def require_facets(cls, refusal: str) -> None:
