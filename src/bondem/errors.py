@@ -109,7 +109,7 @@ class ShortSpecimenWarning(UserWarning):
 
 
 class RaggedInterfaceWarning(UserWarning):
-    """Warning of facets between two materials that zigzag about their interface, because cells do not end on it."""
+    """Warning of facets that zigzag about an interface or a joint, because the cells do not end on it."""
 
 
 class FractureEnergyWarning(UserWarning):

@@ -62,6 +62,7 @@ def test_one_criterion_under_many_names_is_one_criterion() -> None:
     assert np.array_equal(one.limit, other.limit)
 
 
+@pytest.mark.filterwarnings("ignore::bondem.errors.RaggedInterfaceWarning")
 def test_facets_have_the_strength_of_their_region_and_of_its_border() -> None:
     border = bd.Rankine(tension=1e6, fracture_energy=30.0)
     rest = bd.Everything() - MIDDLE
@@ -141,6 +142,7 @@ def test_beams_break_by_the_criterion_of_their_region() -> None:
     assert 1e-3 * run.events.time[0] == pytest.approx(5 * 1e-3 * 2e6 / 1e9, rel=0.01)
 
 
+@pytest.mark.filterwarnings("ignore::bondem.errors.RaggedInterfaceWarning")
 def test_a_run_file_keeps_them(tmp_path: Path) -> None:
     failure = {bd.Everything(): STRONG, MIDDLE: WEAK, (MIDDLE, bd.Everything() - MIDDLE): STRONG}
     one = model(failure, boundary=ends(0.02))

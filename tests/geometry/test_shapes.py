@@ -266,6 +266,12 @@ def test_overlap_and_joined():
     assert corner.area == pytest.approx(5.0 * math.pi / 4.0, rel=1e-2)
     with pytest.raises(InputError, match="do not intersect"):
         _ = PLATE & bd.Ball(radius=0.1).moved((9, 9, 9))
+    beside, corner = bd.Ball(radius=0.5).moved((9, 9, 9)), bd.Box(size=(1.0, 1.0, 1.0)).moved(PLATE.size)
+    for miss in (beside, corner, PLATE.moved((0.0, 0.0, PLATE.size[2] * (1.0 - 1e-15)))):
+        with pytest.raises(InputError, match="do not intersect"):
+            PLATE.cut(miss, name="notch")
+    with pytest.raises(InputError, match="do not intersect"):  # although the boxes around them do
+        bd.Ball(radius=1.0).cut(bd.Box((0.3, 0.3, 0.3)).moved((0.75, 0.75, 0.0)))
     grip, gauge = bd.Box(size=(1.0, 1.0, 1.0)), bd.Box(size=(3.0, 0.5, 0.5)).moved((0.5, 0.25, 0.25))
     bar = grip | gauge | grip.moved((3.0, 0.0, 0.0))
     assert bar.volume == pytest.approx(2.5, rel=1e-3)

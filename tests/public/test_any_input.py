@@ -178,7 +178,7 @@ USUAL: dict[str, dict[str, Any]] = {
         "start": {"tension": 4e6, "cohesion": 1e7}, "strengths": ("tension", "cohesion"),
         "bounds": {"tension": (1e6, 1e8)}, "most": 15, "about": "closed forms", "progress": None,
     },
-    "carve": {"lattice": LATTICE, "shape": BALL},
+    "carve": {"lattice": LATTICE, "shape": BOX},
     "connect": {"particles": SPHERES, "tolerance": None, "reach": 1.1},
     "fabric": {"lattice": LATTICE},
     "crack_speed": {"events": EVENTS, "origin": (0.0, 0.0, 0.0), "direction": (1.0, 0.0, 0.0), "between": (0.0, 9.0),

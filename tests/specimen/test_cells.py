@@ -10,6 +10,7 @@ import pytest
 from scipy.spatial import Voronoi
 
 import bondem as bd
+from bondem.errors import InputError
 
 BRACKET = Path(__file__).resolve().parents[2] / "examples/bracket.stl"
 
@@ -238,6 +239,19 @@ def test_carving_a_body_cuts_it_anew():
     assert len(part.cells.volume) == len(part.particles) < 100
     np.testing.assert_allclose(part.cells.volume.sum(), 3.0 * math.pi * 0.45**2, rtol=1e-9)
     assert bd.carve(bd.connect(body("box").particles), bd.Box((2.0, 2.0, 1.0))).cells is None
+
+
+def test_a_part_has_no_more_volume_than_the_body_has_there():
+    """One eighth of a ball about a corner: the whole ball is refused, the intersection has its volume."""
+    whole, ball = body("box"), bd.Ball(0.9)
+    for shape in (ball, PLATE.moved((0.1, 0.0, 0.0))):
+        with pytest.raises(InputError, match=r"carve: shape = .* of its volume lies outside the body, .* & shape"):
+            bd.carve(whole, shape)
+    part = bd.carve(whole, whole.envelope() & ball)
+    np.testing.assert_allclose(part.cells.volume.sum(), math.pi * 0.9**3 / 6.0, rtol=1e-9)
+    periodic = body("periodic")
+    with pytest.raises(InputError, match="one that is moved"):
+        bd.carve(periodic, bd.Box(periodic.envelope().size).moved((0.2, 0.0, 0.0)))
 
 
 @pytest.mark.parametrize("name", ["periodic", "notch", "round hole"])

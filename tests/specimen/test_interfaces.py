@@ -15,6 +15,7 @@ LONG, WIDE, HIGH = 40.0, 4.0, 6.0
 STRIP, MIDDLE = bd.Box((LONG, WIDE, HIGH)), bd.Plane(point=(0.0, 0.0, 0.5 * HIGH), normal=(0.0, 0.0, 2.0))
 ACROSS = bd.Plane(point=(6.0, 0.0, 0.0), normal=(1.0, 0.0, 0.0))
 RATIO = 10.0
+BRITTLE = bd.MohrCoulomb(tension=1e5, cohesion=2e5, friction_angle=0.5)
 
 
 def closed_box(low, high) -> bd.Surface:
@@ -111,6 +112,26 @@ def test_a_ragged_interface_is_a_warning():
     bd.Model(body, alike, 1.0)
     with pytest.warns(RaggedInterfaceWarning, match="cells cut through"):
         bd.Model(body, {bd.Everything(): bd.CellBond(E=1.0, nu=0.0), upper: bd.CellBond(E=2.0, nu=0.0)}, 1.0)
+
+
+def test_a_ragged_joint_is_a_warning():
+    """Facets of a pair in `failure=` fail by their own traction, which is that of the joint if they lie in it."""
+    rock, weak = bd.Rankine(tension=4e6, fracture_energy=1e9), bd.Rankine(tension=1e5, fracture_energy=1e9)
+    ragged, flat, rest = strip(1, ends=False), strip(1), bd.Everything() - MIDDLE
+
+    def joined(body: bd.Lattice, first: bd.Region, second: bd.Region, joint: bd.Criterion = weak) -> bd.Model:
+        failure = {bd.Everything(): rock, (first, second): joint}
+        return bd.Model(body, bd.CellBond(E=3e9, nu=0.2), 2500.0, failure=failure)
+
+    for first in (MIDDLE, bd.Everything()):
+        with pytest.warns(RaggedInterfaceWarning, match="a joint, a pair of regions"):
+            joined(ragged, first, rest)
+    joined(flat, MIDDLE, rest)
+    joined(ragged, MIDDLE, MIDDLE)  # within a region, no joint
+    joined(ragged, MIDDLE, rest, bd.Rankine(tension=1e5, fracture_energy=1e9, on="stress"))
+    brittle = {bd.Everything(): BRITTLE, (MIDDLE, rest): BRITTLE}
+    with pytest.warns(RaggedInterfaceWarning, match="a joint"):
+        bd.Model(ragged, bd.CellBond(E=3e9, nu=0.2), 2500.0, failure=brittle)
 
 
 def test_two_planes_make_three_layers_and_a_plane_is_written_and_read():

@@ -82,7 +82,7 @@ class InterfaceCrack(PathCase):
             tension=strength * TENSION, fracture_energy=energy * ENERGY, on="traction" if self.weak else "stress"
         )
         failure: dict[bd.Region | tuple[bd.Region, bd.Region], bd.Criterion] = {
-            rest: material, behind: material, (rest, behind): joint,
+            rest: material, behind: material, (rest - behind, behind): joint,
         }  # fmt: skip
         law: dict[bd.Region, bd.CellBond] = {
             rest: bd.CellBond(E=E, nu=NU),

@@ -27,12 +27,14 @@ class FailurePart:
         bonds: bonds or facets that it applies to, user's order.
         elements: cells that yield by the criterion, user's order.
         plane: True if the facets form a material plane, evaluated by their own traction, not by the stress of cells.
+        between: the two regions of a pair whose facets are not evaluated by the stress of cells; None otherwise.
     """
 
     criterion: Criterion
     bonds: Ints
     elements: Ints
     plane: bool = False
+    between: tuple[Region, Region] | None = None
 
 
 def criteria_of(failure: object) -> tuple[Criterion, ...]:
@@ -105,13 +107,13 @@ def failure_parts(lattice: Lattice, failure: FailureAssignment) -> tuple[Failure
             f"{bare.size} bonds have no strength, the first between elements {i[bare[0]]} and {j[bare[0]]}; add an"
             " entry for bd.Everything() before the others, or (region, region): criterion for bonds between regions"
         )
-    return tuple(
-        FailurePart(
-            one, np.flatnonzero(of_bond == number), np.flatnonzero(of_element == number),
-            plane=_is_plane(one, between=isinstance(where, tuple)),
-        )
-        for number, (one, where) in enumerate(zip(found, failure, strict=True))
-    )  # fmt: skip
+    parts = []
+    for number, (one, where) in enumerate(zip(found, failure, strict=True)):
+        pair = where if isinstance(where, tuple) else None
+        plane, own = _is_plane(one, between=pair is not None), not one._softenings
+        bonds, elements = np.flatnonzero(of_bond == number), np.flatnonzero(of_element == number)
+        parts.append(FailurePart(one, bonds, elements, plane, pair if plane or own else None))
+    return tuple(parts)
 
 
 def _is_plane(criterion: Criterion, *, between: bool) -> bool:

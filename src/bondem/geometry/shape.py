@@ -11,7 +11,7 @@ from bondem._checks import choice, instance, number, shown, vector
 from bondem._types import Axis, Floats, Mask, PerElement, PerElement3, Triple, Vector
 from bondem.errors import InputError
 from bondem.geometry.planes import Planes, box_side, placed, shared, turn_about
-from bondem.geometry.quadrature import Content, content
+from bondem.geometry.quadrature import Content, cell_levels, content
 from bondem.geometry.shape_boundary import BOX_FACES, Walled, common_bounds
 
 _Rows = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
@@ -30,8 +30,7 @@ class Shape(Walled):
         Raises:
             InputError: `by` is not three finite components.
         """
-        x, y, z = vector(type(self).__name__, "by", by, unit="m")
-        return place_shape(self, np.eye(3), np.array([x, y, z]))
+        return place_shape(self, np.eye(3), np.array(vector(type(self).__name__, "by", by, unit="m")))
 
     def rotated(self, axis: Axis, angle: float) -> "Shape":
         """Return the shape rotated right-handed by `angle` [rad] about "x", "y" or "z" through the origin.
@@ -47,7 +46,7 @@ class Shape(Walled):
         """Return the shape without `tool`, such as a notch, whose walls become the face `name`.
 
         Raises:
-            InputError: One of the shapes is a periodic `Cell`, or the name is not a text.
+            InputError: The shapes do not intersect, one of them is a periodic `Cell`, or the name is not a text.
         """
         return Cut(self, tool, name)
 
@@ -184,7 +183,10 @@ class _Pair(Shape):
         lower, upper = common_bounds(self.first, self.second)
         if (lower >= upper).any():
             return Content(0.0, 0.0)
-        return content(lambda x: np.minimum(self.first.depth(x), self.second.depth(x)), lower, upper)
+        return content(self._both, lower, upper)
+
+    def _both(self, points: PerElement3) -> PerElement:
+        return np.minimum(self.first.depth(points), self.second.depth(points))
 
     @cached_property
     def _measured(self) -> Content:
@@ -206,6 +208,10 @@ class _Walls(_Pair):
     def __post_init__(self) -> None:
         _refuse_periodic(self.first, self.second)
         instance(type(self).__name__, "name", self.name, str, "a text")
+        lower, upper = common_bounds(self.first, self.second)
+        flat = (upper - lower < 1e-9 * np.subtract(*self.first.bounds[::-1]).max()).any()
+        if flat or not any((level.share > 0.0).any() for level in cell_levels(self._both, lower, upper)):
+            raise InputError(f"{shown(self.first)} and {shown(self.second)} do not intersect; check places (metres)")
 
     @abstractmethod
     def beside(self, points: PerElement3) -> PerElement:
@@ -240,12 +246,6 @@ class Overlap(_Walls):
     second: Shape
     name: str = "cut"
 
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        lower, upper = self.bounds
-        if (lower >= upper).any():
-            raise InputError(f"{self.first} and {self.second} do not intersect; check their positions (metres)")
-
     @property
     def bounds(self) -> tuple[Vector, Vector]:
         return common_bounds(self.first, self.second)
@@ -267,7 +267,7 @@ class Cut(_Walls):
 
     Attributes:
         first: shape to cut.
-        second: shape to remove.
+        second: shape to remove; shapes that do not intersect raise InputError.
         name: name of the new walls; they join a face of the first shape that has this name.
     """
 

@@ -38,7 +38,7 @@ class Walled(ABC):
     @property
     @abstractmethod
     def volume(self) -> float:
-        """Volume of the shape [m³]."""
+        """Volume of the shape [m³]; of shapes that are combined by `&`, `|`, `-` or `cut` within about 1e-3."""
 
     @property
     @abstractmethod

@@ -28,6 +28,7 @@ from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.interactions.beams.bond_table import BondTable
 from bondem.interactions.cells.cell_constants import CellConstants
 from bondem.interactions.cells.cell_interaction import CellInteraction
+from bondem.interactions.cells.cell_plausibility import question_joint
 from bondem.interactions.cells.corrected_mass import correction_factors
 from bondem.interactions.contact.contact_assignment import ContactAssignment, ContactLaws
 from bondem.interactions.contact.contact_model import ContactModel
@@ -135,6 +136,9 @@ class Model:
         self.beam_softening  # noqa: B018  and whether bonds are short enough to soften
         self._check_strain()
         law.question()
+        for one in self.failure_parts if law.evaluated == "traction" else ():
+            if one.between:
+                question_joint(self.lattice, one.between, one.bonds)
         implied = self.implied_fracture
         if implied is not None:
             question_strength(implied.strength, implied.E, implied.density, implied.fracture_energy)

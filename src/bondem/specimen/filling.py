@@ -8,18 +8,20 @@ import math
 
 import numpy as np
 
+from bondem._checks import shown
 from bondem._names import warn_user
 from bondem._types import PerElement, PerElement3
 from bondem.errors import FillingWarning, InputError
-from bondem.geometry.elementary_shapes import BoundingBox, Shape
+from bondem.geometry.elementary_shapes import BoundingBox, Box, Shape
 
 # Distances over the mean radius: of a centre outside; by which a sphere sticks out, as it does from soft walls; of
 # the nearest sphere from a face; and between neighbours along an axis of a periodic cell.
 _OUTSIDE, _OUT, _AWAY, _APART = 0.1, 0.1, 0.5, 2.5
 # Gap that is tolerated over the extent of the shape, as in fine dust, and times n, as in a gas of n spheres.
 _SHARE, _DILUTE = 0.005, 4.0
-# Largest share of centres outside, and largest number of spheres that stick out over n^(2/3): half a face.
+# Largest share of centres, or of the volume of a part, outside; and number of spheres that stick out over n^(2/3).
 _STRAY, _MANY = 0.01, 0.4
+_POINTS = 32  # along each edge of a part, of a grid that measures how much of it lies outside
 
 
 def check_filling(shape: Shape, position: PerElement3, radius: PerElement) -> None:
@@ -53,6 +55,20 @@ def check_filling(shape: Shape, position: PerElement3, radius: PerElement) -> No
     if empty:
         more = f" (and {len(empty) - 1} more such)" if len(empty) > 1 else ""
         _warn(f"{empty[0]}{more}; {_extents(shape, position, radius)}")
+
+
+def check_within(part: Shape, whole: Shape, radius: PerElement) -> None:
+    """Raise InputError if more than 1 % of a shape to carve lies outside the shape of a body with radii (n,) [m]."""
+    lower, upper = part.bounds
+    x = lower + (upper - lower) * (np.indices((_POINTS,) * 3).reshape(3, -1).T + 0.5) / _POINTS
+    walled = whole if whole.period is None else Box(tuple(whole.period))
+    outside = walled.depth(x[part.depth(x) > 0.0]) < -_OUTSIDE * radius.mean()
+    if outside.sum() > _STRAY * len(outside):
+        advice = "lattice.envelope() & shape" if walled is whole else "a smaller shape, or one that is moved"
+        raise InputError(
+            f"carve: shape = {shown(part)}: {100.0 * outside.mean():.2g} % of its volume lies outside the body,"
+            f" {shown(whole)}; give the part within it, {advice}"
+        )
 
 
 def unfilled(shape: Shape, position: PerElement3, radius: PerElement, *, away: float = _AWAY) -> list[str]:

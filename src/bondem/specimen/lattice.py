@@ -30,6 +30,7 @@ from bondem.geometry.planes import turn_about
 from bondem.geometry.shape import place_shape
 from bondem.specimen.bodies import Bodies, Which
 from bondem.specimen.elements import CellElements, Elements
+from bondem.specimen.filling import check_within
 from bondem.specimen.particles import Particles, filled, freeze
 from bondem.specimen.tessellation.facets import Cells, Facets
 
@@ -292,14 +293,14 @@ def carve(lattice: Lattice, shape: Shape) -> Lattice:
 
     Args:
         lattice: lattice to cut.
-        shape: region to keep; its faces name the faces of the part.
+        shape: region to keep, within the body; its faces name the faces of the part.
 
     Returns:
         A lattice of the kept elements, in their old order, with the bonds between them. The part of a body has new
         facets and cells.
 
     Raises:
-        InputError: No element lies inside the shape, or the lattice has several bodies.
+        InputError: No element lies in the shape, over 1 % of it lies outside the body, or there are several bodies.
         DisconnectedError: The part consists of two large pieces.
     """
     instance("carve", "lattice", lattice, Lattice, "a lattice, from bd.connect")
@@ -308,6 +309,7 @@ def carve(lattice: Lattice, shape: Shape) -> Lattice:
     keep = shape.contains(lattice.particles.position)
     if not keep.any():
         raise InputError(f"no element lies inside {shown(shape)}; check its size and position (metres)")
+    check_within(shape, lattice.envelope(), lattice.particles.radius)
     number = np.cumsum(keep) - 1
     inside = keep[lattice.pairs].all(axis=1)
     period = shape.period

@@ -1,12 +1,12 @@
 """Warnings about bodies of cells for which the cell law is less accurate than usual."""
 
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 
 import numpy as np
 
 from bondem._names import users_line
-from bondem._types import Floats, PerElement3
+from bondem._types import Floats, Ints, PerElement3
 from bondem.errors import AuxeticWarning, RaggedInterfaceWarning, ThinBodyWarning
 from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_bond import CellBond
@@ -78,12 +78,26 @@ def _question_thin(body: Lattice, laws: list[CellBond], may_fail: bool) -> None:
 
 def _question_ragged(body: Lattice, bond: Mapping[Region, CellBond]) -> None:
     """Warn about cells that cut through an interface between two materials, if a surface defines it."""
-    surfaces = [one for where in bond for one in _surfaces(where)]
     E = np.full(len(body.particles), np.nan)
     for where, law in bond.items():
         E[where.mask(body)] = law.E
     i, j = body.pairs.T
     border = np.flatnonzero(np.maximum(E[i], E[j]) > _CONTRAST * np.minimum(E[i], E[j]))
+    effect = "a bimetal strip of such cells bends 1 to 15 % too much at a ratio of 10"
+    _question_rough(body, border, bond, "the interface between materials that differ in E", effect)
+
+
+def question_joint(body: Lattice, between: tuple[Region, Region], facets: Ints) -> None:
+    """Warn about cells that cut through a joint, of these facets between two regions, if a surface defines it."""
+    sides = np.array([where.mask(body) for where in between])[:, body.pairs[facets]]
+    border = facets[(sides[:, :, 0] != sides[:, :, 1]).any(axis=0)]
+    effect = "it is about twice as strong as entered and does not slide"
+    _question_rough(body, border, between, "a joint, a pair of regions in failure=", effect)
+
+
+def _question_rough(body: Lattice, border: Ints, regions: Iterable[Region], what: str, effect: str) -> None:
+    """Warn if facets are far from the surfaces that define the regions on both sides."""
+    surfaces = [one for where in regions for one in _surfaces(where)]
     if not surfaces or len(border) < _FEW_FACETS:
         return
     facets, cells = body_of(body)
@@ -92,9 +106,8 @@ def _question_ragged(body: Lattice, bond: Mapping[Region, CellBond]) -> None:
     rough = float(np.sqrt((area * off**2).sum() / area.sum()))
     if rough > _ROUGH:
         _warn(
-            f"cells cut through the interface between materials that differ in E: its facets are {rough:.2f} cell"
-            " sizes off the surface (root mean square), and a bimetal strip of such cells bends 1 to 15 % too much at"
-            ' a ratio of 10; pack with bd.pack(..., method="even", around=surface), so that cells end there',
+            f"cells cut through {what}: its facets are {rough:.2f} cell sizes off the surface (root mean square), and"
+            f' {effect}; pack with bd.pack(..., method="even", around=surface), so that cells end there',
             RaggedInterfaceWarning,
         )  # fmt: skip
 
