@@ -16,7 +16,7 @@ import numpy as np
 
 import bondem as bd
 from bondem._threads import threads as of_threads
-from bondem.dynamics.explicit import integrate
+from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.plan import Plan
 from bondem.dynamics.timestep import critical_step
 from bondem.model.state import State
@@ -29,27 +29,28 @@ EDGE = 10e-3
 
 
 class Runner:
-    """Model with a state in random motion, whose steps are timed."""
+    """Model in random motion, whose steps are timed without the preparation of a run."""
 
     def __init__(self, model: bd.Model) -> None:
         self.model = model
         self.dt = 0.9 * critical_step(model, bd.VelocityVerlet())
         tracemalloc.start()
-        state = State(model)
-        state.set_motion(velocity=1e-3 * np.random.default_rng(0).standard_normal((len(model.mass), 3)))
-        self.state = integrate(model, Plan(duration=2 * self.dt, dt=self.dt, every=0), state=state).state
+        self.state = State(model)
+        self.state.set_motion(velocity=1e-3 * np.random.default_rng(0).standard_normal((len(model.mass), 3)))
+        self.loop().run(2)
         self.memory = tracemalloc.get_traced_memory()[1] / len(model.mass)
         tracemalloc.stop()
 
-    def seconds(self, steps: int) -> float:
-        """Return the wall time of a step [s], from the difference of runs of `steps` and of twice as many."""
-        taken = []
-        for count in (steps, 2 * steps):
-            plan = Plan(duration=(self.state.step + count) * self.dt, dt=self.dt, every=0)
-            began = time.perf_counter()
-            self.state = integrate(self.model, plan, state=self.state).state
-            taken.append(time.perf_counter() - began)
-        return (taken[1] - taken[0]) / steps
+    def loop(self) -> CoreLoop:
+        """Return a loop on the present number of threads."""
+        return CoreLoop(self.model, Plan(duration=1.0, dt=self.dt, every=0), self.state, self.dt)
+
+
+def seconds(loop: CoreLoop, steps: int) -> float:
+    """Return the wall time of a step [s]."""
+    began = time.perf_counter()
+    loop.run(steps)
+    return (time.perf_counter() - began) / steps
 
 
 def stepped(count: int, counts: tuple[int, ...], repeat: int) -> dict[str, Any]:
@@ -64,8 +65,10 @@ def stepped(count: int, counts: tuple[int, ...], repeat: int) -> dict[str, Any]:
     }  # fmt: skip
     for number in counts:
         with of_threads(number):
-            cells.seconds(5), beams.seconds(5)
-            pairs = [(cells.seconds(steps), beams.seconds(steps)) for _ in range(repeat)]
+            loops = cells.loop(), beams.loop()
+            for loop in loops:
+                loop.run(5)
+            pairs = [tuple(seconds(loop, steps) for loop in loops) for _ in range(repeat)]
         one, other = zip(*pairs, strict=True)
         ratio = [b / c for c, b in pairs]
         found[f"threads_{number}"] = {
