@@ -14,7 +14,7 @@ template <auto pass> struct As {
     constexpr auto function() const { return pass; }
 };
 template <auto pass> constexpr As<pass> as;
-// The function of a pass, which is a function itself, `As`, or one of `ranges.hpp`.
+// The function of a pass, which is that function itself or `As`.
 template <class... Arguments> constexpr auto function_of(void (*pass)(Arguments...)) { return pass; }
 template <class Pass> constexpr auto function_of(const Pass &pass) -> decltype(pass.function()) {
     return pass.function();

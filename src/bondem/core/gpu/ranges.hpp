@@ -2,6 +2,7 @@
 #pragma once
 #include "../steps.hpp"
 #include "../tables/device_tables.hpp"
+#include "for_each.hpp"
 
 namespace bondem {
 
@@ -49,26 +50,11 @@ template <class... Tables, void (*pass)(const Range &, const Tables &...)> struc
     }
 };
 // A pass of the CPU for all (index 0), one element, a place in a list of elements, a portion of elements or bonds.
-template <auto pass> struct Once {
-    constexpr auto function() const { return &OneRange<pass>::once; }
-};
-template <auto pass> struct OneElement {
-    constexpr auto function() const { return &OneRange<pass>::element; }
-};
-template <auto pass> struct ListedElement {
-    constexpr auto function() const { return &OneRange<pass>::listed; }
-};
-template <auto pass> struct PortionOfElements {
-    constexpr auto function() const { return &OneRange<pass>::elements; }
-};
-template <auto pass> struct PortionOfBonds {
-    constexpr auto function() const { return &OneRange<pass>::bonds; }
-};
-template <auto pass> constexpr Once<pass> once;
-template <auto pass> constexpr OneElement<pass> one_element;
-template <auto pass> constexpr ListedElement<pass> listed_element;
-template <auto pass> constexpr PortionOfElements<pass> portion_of_elements;
-template <auto pass> constexpr PortionOfBonds<pass> portion_of_bonds;
+template <auto pass> constexpr As<&OneRange<pass>::once> once;
+template <auto pass> constexpr As<&OneRange<pass>::element> one_element;
+template <auto pass> constexpr As<&OneRange<pass>::listed> listed_element;
+template <auto pass> constexpr As<&OneRange<pass>::elements> portion_of_elements;
+template <auto pass> constexpr As<&OneRange<pass>::bonds> portion_of_bonds;
 
 // Advances the clock by `ahead` steps and sets its flags; for a step of no duration its coefficients are 0.
 inline void set_clock(Index, const DeviceSpan &span, const StepScheme &scheme, const Tick &tick) {
