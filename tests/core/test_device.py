@@ -9,11 +9,12 @@ import bondem as bd
 from bondem._core import pass_tables
 from bondem._device import DeviceTables, Enqueue, Host
 from bondem._passes import Kernel
-from bondem._tables.columns import EventColumn, HistoryColumn
+from bondem._tables.columns import EventColumn, HistoryColumn, TouchState
 from bondem._tables.device_tables import BondsOfElements
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.device_loop import DeviceLoop
 from bondem.dynamics.explicit import integrate
+from bondem.dynamics.parts.contact_part import ContactTables
 from bondem.dynamics.plan import Plan
 from bondem.interactions.cells.cell_tables import STRESS
 from tests.bits import assert_same_bits, assert_same_fracture, assert_same_run
@@ -53,6 +54,23 @@ class Backwards(Host):
 
     def prepared(self, one: Kernel, count: int, tables: Sequence[int], halted: int) -> Enqueue:
         return super().prepared(one, -count, tables, halted)
+
+
+def test_the_deepest_overlap_on_a_device_is_that_of_all_pairs() -> None:
+    """Threads with 32 elements each raise one number; the reference is computed from positions at each guard."""
+    model, start, _, dt, options = CASES["beams, parallel"]()
+    loop, expected = DeviceLoop(model, Plan(duration=1.0, dt=dt, **options), start(model), dt, Host()), 0.0
+    for _ in range(4):
+        loop.run(100)
+        owners = [getattr(part.keep, "__self__", None) for part in loop._parts]
+        (part,) = (owner for owner in owners if isinstance(owner, ContactTables))
+        pairs, radius = part._pairs, part._law.radius
+        centre, i, j = loop.state.pose[:, :3], pairs.first, pairs.second
+        overlap = (pairs.reach - np.linalg.norm(centre[j] - centre[i], axis=1)) / np.minimum(radius[i], radius[j])
+        expected = max(expected, overlap[pairs.touch == TouchState.TOUCHING].max(initial=0.0))
+    assert len(radius) > 64
+    assert part._deepest == pytest.approx(expected, rel=1e-12)
+    assert expected > 1e-3
 
 
 @pytest.mark.parametrize("case", CASES)
