@@ -10,7 +10,7 @@ from platformdirs import user_cache_path
 
 @cache
 def cache_folder() -> Path:
-    """Return the folder bondem/ in BONDEM_CACHE_DIR or in the system's folder of caches, else a temporary folder."""
+    """Return the folder bondem/ in BONDEM_CACHE_DIR or the user's caches, or a temporary one if that is read-only."""
     asked = os.environ.get("BONDEM_CACHE_DIR")
     try:
         folder = Path(asked, "bondem") if asked else user_cache_path("bondem", appauthor=False)

@@ -65,7 +65,7 @@ def number(
         advice: end of the message, after "give"; made from the bounds by default.
 
     Raises:
-        InputError: The value is text, a truth value, NaN, infinite, beyond 10^±100, or out of bounds.
+        InputError: The value is no number (text, truth values), NaN, infinite, beyond 10^±100, or out of bounds.
     """
     found = _real(value)
     if (
@@ -86,7 +86,7 @@ def number(
 
 
 def _fault(owner: str, name: str, value: object, wanted: str, remark: str = "") -> InputError:
-    """Return the error for an unfit value: a remark follows the value, and advice on what is `wanted` ends it."""
+    """Return the error for an unfit value; its message has the value, the `remark`, and what is `wanted` instead."""
     where = f"{owner}: {name}" if owner else name
     return InputError(f"{where} = {shown(value)}{remark}; give {wanted}")
 
@@ -117,7 +117,7 @@ def count(owner: str, name: str, value: object, *, least: int = 0, advice: str =
     """Return an argument that must be a whole number.
 
     Raises:
-        InputError: The value is not a whole number, or is below `least`.
+        InputError: The value is not a whole number, is below `least`, or is 2^62 or more.
     """
     found = _real(value)
     if found is None or not abs(found) < 2.0**62 or found != round(found) or found < least:
@@ -156,7 +156,7 @@ def array(owner: str, name: str, value: object, *, wanted: str) -> Floats:
     """Return a copy of an argument that must be numbers, as an array of any shape; `wanted` ends the message.
 
     Raises:
-        InputError: The value is text, a ragged list or an object.
+        InputError: The value is no array of real numbers: text, truth values, a ragged list or an object.
     """
     found = _numbers(value)
     if found is None:
@@ -175,7 +175,7 @@ def _numbers(value: object) -> Floats | None:
 
 
 def possible(values: Floats) -> bool:
-    """Return True if all values are finite, and 0 or between 10^-100 and 10^100."""
+    """Return True if all values are finite, and 0 or of a magnitude between 10^-100 and 10^100."""
     size = np.abs(values)
     return bool((np.isfinite(values) & (size <= _LARGEST) & ((size == 0.0) | (size >= 1.0 / _LARGEST))).all())
 
@@ -194,7 +194,7 @@ def instance(owner: str, name: str, value: object, kinds: type[Kind] | tuple[typ
 def several(
     owner: str, name: str, value: object, kinds: type[Kind] | tuple[type[Kind], ...], wanted: str
 ) -> tuple[Kind, ...]:
-    """Return an argument, one value or several of the given types, as a tuple; empty for None.
+    """Return one value or several values of the given types as a tuple, empty for None; `wanted` ends the message.
 
     Raises:
         InputError: A value has another type.
@@ -229,7 +229,7 @@ def place(name: str, value: object) -> Path:
     """Return an argument that must be a path.
 
     Raises:
-        InputError: The value is neither text nor a path.
+        InputError: The value is neither text nor a path, or contains a null character.
     """
     if not isinstance(value, str | Path) or "\0" in str(value):
         raise InputError(f"{name} = {shown(value)}; give a path, as text or pathlib.Path")

@@ -157,6 +157,7 @@ def _library() -> _Library:
 
     Raises:
         ImportError: No library exists, or its layout of tables differs from that of this module.
+        InputError: BONDEM_ISA does not name a level that this CPU offers.
     """
     target = Platform.named(None)
     level = _level(target)
@@ -221,7 +222,7 @@ def compiled_level() -> str:
 
 
 def core_lanes() -> int:
-    """Return the number of lanes of the library in use, the least number of rows of a table of bonds."""
+    """Return the number of lanes of vector registers in the library in use, the fewest rows of a table of bonds."""
     return _library().lanes
 
 
@@ -254,17 +255,19 @@ def run_pass(call: Call, *, threads: int = 1) -> str:
         Name of the outcome, as the library declares it; "" for a pass with a single outcome.
 
     Raises:
+        ImportError: other tables than those of the library.
         InputError: an array of another type, shape or order in memory than declared.
     """
     return bound_pass(call, threads=threads)()
 
 
 def bound_pass(call: Call, *, threads: int = 1) -> Callable[[], str]:
-    """Return a function that runs a pass with its tables, which are checked once.
+    """Return a function that runs a pass with its tables, checked once, and returns the name of the outcome.
 
     The arrays of the tables are read and written in place at every call.
 
     Raises:
+        ImportError: other tables than those of the library.
         InputError: an array of another type, shape or order in memory than declared.
     """
     function, names, outcomes = _library().passes[call.name]
@@ -300,12 +303,12 @@ def step_pass(name: str) -> tuple[tuple[int, int], tuple[str, ...]]:
 
 
 def declared_columns(name: str) -> str:
-    """Return the columns of elements that a pass of a step reads and writes, as in `core/registered.hpp`."""
+    """Return the columns of elements that a pass of a step reads and writes, as written in its `BONDEM_PASS`."""
     return _library().columns[name]
 
 
 def pass_tables(kind: str) -> dict[str, tuple[str, ...]]:
-    """Return the names of the tables of all passes of a kind: "calls", "steps" or "kernels"."""
+    """Return the names of the tables of each pass of a kind: "calls" of Python, "steps", or "kernels" of a device."""
     library = _library()
     if kind == "kernels":
         return library.index_passes
@@ -329,10 +332,10 @@ def index_loop(name: str) -> Callable[[int, int, int], Any]:
 
 @functools.cache
 def checked_fields(kind: type[tuple[Any, ...]]) -> tuple[Field, ...]:
-    """Return the fields of the table with the name of a named tuple.
+    """Return the fields of a table from its class, a named tuple, after a check of their names.
 
     Raises:
-        ImportError: other fields than those of the header.
+        ImportError: the class has other fields than the header.
     """
     fields = _library().tables[kind.__name__]
     if kind._fields != tuple(field.name for field in fields):

@@ -1,4 +1,4 @@
-"""Representations of objects on a terminal and in a notebook: at most twelve lines, with units.
+"""Representations of objects with units: at most twelve lines on a terminal, a table in a notebook.
 
 `describe` gives public classes a `__repr__` and a `_repr_html_` made from their docstrings: the section "Attributes"
 names the quantities and their units. This module imports the standard library only, as `import bondem` does.

@@ -20,7 +20,7 @@ class Coloured(NamedTuple):
 
 
 class Present(NamedTuple):
-    """Picture of the body of a state at its current position, by fragments if broken, with its walls."""
+    """Picture of the body of a state at its current position, with its walls; fragments have different colours."""
 
     state: Any
 
@@ -42,7 +42,7 @@ class Plotted:
     def drawn(self) -> Mapping[str, Floats]:
         """Columns that `plot` draws, all over the first one; none for a picture of the body alone.
 
-        By default these are the columns of `table` with the unit of its second column.
+        By default these are the first column of `table`, and those with the unit of its second column.
         """
         return of_one_unit(self.table)
 
@@ -65,7 +65,8 @@ class Plotted:
             A `matplotlib.figure.Figure`, which Jupyter shows; its `show()` opens a window.
 
         Raises:
-            InputError: a file that cannot be written, or a view that is not two angles.
+            InputError: a file that cannot be written, a negative reach, or a view that is not two angles.
+            RunFileError: the disk is full, or another failure to write.
         """
         return OUTLETS.draw_result(self, path, reach=reach, view=view)
 
@@ -76,7 +77,7 @@ class Plotted:
             path: file to write; an existing file is replaced once the new one is complete.
 
         Raises:
-            InputError: the file cannot be written.
+            InputError, RunFileError: the file cannot be written; RunFileError if writing fails, as on a full disk.
         """
         OUTLETS.write_csv(path, self.table, owner=f"{type(self).__name__}.to_csv")
 

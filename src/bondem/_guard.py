@@ -24,10 +24,10 @@ _done: set[str] = set()
 
 
 def guard(public: Mapping[str, Iterable[str]]) -> None:
-    """Guard the public classes and functions of all modules imported so far.
+    """Wrap the public functions, and the methods of public classes, of all modules imported so far by `_guarded`.
 
-    A class keeps its identity, and gets another `__init__` and other methods. A function is replaced in the module
-    that defines it, so that it can be pickled.
+    A class keeps its identity; its `__init__` and methods are replaced. A function is replaced in the module that
+    defines it, so that it can be pickled.
 
     Args:
         public: names of public classes and functions by module.
@@ -48,7 +48,7 @@ def guard(public: Mapping[str, Iterable[str]]) -> None:
 
 
 def _guard_class(cls: type) -> None:
-    """Guard the methods of a class and of its base classes in the package, except exceptions and protocols."""
+    """Wrap the methods of a class and its bases in bondem, and add `_missing`; skip exceptions and protocols."""
     if issubclass(cls, BaseException) or getattr(cls, "_is_protocol", False):
         return
     for one in cls.__mro__:

@@ -65,7 +65,7 @@ class _Range:
         return ""
 
     def capitals(self, written: str) -> str:
-        """Return the end of a sentence about a text with a unit, such as "4 mPa", which may be one in capitals."""
+        """Return the end of a sentence about a text such as "4 mPa": advice to write "4 MPa" or check the unit."""
         for unit, _ in self.slips:
             if written.lower().endswith(unit.lower()) and not written.endswith(unit):
                 return f'; if {unit} is meant, write "{written[: -len(unit)]}{unit}"'
@@ -140,7 +140,7 @@ def question(owner: str, name: str, value: float, *, quantity: str = "", written
 
 
 def _by_user() -> bool:
-    """Return True if the user creates the object under construction, False if a trial within bondem does."""
+    """Return True if code of the user creates the object under construction, False if code of bondem does."""
     frame = sys._getframe(1)
     while frame.f_back is not None and (
         frame.f_code.co_name in _MAKING or frame.f_globals.get("__name__") in _COPYING

@@ -70,7 +70,7 @@ def staged(title: str, *, shares: bool = True) -> Callable[[Callable[P, R]], Cal
 
     Args:
         title: name of the stage.
-        shares: True if its argument `progress`, if any, receives shares from 0 to 1.
+        shares: True if the function's argument `progress`, if any, receives shares from 0 to 1.
     """
 
     def decorate(function: Callable[P, R]) -> Callable[P, R]:

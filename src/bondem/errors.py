@@ -17,7 +17,7 @@ class ArgumentError(InputError, TypeError):
 
 
 class EmptyRegionError(InputError):
-    """Error for a region that selects no connected element."""
+    """Error for a region that selects no element, or no connected one where these are needed."""
 
 
 class DisconnectedError(InputError):
@@ -25,7 +25,7 @@ class DisconnectedError(InputError):
 
 
 class FloatingBodyError(InputError):
-    """Error for a body of a scene without supports in a static problem."""
+    """Error for one of several bodies that nothing supports in a static problem."""
 
 
 class PackingError(BondemError):
@@ -33,26 +33,26 @@ class PackingError(BondemError):
 
 
 class UnreachableTargetError(BondemError):
-    """Error for a calibration target outside the range of the bond law on this lattice."""
+    """Error for a Poisson's ratio that a bond law on its lattice, or any bond law, cannot reach in calibration."""
 
 
 class ConvergenceError(BondemError):
-    """Error for an iterative solver that stopped before it reached its tolerance."""
+    """Error for a solver or calibration that did not reach its target, such as a load that nothing resists."""
 
 
 class UnstableStepError(InputError):
-    """Error for a requested time step above the stability limit of the assembled lattice."""
+    """Error for a time step that is above the stability limit or not positive, or a lattice without any stiffness."""
 
 
 class StepWarning(UserWarning):
-    """Warning of a time step so close to the stability limit that large strains may make the run unstable."""
+    """Warning of a run that its step or lack of damping may make unstable, or of dashpots that need small steps."""
 
 
 class ContactWarning(UserWarning):
-    """Warning of contacts outside the range of their law, of missing contacts, and of walls on the wrong side.
+    """Warning of contacts outside the range of their law, or without a law, and of walls on the wrong side.
 
-    Overlaps may be too deep, motions too fast for the step, or no law given. A wall may face away from the body, or
-    elements may begin behind it.
+    Overlaps may be too deep, motions too fast for the step, or friction beyond the tangential spring. A wall may face
+    away from the body, or elements may begin behind it.
     """
 
 
@@ -73,7 +73,7 @@ class UnstableRunWarning(UserWarning):
 
 
 class FaceWarning(UserWarning):
-    """Warning of a bounding-box face with few of the elements near it, or of a patch that facets do not match."""
+    """Warning of a bounding-box face that selects few of the elements near it, or of a patch with too few facets."""
 
 
 class StageWarning(UserWarning):
@@ -154,7 +154,7 @@ class StudyError(InputError):
 
 
 class RunFileError(BondemError):
-    """Error for a run file that cannot be read or resumed, or for any file that cannot be written."""
+    """Error for a run file that cannot be read or resumed, or for a failure to write any file, as on a full disk."""
 
 
 class MissingDependencyError(BondemError, ImportError):

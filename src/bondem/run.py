@@ -104,7 +104,9 @@ def solve_explicit(
         last valid state. A run that lost its energy balance returns the present state and all records.
 
     Warns:
-        StepWarning: The given dt is above 0.9 of the critical step; the message of the result repeats this.
+        StepWarning: The given dt is above 0.9 of the critical step, dashpots make the default one far smaller, or a
+            free body with the non-local law has no damping.
+        ContactWarning: Contacts are outside the range of their law or have none, or a wall is on the wrong side.
         ImbalanceWarning: The error of the energy balance exceeds the first limit of `imbalance`.
         UnstableRunWarning: The run ended as UNSTABLE or IMBALANCED.
         TurnedPressureWarning: Elements under a pressure without `follows` have turned by more than 0.1 rad.
@@ -117,7 +119,8 @@ def solve_explicit(
             than 15 %; `result.events.opening_steps` has the numbers.
 
     Raises:
-        UnstableStepError: dt exceeds the critical step.
+        UnstableStepError: dt exceeds the critical step or is not positive, or the lattice has no stiffness.
+        RunFileError: The file cannot be resumed, or the disk is full.
         InputError: A value is invalid, the state belongs to another model or is too late for the steps, the output
             file cannot be written, or a prescribed displacement jumps or does not begin where the elements are.
         RunInterrupted: Ctrl-C was pressed; the exception, a `KeyboardInterrupt`, contains the `.result` so far.
@@ -210,7 +213,7 @@ def resume(
 ) -> ExplicitResult:
     """Resume a run from the last checkpoint in its run file; the result is bit-identical to an uninterrupted run.
 
-    Further checkpoints are written into the same file. A finished run only returns its result.
+    Checkpoints continue in this file. A finished run only returns its result. Warnings are those of `solve_explicit`.
 
     Args:
         path: run file, from `solve_explicit(..., out=path, save_every=...)`.
