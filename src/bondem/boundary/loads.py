@@ -233,8 +233,8 @@ class Eigenstrain:
 
     Rest lengths become L (1 + ε*(t)). Each bond gets the mean of the strains of its two elements, because half of its
     length lies inside each; outside the region the strain is 0. A free specimen grows by a uniform ε* without stress;
-    a bar fixed at both ends carries -E ε*. Strains on the same bond add up. For a field whose pattern changes with
-    time, give several strains, each with its own schedule.
+    a bar fixed at both ends has the stress -E ε*. Strains on the same bond add up. For a field whose pattern changes
+    with time, give several strains, each with its own schedule.
 
     Attributes:
         strain: ε* at factor 1 [-], such as α ΔT: a number, the same everywhere; or (n,), one per element in the

@@ -190,7 +190,7 @@ class Supports:
         return np.hstack([force, np.cross(self.lever, force) + moment])
 
     def constraint(self, motion: Floats) -> Floats:
-        """Return the constrained motions for motions (n, 6, k) of the elements [m], (6 g, k).
+        """Return the constrained motions [m], (6 g, k), for motions (n, 6, k) of the elements [m, rad].
 
         The constrained motions are the displacements of the facets along fixed axes, and their rotations times
         √(H/k). A facet whose normal is fixed stays in the plane of its wall, so that it resists rotation even if it

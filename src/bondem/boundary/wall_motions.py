@@ -38,8 +38,8 @@ class Driven:
 
     Attributes:
         motion: triples of component (0 … 4 for x, y, z, growth, angle), schedule, and True for a velocity.
-        axis: unit vector about which the wall turns, (3,).
-        about: point about which the wall turns in the reference [m], (3,); this point moves with x, y and z.
+        axis: unit vector about which the wall turns, (3,); the z axis by default.
+        about: point about which the wall turns in the reference [m], (3,), moved by x, y, z; the origin by default.
 
     Args:
         x, y, z: displacements [m].
@@ -49,7 +49,8 @@ class Driven:
         spin: angular velocity about `axis` [rad/s], in place of the angle.
 
     Raises:
-        InputError: A component is unknown or given twice, the axis has no length, or an axis is given without a turn.
+        InputError: No component is given, one is unknown or given twice, the axis has no length, or `axis` or `about`
+            is given without a turn.
     """
 
     motion: tuple[tuple[int, Schedule, bool], ...]

@@ -142,7 +142,7 @@ Wall = PlaneWall | CylinderWall | SphereWall
 
 
 def pivot(wall: Wall) -> Triple:
-    """Return the reference point about which a wall turns [m]: its own, or that of a prescribed turn."""
+    """Return the point about which a wall turns in the reference [m]: its point or centre, or `about` if driven."""
     if isinstance(wall.motion, Driven) and wall.motion.turns:
         return wall.motion.about
     return wall.centre if isinstance(wall, SphereWall) else wall.point
