@@ -49,7 +49,7 @@ def balanced_density(lattice: Lattice, rho: float) -> PerElement:
         rho: density of the material [kg/m³].
 
     Returns:
-        Density ρ_μ of each element [kg/m³], user's order, (n,), all positive.
+        Density ρ_i of each element [kg/m³], user's order, (n,), all positive.
 
     Raises:
         InputError: no positive densities satisfy the conditions (too few elements), several bodies, a periodic cell.

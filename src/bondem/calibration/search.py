@@ -114,7 +114,7 @@ def _beyond(here: _Point, points: list[_Point], ends: tuple[float, float]) -> bo
 
 
 def _through(a: _Point, b: _Point) -> float:
-    """Root of the cubic x(error) through two points and their slopes, at error = 0."""
+    """Return the value at error 0 of the cubic x(error) through two points with their slopes."""
     width = b.miss - a.miss
     t = -a.miss / width
     start, end = width / a.slope, width / b.slope

@@ -113,7 +113,7 @@ class StrengthCalibration:
         return math.exp(low), math.exp(high)
 
     def strengths(self, test: str) -> Sample:
-        """Return the strengths of the packings in the best run [Pa]; their `interval` predicts that of a new packing.
+        """Return the strengths of the packings in the best run [Pa]; `Sample.interval` predicts that of a new one.
 
         Raises:
             InputError: an unknown test.

@@ -44,25 +44,25 @@ class ExtrapolationWarning(UserWarning):
 
 
 def law_terms(shear: Any, bending: Any) -> Floats:
-    """Terms f of the model on the last axis, (…, 4): 1, ln p, ln² p, ln(12 q / p)."""
+    """Return the terms f, (…, 4): 1, ln p, ln² p, ln(12 q / p), with p = `shear` and q = `bending`."""
     x = np.log(shear)
     return np.stack([np.ones_like(x), x, x * x, np.log(12.0 * np.asarray(bending)) - x], axis=-1)
 
 
 def lattice_terms(coordination: Any, looseness: Any, wall: Any) -> Floats:
-    """Terms g of the model on the last axis, (…, 5): 1, ln v, w, w ln v, ln z."""
+    """Return the terms g, (…, 5): 1, ln v, w, w ln v, ln z; v, z: looseness, coordination over reference; w: wall."""
     z, v, w = np.log(np.asarray(coordination) / _COORDINATION), np.log(np.asarray(looseness) / _LOOSENESS), wall
     return np.stack([np.ones_like(z), v, np.asarray(w, dtype=float), v * w, z], axis=-1)
 
 
 @dataclass(frozen=True, eq=False)
 class SurfaceModel:
-    """Coefficients of the surface correction, with the range and error of their fit.
+    """Coefficients of the surface correction (symbols as in the module's docstring), with range and error of the fit.
 
     Attributes:
         E, nu: coefficients c_jk and d_jk, (4, 5).
-        E_curve, nu_curve: coefficients of s, s ln p, s² and s² ln p in E/E_bulk - 1 and ν/ν_bulk - 1, with s = R̄S/V,
-            for bodies with 6.2 contacts per sphere, (4,).
+        E_curve, nu_curve: coefficients of s, s ln p, s² and s² ln p in E/E_bulk - 1 and ν/ν_bulk - 1, with s = R̄S/V
+            (mean radius, surface, volume), for bodies with 6.2 contacts per sphere, (4,).
         E_error, nu_error: a, b of the relative standard error √(a² + b² / elements) of predictions from a lattice, on
             shapes outside the fit, (2,).
         E_curve_error, nu_curve_error: relative standard error of predictions from R̄S/V [-].
@@ -166,7 +166,8 @@ class SurfaceCorrection:
         """Ratio of Young's modulus of a specimen to that of the bulk [-].
 
         Args:
-            where: lattice; or the less accurate R̄S/V of a body packed with 6.2 contacts per sphere [-].
+            where: lattice; or, less accurate, mean radius times surface over volume, R̄S/V, of a body packed with 6.2
+                contacts per sphere [-].
 
         Raises:
             InputError: R̄S/V for a law with radius= instead of radius_ratio=.
@@ -186,11 +187,11 @@ class SurfaceCorrection:
         return self._ratio(where, 1, self.model.nu_curve)
 
     def E_error(self, where: Lattice | float) -> float:
-        """Relative standard error of `E` for one packing [-]."""
+        """Relative standard error of `E(where)` for one packing [-]."""
         return self._error(where, self.model.E_error, self.model.E_curve_error)
 
     def nu_error(self, where: Lattice | float) -> float:
-        """Relative standard error of `nu` for one packing [-]."""
+        """Relative standard error of `nu(where)` for one packing [-]."""
         return self._error(where, self.model.nu_error, self.model.nu_curve_error)
 
     def _ratio(self, where: Lattice | float, which: int, curve: Floats) -> float:
