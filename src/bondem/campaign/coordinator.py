@@ -34,7 +34,7 @@ def run_campaign(
 ) -> dict[str, Any]:
     """Run a campaign; specimens already finished in the folder are not run again.
 
-    Each specimen has a folder `specimens/NAME/` with the results of `bondem run`, named once they are complete.
+    Each specimen has a folder `specimens/NAME/` with the results of `bondem run`, as soon as they are complete.
     `table.parquet` and `table.csv` are updated as specimens finish. `results.json` lists the failed specimens with
     their input and the reason.
 

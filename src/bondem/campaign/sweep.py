@@ -51,10 +51,10 @@ class Slurm:
         queue: partition.
         account: account to charge.
         cores: number of cores per job, each a worker.
-        memory: memory per job, in the notation of SLURM: "16GB".
+        memory: memory per job, in the notation of Dask, such as "16GB".
         walltime: time limit per job, "HH:MM:SS".
         jobs: number of jobs.
-        directives: further lines of the script after #SBATCH.
+        directives: further options, each written after #SBATCH in a line of the script.
     """
 
     queue: str | None = None

@@ -50,8 +50,8 @@ def campaign_table(out: str | Path) -> Any:
         out: folder of the campaign.
 
     Returns:
-        A pandas.DataFrame with one row per specimen. The columns are its name, the varied values, and numbers and
-        texts of its `results.json` by dotted names such as "macro.E" [Pa] and "tests.ucs.measured" [Pa].
+        A pandas.DataFrame with one row per finished specimen. Its columns are the name, varied values, and numbers
+        and texts of its `results.json` by dotted names such as "macro.E" [Pa] and "tests.ucs.measured" [Pa].
 
     Raises:
         InputError: the folder has no table.
