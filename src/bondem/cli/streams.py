@@ -16,7 +16,7 @@ _PLAIN = str.maketrans({
 
 
 def in_ascii(text: str) -> str:
-    """Spell a text in ASCII: Greek letters by name, other letters without accents, and ? for all other characters."""
+    """Spell a text in ASCII: Greek letters by name, others without accents, signs by similar ones, ? for the rest."""
     found = []
     for character in unicodedata.normalize("NFKD", text.translate(_PLAIN)):
         name = unicodedata.name(character, "")
