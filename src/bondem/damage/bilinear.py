@@ -19,7 +19,7 @@ class Bilinear:
         opening: opening at the kink, over G_f / f_t [-], above 0, at most 2 - 2 `stress`, where both lines are one.
 
     Raises:
-        InputError: The kink is not below the straight line.
+        InputError: The kink is above the straight line, or a value is out of range.
 
     Reference: Petersson (1981), "Crack growth and development of fracture zones in plain concrete and similar
     materials", report TVBM-1006, Lund.

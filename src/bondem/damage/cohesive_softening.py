@@ -89,7 +89,7 @@ class StressIndex:
         return StressPasses.of(self.function, self.values)
 
     def reached(self, directions: Floats) -> Floats:
-        """Return the factors by which stresses (d, 3, 3) reach the criterion, with a relative error of 1e-6, (d,).
+        """Return the factors [-] that bring stresses (d, 3, 3) [Pa] to the criterion, (d,), within a share of 1e-6.
 
         A factor is inf if it would be above 10^15.
         """

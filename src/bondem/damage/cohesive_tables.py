@@ -22,7 +22,8 @@ BEGAN = 5
 def new_cohesive_cracks(state: FailingState, listed: np.ndarray, slide: float) -> CohesiveCracks:
     """Return the cracks of a state as tables for all facets, whose memory is used only as facets crack.
 
-    `slide` is the slip over √A from which faces of a material plane no longer face each other [-].
+    The core writes the status of each crack into `listed`, one byte per facet. `slide` is the slip over √A from which
+    faces of a material plane no longer face each other [-].
     """
     m, count = len(state.integrity), len(state.cracks)
     cracks = CohesiveCracks(
@@ -91,7 +92,10 @@ def new_crack_lists(n: int, m: int) -> CrackLists:
 
 
 def facet_forces(state: FailingState, facets: ElasticFacets, area: Floats, rows: int) -> FacetForces:
-    """Return the table of facet forces of a run: those of the state, zero on facets with active cracks."""
+    """Return the table of facet forces: those of the state, zero on facets whose cracks each step evaluates.
+
+    `area` has the areas of the facets [m²], (m,); `rows` is the number of rows of the sums of a step.
+    """
     force = with_zeros(state.facet_force).copy()
     active = state.cracks[:, at.STATUS] == CrackStatus.ACTIVE
     force[:, state.cracks[active, at.FACET].astype(np.int64)] = 0.0

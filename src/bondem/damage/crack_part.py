@@ -101,7 +101,7 @@ class CrackingBody:
 
     @property
     def joints(self) -> CrackJoints:
-        """Cracked facets that still join their cells: two cells do not touch until the faces of the facet part."""
+        """Cracked facets that still join their cells: cells cannot touch before the faces of their facet separate."""
         return CrackJoints(self.cracks, self.lists, self.body.facets, self.of_cells, self.strengths, self.log)
 
     def parts(self, elastic: Part) -> list[Part]:
@@ -161,7 +161,7 @@ class CrackingBody:
         return [*passes, steps.begin_cracks(body.facets, self.stored, strengths, onset, self.cracks)]
 
     def _cracks(self, powers: Passes) -> Part:
-        """Return the part of cracks, whose passes let them open, close, soften and part, and apply their forces."""
+        """Return the part of a step in which cracks open, close, soften and separate, and apply their forces."""
         moving, body, cracks, lists = self.shared.moving, self.body, self.cracks, self.lists
         strengths, stresses = self.strengths, self.stresses
         again = steps.relax_outdated_cells(moving, body.cells, cracks, lists)

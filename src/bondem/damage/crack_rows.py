@@ -47,5 +47,5 @@ def crack_rows(facet: Ints, strength: ArrayLike, axes: Floats, left: Floats, iso
 
 
 def isotropic_left(s: Floats) -> Floats:
-    """Return s_1, s_2, s_3 and the grip, (c, 4), of cracks with one integrity s (c,) in all directions."""
+    """Return s_1 = s, s_2 = s_3 = 1 and the grip s, (c, 4), which mean one integrity s (c,) in all directions."""
     return np.stack([s, np.ones_like(s), np.ones_like(s), s], axis=1)

@@ -107,7 +107,7 @@ class DamageTables:
 
 
 class CrackJoints(NamedTuple):
-    """Cracked facets of a run, which join their cells until their faces part."""
+    """Cracked facets of a run, which join their cells until their faces separate."""
 
     cracks: CohesiveCracks
     lists: CrackLists
@@ -137,7 +137,7 @@ class Joints:
 
     @classmethod
     def of_cracks(cls, apart: PerBond, state: FailingState, cracks: CrackJoints) -> "Joints":
-        """Return the facets of a body with cracks as joints, which last until the faces of a facet part.
+        """Return the facets of a body with cracks as joints, which last until the faces of a facet separate.
 
         Args:
             apart: distance of the centres at which the cells of each facet touch once it has failed [m], (m,).

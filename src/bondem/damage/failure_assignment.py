@@ -119,7 +119,8 @@ def failure_parts(lattice: Lattice, failure: FailureAssignment) -> tuple[Failure
 def _is_plane(criterion: Criterion, *, between: bool) -> bool:
     """Return True if facets of a criterion are evaluated by their own traction.
 
-    This is the default for facets `between` two regions. Functions of the stress cannot be evaluated by a traction.
+    This is the default for facets `between` two regions. Functions of the stress and criteria of single
+    bonds have no such choice: InputError if they have `on`.
     """
     if not any(softening.surface is None for softening in criterion._softenings):
         if criterion.on is not None:

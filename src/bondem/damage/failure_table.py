@@ -33,7 +33,7 @@ class FailureTable:
         kind: name of the criterion (`BondCriterion.kind`), or "principal" or "law" (see `of_law`).
         coefficient: coefficients of the criterion for each bond, shape (m, 4).
         station: place of the moment that may break a bond, as the distance from i over its length [-]; -1 for the end
-            with the larger moment, (m,).
+            with the larger moment, -inf where forces do not decide, (m,).
         limit: value of of_force |F|² + of_moment |M|² below which a bond cannot break [-], shape (m,).
         of_force: factor of |F|² [1/N²].
         of_moment: factor of |M|² [1/(N·m)²].
@@ -87,7 +87,7 @@ class FailureTable:
 
     @classmethod
     def of_law(cls, law: Interaction) -> "FailureTable":
-        """Return the table of bonds that their law itself breaks, which has no coefficients."""
+        """Return the table of bonds that their law itself breaks: coefficients of zero, and infinite limits."""
         none = np.full(len(law.layout.i), np.inf)
         return cls(
             kind=_OF_LAW, coefficient=np.zeros((len(none), COEFFICIENTS)), station=-none, limit=none, of_force=0.0,

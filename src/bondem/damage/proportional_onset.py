@@ -36,7 +36,7 @@ def softening_along(
     loaded: LoadedFacets, strengths: FacetStrengths, facets: Ints, traction: Floats, integrity: PerBond,
     across: Floats | None = None,
 ) -> SofteningSearch:
-    """Compute the load factors at which cracked facets soften further, along each direction.
+    """Compute the load factors at which cracked facets soften further, `factor` of the result, along each direction.
 
     The directions are the principal directions of the stress of both cells; for material planes they have no meaning.
 

@@ -129,7 +129,7 @@ class SofteningTable:
     yielding: tuple[SlipTable, ...]
 
     def absorbed_by(self, cracks: Floats) -> Floats:
-        """Return the energy that cracked facets absorb as they fracture [J], (c,); 0 for cells without cohesion.
+        """Return the energy that cracked facets absorb as they fracture [J], (c,); 0 if a cell had lost its cohesion.
 
         Args:
             cracks: rows of the facets (`bondem.damage.crack_columns`), (c, CRACK_COLUMNS).

@@ -24,7 +24,7 @@ class Hydrostatic(Criterion):
         curve: softening curve of cracks; None for a straight line.
 
     Raises:
-        InputError: A strength or energy is not positive, or the friction is negative.
+        InputError: A strength or energy is not positive, the friction is negative, or a curve lacks an energy.
     """
 
     tension: float

@@ -63,7 +63,7 @@ class StressCriterion(Criterion):
         InputError: The function does not take stresses (k, 3, 3) or does not return k numbers, such as a function of
             one stress. Or an index is not finite at one of the stresses at which it is tried, is 1 or more without
             stress, or stays below 1 in uniaxial tension. Or a parameter is not one of its arguments, or is not a
-            number.
+            number. Or energy, friction or curve are invalid as for `bd.Rankine`.
     """
 
     function: Callable[..., Any] | int
