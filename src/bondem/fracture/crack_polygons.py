@@ -18,7 +18,7 @@ _CORNERS = 24
 
 @dataclass(frozen=True, eq=False)
 class CrackPolygons:
-    """Outlines of facets as p polygons. A facet at which walls or pieces of cells meet may have several polygons.
+    """Outlines of facets as p polygons. A facet of a cell that walls divide, or of several pieces, may have several.
 
     Attributes:
         vertex: corners, polygon by polygon, half-way between both faces of the facet [m], shape (v, 3).
