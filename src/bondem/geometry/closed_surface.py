@@ -102,7 +102,7 @@ def _once(triangles: Ints) -> np.ndarray:
 
 
 def _edges(triangles: Ints) -> tuple[Ints, Ints]:
-    """Return, for each edge, the number of its triangles, and of those along the edge less those against it."""
+    """Return the number of triangles at each edge, and the number that run along the edge less those against it."""
     edge = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2)
     way = np.where(edge[:, 0] < edge[:, 1], 1, -1)
     _, number, count = np.unique(np.sort(edge, axis=1), axis=0, return_inverse=True, return_counts=True)

@@ -16,7 +16,7 @@ def turned_vectors(quaternion: Floats, vectors: Floats) -> Floats:
 
 
 def add_force_moments(moment: Floats, owner: Ints, arm: Floats, force: Floats, sign: float) -> None:
-    """Add sign · sym(b⊗f) of arms b and forces f to `moment` of each owner: xx, yy, zz, xy, yz, zx, (n, 6) [N·m]."""
+    """Add sign · sym(b⊗f) of arms b [m] and forces f [N] to `moment` (n, 6) of each owner: xx, yy, zz, xy, yz, zx."""
     own = np.ascontiguousarray(owner, dtype=np.int64)
     run_pass(calls.add_moments(MomentsOfForces(moment, own, _contiguous(arm), _contiguous(force), sign)))
 

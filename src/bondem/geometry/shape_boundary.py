@@ -30,7 +30,7 @@ class Walled(ABC):
         """Lower and upper corner of a box around the shape [m], each (3,)."""
 
     def placed_bounds(self, turn: Floats, by: Vector) -> tuple[Vector, Vector]:
-        """Return corners of a box around the shape rotated about the origin by `turn`, (3, 3), and moved by `by`."""
+        """Return corners of a box around the shape, rotated about the origin by `turn` (3, 3), moved by `by` [m]."""
         lower, upper = self.bounds
         middle, reach = turn @ (0.5 * (lower + upper)) + by, np.abs(turn) @ (0.5 * (upper - lower))
         return middle - reach, middle + reach
@@ -69,7 +69,7 @@ class Walled(ABC):
 
     @abstractmethod
     def face_depth(self, face: str, points: PerElement3) -> PerElement:
-        """Return the distance of `points` (n, 3) from a face, positive inside [m], shape (n,)."""
+        """Return the distance of `points` from a face, positive inside [m], (n,); InputError for an unknown face."""
 
     @abstractmethod
     def section(self) -> float:
@@ -125,7 +125,7 @@ class Walled(ABC):
         return np.where(beyond > 0.0, -beyond, depths.min(axis=0))
 
     def contains(self, points: PerElement3) -> np.ndarray:
-        """Return a mask of the points (n, 3) [m] that lie inside the shape or on its wall, shape (n,)."""
+        """Return a mask (n,) of points (n, 3) [m] inside the shape or on its wall; InputError for other shapes."""
         at = np.atleast_2d(array("contains", "points", points, wanted="points as an array of shape (n, 3) [m]"))
         if at.shape[1:] != (3,):
             raise InputError(f"contains: points has shape {at.shape}; give points as an array of shape (n, 3) [m]")

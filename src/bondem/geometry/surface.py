@@ -201,7 +201,8 @@ class Surface(Shape):
             A `matplotlib.figure.Figure`, which Jupyter shows; its `show()` opens a window.
 
         Raises:
-            InputError: The file cannot be written, or the view is not two angles.
+            InputError: The view is not two angles, or nothing can be written at `path`.
+            RunFileError: The disk is full, or another failure to write.
         """
         return OUTLETS.draw_surface(self, path, view=view)
 

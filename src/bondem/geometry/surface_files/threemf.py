@@ -97,7 +97,7 @@ class _Archive:
         )  # fmt: skip
 
     def _add(self, path: str, number: str, transform: Floats, name: str, depth: int) -> None:
-        """Add an object and its components, rows (x, y, z, 1) times `transform`, all named `name` unless it is ""."""
+        """Add an object and its components: rows (x, y, z, 1) times `transform`; `name`, if any, replaces theirs."""
         found = self._model(path).objects.get(number)
         if found is None:
             raise InputError(f"{self._name}: object {number} does not exist; export it again")
