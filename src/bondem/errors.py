@@ -101,7 +101,7 @@ class StressFreeWarning(UserWarning):
 
 
 class ThinBodyWarning(UserWarning):
-    """Warning of a body of cells that is one cell thick somewhere, where it bends too softly or resists no twist."""
+    """Warning of a body of cells that is one cell thick somewhere, where its bending or twist is inaccurate."""
 
 
 class ShortSpecimenWarning(UserWarning):

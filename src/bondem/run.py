@@ -69,8 +69,8 @@ def solve_explicit(
 
     Args:
         model: model to run.
-        duration: physical time [s]; round(duration / dt) steps are taken, at least one unless it is 0.
-        dt: time step [s]; None for `safety` times the critical step of the assembled lattice.
+        duration: physical time [s], 0 or more than half a step; round(duration / dt) steps are taken.
+        dt: time step [s]; None for `safety` times the critical step, or less to resolve short collisions.
         scheme: time integration scheme; velocity Verlet by default.
         damping: damping of elements or bonds, one kind or several in a tuple; none by default.
         gauges: quantities to record, by name: `bd.Gauge`, `bd.StrainGauge` or `bd.WallGauge`.
@@ -79,7 +79,7 @@ def solve_explicit(
         snapshot_every: steps between snapshots into `out`, which ParaView 6 shows during the run; 0 for none. Without
             `out` it has no effect.
         until: one event or several that end the run early.
-        safety: share of the critical step to use if dt is None [-].
+        safety: share of the critical step to use if dt is None [-], in (0, 1].
         imbalance: limits of the error of the energy balance [-], as shares of the largest energy so far (work,
             losses, stored energies). Beyond the first limit the run gives a warning. Beyond the second it stops with
             status IMBALANCED. None disables the check, and `math.inf` disables one limit. The balance is checked with
