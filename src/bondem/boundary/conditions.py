@@ -146,8 +146,8 @@ class Load:
     """A total force and moment on a region, distributed over its elements.
 
     Among all nodal forces with the given resultant and moment, those with the least sum of squares are applied. The
-    resultant is `force` through the anchor of the region, which is the centre of a face, else the centroid. The
-    moment about the anchor is `moment`. Where forces on the elements cannot produce the moment (one element, or a
+    resultant is `force` through the anchor of the region: the centre of a face, else the mean centre of its elements.
+    The moment about the anchor is `moment`. Where forces on the elements cannot produce the moment (one element, or a
     row), torques supply the rest. On a face of a body of cells the load consists of the smallest tractions on the
     facets of the face.
 

@@ -20,7 +20,7 @@ class Gauge:
     Attributes:
         region: elements to observe.
         quantity: "displacement" [m], "velocity" [m/s], "rotation" [rad], "angular_velocity" [rad/s] or
-            "force" [N], which is the force of loads and supports on the region.
+            "force" [N], that of loads and supports on the region; a run raises InputError if it has none.
         reduction: "mean", "sum" or "max_abs" over the elements, component by component. The default is the sum for
             forces and the mean for all other quantities. Unknown names raise InputError.
     """

@@ -244,7 +244,7 @@ class Eigenstrain:
         schedule: factor over time [-].
 
     Raises:
-        InputError: The strain has another shape, is not finite, or reaches -1. A function is checked by the model.
+        InputError: The strain has another shape, is not finite, or reaches -1 in time. The model checks functions.
     """
 
     strain: float | Sequence[float] | Callable[[PerElement3], PerElement]

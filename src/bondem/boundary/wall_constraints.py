@@ -152,7 +152,7 @@ class Supports:
         return ((self.axes * turned_vectors(orientation, self.normal)) ** 2).sum(axis=1)
 
     def taken(self, base: Floats) -> "Supports":
-        """Return the half facets with `share` and `H` rotated to the orientations in `base`, (g, 7)."""
+        """Return the half facets with `share` and `H` rotated to the quaternions, columns 3 … 6, of `base` (g, 7)."""
         other = (base[:, 4:] != 0.0).any(axis=1)
         if not other.any():
             return self
@@ -246,7 +246,7 @@ class Supports:
 
 
 def reference_base(count: int) -> Floats:
-    """Return the origins of the motions of `count` walls that are measured from the reference, (count, 7)."""
+    """Return origins of the motions of walls measured from the reference: offsets 0 and quaternions 1, (count, 7)."""
     base = np.zeros((count, BASE))
     base[:, 3] = 1.0
     return base

@@ -118,7 +118,7 @@ class WallTable:
 
 
 def _shapes(walls: Sequence[Wall], origin: Floats) -> Floats:
-    """Return rows of `WallShape` relative to an origin; the point of a plane becomes the nearest to the origin."""
+    """Return rows of `WallShape` relative to an origin; points of planes become the nearest to it, unless it is 0."""
     numbers = no_rows("WallShape", len(walls))
     if not len(walls):
         return numbers
