@@ -26,12 +26,12 @@ class AffineEstimate:
     """Moduli of a lattice whose elements follow the mean strain, and the quantities that govern their relaxation.
 
     Attributes:
-        stiffness: C = 1/V Σ kn δn δn + ks δs·δs over the bonds, for six unit strains [Pa], (6, 6).
+        stiffness: C = 1/V Σ kn δn δn + ks δs·δs [Pa], (6, 6), with δn and δs the elongation and shear of each bond by
+            the unit strains xx, yy, zz, yz, xz, xy.
         E: Young's modulus [Pa]: along x for a bar, otherwise that of the isotropic average over 1 - `wall`.
         nu: Poisson's ratio [-]: along x for a bar, otherwise that of the isotropic average.
         coordination: mean over the bonds of the mean number of bonds of their two elements [-].
-        looseness: mean over the bonds of 1/z_i + 1/z_j, with z the numbers of bonds of the two elements [-]. This
-            mean measures the relaxation.
+        looseness: mean over the bonds of 1/z_i + 1/z_j, with z the number of bonds of an element [-].
         wall: R̄ S_side / V of a bar with the side area S_side, R̄ S / (2 V) of other shapes with the surface S [-];
             0 for periodic cells.
         shear: ratio Σ ks L² / Σ kn L² [-].

@@ -240,7 +240,7 @@ def calibrate(
 
     With `ucs` and `tension`, `calibrate_strength` then calibrates the tensile strength and the cohesion of
     `bd.MohrCoulomb` bonds, within 4 %. The tests are `labtests.uniaxial_compression` between smooth platens and
-    `labtests.direct_tension`. Two packings or more give intervals: `.strength.interval("tension")` of a parameter,
+    `labtests.direct_tension`. Several packings give intervals: `.strength.interval("tension")` of a parameter, and
     `.strength.strengths("ucs").interval(kind="prediction")` of a new packing. Where bonds cannot have both strengths,
     `.failure` raises an error that states the nearest strengths.
 

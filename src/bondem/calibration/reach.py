@@ -70,7 +70,7 @@ def reach(
         **fixed: further parameters of the law; radius_ratio is 1 by default if it is not the free parameter.
 
     Raises:
-        InputError: `points` is not a whole number of at least 2.
+        InputError: `points` is not a whole number of at least 2, or the lattice has several bodies.
     """
     free, points = law.free, count("reach", "points", points, least=2)
     low, high = free.search

@@ -91,7 +91,7 @@ class Runs:
         self.stored.extend(rows)
 
     def run(self, number: int, parameters: Mapping[str, float]) -> StrengthRun:
-        """Run all tests at given parameters, up to a failed one, or reuse stored results; `number` is for messages.
+        """Run all tests of run `number`, or reuse stored results; without an executor, end after a failed test.
 
         Raises:
             InputError: a test returned something other than positive numbers.

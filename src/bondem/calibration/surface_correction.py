@@ -170,7 +170,7 @@ class SurfaceCorrection:
                 contacts per sphere [-].
 
         Raises:
-            InputError: R̄S/V for a law with radius= instead of radius_ratio=.
+            InputError: R̄S/V for a law with radius= instead of radius_ratio=, or an error of `affine_estimate`.
 
         Warns:
             ExtrapolationWarning: outside the range of the fit.
