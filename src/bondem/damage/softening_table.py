@@ -102,7 +102,7 @@ class SofteningTable:
         hot: size √(σ:σ) of the stress of a cell from which on its facets are evaluated [Pa]. With `judge` they are
             evaluated where this stress times tension / hot reaches `judge`.
         judge: criterion other than the largest principal stress, or None.
-        least: smallest size √(σ:σ) of a stress that reaches `judge` [Pa].
+        least: lower bound of the sizes √(σ:σ) of stresses that reach `judge` [Pa]; 0 without `judge`.
         tension: f_t without scatter [Pa].
         friction: μ of each facet [-], (m,).
         plane: mask of facets of material planes, evaluated by their own traction, (m,).
