@@ -42,7 +42,7 @@ class Cracks:
         sliding: displacement between the faces across the normal [m], shape (k,).
         surface: number of the surface to which each facet belongs, shape (k,).
         surfaces: sets of connected facets. Facets of cells are connected by a common edge, broken beams if their
-            middles lay within 1.5 mean diameters of each other.
+            contact points lay within 1.5 mean diameters of each other.
         polygons: outlines, for pictures and files.
     """
 
