@@ -43,7 +43,7 @@ class Walled(ABC):
     @property
     @abstractmethod
     def area(self) -> float:
-        """Area of all walls [m²]; 0 for a periodic cell."""
+        """Area of all walls [m²], within about 1e-2 for combined shapes; 0 for a periodic cell."""
 
     @property
     @abstractmethod
