@@ -77,7 +77,7 @@ class Plotted:
             path: file to write; an existing file is replaced once the new one is complete.
 
         Raises:
-            InputError, RunFileError: the file cannot be written; RunFileError if writing fails, as on a full disk.
+            InputError: the file cannot be written; RunFileError if writing fails, as on a full disk.
         """
         OUTLETS.write_csv(path, self.table, owner=f"{type(self).__name__}.to_csv")
 

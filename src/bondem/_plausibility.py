@@ -218,7 +218,7 @@ def question_strength(strength: float, E: float, density: float, energy: float) 
 
 
 def strength_doubts(strength: float, E: float, density: float, energy: float) -> list[str]:
-    """List doubts about strength [Pa] or fracture energy [J/m²]; none for soft or heavy bodies, or above 10 E."""
+    """List doubts about strength [Pa] or energy [J/m²]; none if E < 10 GPa, density > 5000 kg/m³, strength > 10 E."""
     if E < _STIFF or density > _LIGHT or strength > _NEVER * E:
         return []
     if strength > _IDEAL * E:

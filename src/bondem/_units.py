@@ -1,6 +1,6 @@
 """Quantities with units as text, such as "72.5 GPa", "5 mm", "2.2 g/cm^3", "35 deg" or "25 %".
 
-Quantities are read exactly, as fractions, and rounded once: "72.5 GPa" is the float 72.5e9, "5 mm" the float 5e-3.
+Quantities are read exactly, as fractions, and then rounded: "72.5 GPa" is the float 72.5e9, "5 mm" the float 5e-3.
 """
 
 import math
@@ -77,7 +77,7 @@ def quantity(name: str, text: str, unit: str) -> float:
         unit: the SI unit of the result, which also defines the dimension; "-" for a plain number or a percentage.
 
     Returns:
-        The float nearest to the exact value, infinite if it exceeds all floats; angles in rad.
+        The float nearest to the exact value, infinite if it exceeds all floats; degrees become π times a float [rad].
 
     Raises:
         InputError: The text has no number or no unit, or its unit is unknown or of another dimension.

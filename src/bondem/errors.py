@@ -69,7 +69,7 @@ class TurnedPressureWarning(UserWarning):
 
 
 class UnstableRunWarning(UserWarning):
-    """Warning of an explicit run that became unstable or lost its energy balance, and gives no result."""
+    """Warning of an explicit run that ended early because it became unstable or lost its energy balance."""
 
 
 class FaceWarning(UserWarning):
@@ -97,7 +97,7 @@ class FillingWarning(UserWarning):
 
 
 class StressFreeWarning(UserWarning):
-    """Warning of bonds of a strained body, read without their lengths at rest, that become free of stress."""
+    """Warning of a body that moves, is strained or has damage in a file, and is free of all these when read."""
 
 
 class ThinBodyWarning(UserWarning):
