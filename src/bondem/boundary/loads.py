@@ -276,7 +276,7 @@ class Eigenstrain:
         """Return the strain of each bond at factor 1 [-], user's order, (m,).
 
         Raises:
-            InputError: The array or the result of the function has another length, or values at or below -1.
+            InputError: The array or result of the function has another length, is not finite, or reaches -1 in time.
         """
         inside, given = self.region.with_rattlers(lattice).astype(float), self.strain
         values = np.asarray(given(lattice.centre.copy()) if callable(given) else given, dtype=float)
