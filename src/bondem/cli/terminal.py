@@ -138,7 +138,7 @@ def show_results(study: Study, results: Mapping[str, Any], out: Path) -> None:
 
 
 def _broken(results: Mapping[str, Any]) -> Iterator[str]:
-    """Yield a line on cracks, pieces and energies of each test to failure of the first packing."""
+    """Yield a line on the failure mode, pieces and energies of each test to failure of the first packing."""
     for name, test in results["packings"][0]["tests"].items():
         one = test["failure"]
         if one is None:
