@@ -150,7 +150,7 @@ class StrengthSearch:
         self.secant = Secant(*near, slopes, self._target, self._weight)
 
     def _step(self, secant: Secant, shorter: int) -> int:
-        """Make a run at a step halved `shorter` times, or set `reason` to end; return the halvings of the next one."""
+        """Make a run at a step halved `shorter` times, or set `reason` to end; return the halvings of the next."""
         if len(self.runs) >= self.most:
             self.reason = "all runs are used up"
             return shorter
