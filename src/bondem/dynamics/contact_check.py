@@ -39,8 +39,8 @@ class ListedContacts(NamedTuple):
 class ContactCheck:
     """Check that warns once of overlaps beyond the range of the contact law, and once of too much motion per step.
 
-    The loop calls `examine` after each call of the core, which takes several steps and ends early if the neighbour
-    list is out of date.
+    `examine` is called after each call of the core, which takes several steps and ends early if the neighbour list is
+    out of date.
     """
 
     def __init__(self, contacts: ContactModel, dt: float) -> None:

@@ -26,10 +26,10 @@ class Event(ABC):
 
 @dataclass(frozen=True)
 class AtRest(Event):
-    """An event that occurs when all elements are slower than `speed`.
+    """An event that occurs when all elements are slower than `speed`; invalid values raise InputError.
 
     Attributes:
-        speed: limit of the speed [m/s]; a value that is not positive raises InputError.
+        speed: limit of the speed [m/s], positive.
         after: earliest time of the event [s], so that a run from rest can start.
     """
 
@@ -47,13 +47,13 @@ class AtRest(Event):
 
 @dataclass(frozen=True)
 class LoadDrop(Event):
-    """An event that occurs when a load has dropped below a share of its largest value so far.
+    """An event that occurs when a load drops below a share of its largest so far; invalid values raise InputError.
 
     Attributes:
         load: factors of the three components of gauges, by the name of the gauge [-]; the load is their weighted sum.
             {"end": (1.0, 0.0, 0.0)} is the component along x of the gauge "end".
-        share: share of the largest load so far below which the event occurs [-], in [0, 1); others raise InputError.
-        least: load that the largest load so far must have exceeded [N].
+        share: share of the largest load so far below which the event occurs [-], in [0, 1).
+        least: load that the largest load so far must have exceeded [N], zero or more.
     """
 
     load: Mapping[str, tuple[float, float, float]]
@@ -70,7 +70,7 @@ class LoadDrop(Event):
         number("LoadDrop", "least", self.least, least=0.0, unit="N")
 
     def value(self, history: History) -> Floats:
-        """Return the load in each record [N], (s,)."""
+        """Return the load in each record [N], (s,); an unknown gauge raises InputError."""
         return np.sum([history[name] @ np.array(factors) for name, factors in self.load.items()], axis=0)
 
     def happened(self, state: State, history: History) -> bool:
@@ -81,12 +81,12 @@ class LoadDrop(Event):
 
 @dataclass(frozen=True)
 class ContactEnd(Event):
-    """An event that occurs when a wall that was touched has had no contact for some time.
+    """An event that occurs when a touched wall has had no contact for some time; invalid values raise InputError.
 
     Attributes:
         gauge: name of the gauge of the force of the elements on the wall.
         direction: direction of pressure on the wall, into it, (3,).
-        quiet: time without contact [s]; a value that is not positive raises InputError.
+        quiet: time without contact [s], positive.
     """
 
     gauge: str

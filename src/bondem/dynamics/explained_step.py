@@ -63,7 +63,7 @@ def explain_step(
 ) -> ExplainedStep:
     """Return the passes that the core calls in one step of `solve_explicit`, with the purpose of each.
 
-    The step is composed from a state as a run composes it, and no pass is called. The step of a model
+    The step is composed from a state as in a run, and none of its passes is called. The step of a model
     without contact, for example, has no pass of contact.
 
     Args:

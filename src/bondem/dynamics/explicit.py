@@ -62,7 +62,7 @@ def integrate(
         halt: function called repeatedly; the run stops, with a checkpoint, if it returns a signal.
 
     Raises:
-        InputError: A callback is given without records, or a value does not fit the model.
+        InputError: A callback is given without records, a value does not fit the model, or no dt can be chosen.
     """
     if callback is not None and not plan.every:
         raise InputError("callback= is called with each record, but every = 0; give every= of at least 1")

@@ -11,7 +11,7 @@ from bondem.model.model import Model
 
 
 def gauge_tables(model: Model, plan: Plan) -> Gauges:
-    """Return the table of the gauges of a plan: their elements or walls, quantities and reductions."""
+    """Return the table of the gauges of a plan; a missing wall or an empty region raises InputError."""
     entries = [_entry(model, gauge) for gauge in plan.gauges.values()]
     members = [part for part, *_ in entries]
     return Gauges(

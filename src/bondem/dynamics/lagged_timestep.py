@@ -35,8 +35,8 @@ def lagged_limits(
 
     The critical step is the smaller of two. One is that of springs and contacts with the dashpots of contacts. The
     other is the largest share of the step of springs and contacts at which lagged trial steps, with dashpots of
-    bonds, are stable. Dashpots of contacts are bounded by M⁻¹ C, and not by the largest c / k, which the smallest
-    facet would determine.
+    bonds, are stable. For dashpots of contacts a bound of the eigenvalues of M⁻¹ C counts, and not the largest
+    c / k, which the smallest facet would determine.
 
     Args:
         model: model that will move.

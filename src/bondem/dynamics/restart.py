@@ -42,7 +42,7 @@ def begin(model: Model, state: State | None) -> State:
             does not fit `model`, or displacements would jump.
 
     Warns:
-        StageWarning: A schedule that is new in this run no longer has its first value at the time of the state. Or a
+        StageWarning: A schedule that is new in this run no longer has its first value at the time of the state, or a
             load or strain differs from that of the equilibrium from which the run begins.
         ContactWarning: A wall faces away from all elements, or elements begin behind a wall.
     """

@@ -64,7 +64,7 @@ def _same_motion(supports: Supports, before: Supports, mine: np.ndarray, theirs:
 
 
 def _origins(supports: Supports, before: Supports, mine: np.ndarray, theirs: np.ndarray, state: State) -> Floats:
-    """Return the orientations from which walls measure rotations of cells, of facets that both models fix, (k, 4)."""
+    """Return quaternions, (k, 4), from which walls measure rotations of cells, for facets that both models fix."""
     now, origin = state.orientation[supports.cell[mine]], state.grips[theirs, 3:]
     was = before.flatness(state.grips[:, 3:])[theirs]
     more = supports.flatness(state.orientation[supports.cell])[mine]

@@ -1,4 +1,4 @@
-"""Stable time step, from the highest frequency of the assembled lattice."""
+"""Stable time step of a model, from its highest frequency and its dashpots."""
 
 import math
 import warnings
@@ -145,11 +145,12 @@ def choose_step(
     The chosen step is the share `safety` [-] of the critical one, or less to resolve short collisions.
 
     Raises:
-        UnstableStepError: dt is not positive or exceeds the critical step, or the lattice has no stiffness.
+        UnstableStepError: dt is not positive or exceeds the critical step, or is None without any stiffness.
+        InputError: A value of `damping` is not damping, or one kind is given twice.
 
     Warns:
         StepWarning: The given dt is above 0.9 of the critical step, or dashpots of bonds make the default step more
-            than ten times smaller, or nothing damps a free body whose stress lags.
+            than ten times smaller, or a law whose stress lags is unstable at any step or undamped in a free body.
     """
     terms = DampingTerms.of(damping)
     critical, free = _limits(model, scheme, terms)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class EnergyParts:
-    """Elastic energy stored in all bonds, by parts.
+    """Elastic energy stored in all bonds or cells, by parts.
 
     Attributes:
         normal: energy of elongation [J]; for cells, of the normal gaps of facets and of dilatation.

@@ -78,7 +78,7 @@ class SurfaceState(NamedTuple):
 
 
 class DamageOfRun(Protocol):
-    """Interface of the damage pipeline of a run, as far as laws use it."""
+    """Interface of the tables by which bonds of a run fail, as far as laws use them."""
 
     @property
     def candidates(self) -> Candidates: ...
@@ -100,8 +100,8 @@ class Run:
         ledger: sums of energies for a record or for a check of the energy.
         arrays: arrays of the state that belong to the law.
         dashpots: dashpots parallel to the bonds, or None.
-        damage: damage pipeline, or None if bonds do not fail.
-        failing: function that returns the part of the damage pipeline, given passes that find failing bonds, passes
+        damage: tables by which bonds fail, or None if they do not.
+        failing: function that returns the part of failing bonds, given passes that find failing bonds, passes
             that remove them, and the integrity that the latter write.
         touches: True if elements may touch.
     """
@@ -286,7 +286,7 @@ class Interaction(ABC):
         """Return Young's modulus of the material [Pa], or its estimate for a specimen of the volume `volume` [m³]."""
 
     def wave_speed(self, mass: PerElement) -> float:
-        """Return the speed of a wave in a chain of bonds, or in a thin rod of the material [m/s]."""
+        """Return the speed of a wave in a chain of bonds or a thin rod [m/s], for masses [kg], user's order, (n,)."""
         i, j = self.lattice.pairs.T
         return float(np.median(self.lattice.length * np.sqrt(2.0 * self.bonds.kn / (mass[i] + mass[j]))))
 
@@ -295,7 +295,7 @@ class Interaction(ABC):
     def strain_load(self, strain: PerBond, pressed: PerElement) -> PerElement6:
         """Return forces on elements at rest by strained bonds and moving walls [N, N·m], internal order, (n, 6).
 
-        Strains ε* [-] are in internal order, and the contributions `pressed` of tractions to V θ [m³] in the user's.
+        Strains ε* [-] are in internal order, and `pressed`, volume changes V θ by tractions [m³], in the user's.
         """
         layout, bonds = self.layout, self.table
         push = bonds.kn * bonds.length * strain * bonds.direction
@@ -319,7 +319,7 @@ class Interaction(ABC):
     ) -> EnergyParts:  # fmt: skip
         """Return the energy of small motions of the elements [m, rad], (n, 3) each, user's order.
 
-        Strains ε* [-], (m,), are in internal order. `pressed` is the contribution of tractions to V θ [m³], (n,).
+        Strains ε* [-], (m,), are in internal order. `pressed` are volume changes V θ by tractions [m³], (n,).
         `traction` is the force on each free facet [N], (k, 3).
         """
         lattice, k = self.lattice, self.bonds
@@ -334,7 +334,7 @@ class Interaction(ABC):
         )
 
     def surface_motion(self, displacement: PerElement3, rotation: PerElement3, traction: Floats) -> Floats:
-        """Return small displacements of free facets [m], (k, 3), under tractions [Pa], (k, 3); user's order."""
+        """Return displacements of free facets [m], (k, 3), by motions [m, rad] and tractions [Pa], user's order."""
         cells = self.lattice.elements.require_cells().cells
         free, arm = cells.free, cells.free.centroid - cells.centroid[cells.free.cell]
         return displacement[free.cell] + np.cross(rotation[free.cell], arm)
@@ -344,9 +344,9 @@ class Interaction(ABC):
     def energy(
         self, pose: Floats, rest: Floats, integrity: PerBond, strain: PerBond, surface: SurfaceState | None = None
     ) -> EnergyParts:
-        """Return the energy of bonds in a pose at strains ε* [-], (m,) or (0,), internal order.
+        """Return the energy of bonds at poses (n, 8), centres at rest [m], (n, 3), and strains ε* [-], (m,) or (0,).
 
-        Walls and tractions on facets are those of `surface`, or, without it, those of the law at their final values.
+        All are in internal order. Walls and tractions are those of `surface`, else those of the law at final values.
         """
         return EnergyParts(*beam_energies(pose, self._beams(strain, integrity)))
 
@@ -365,7 +365,7 @@ class Interaction(ABC):
         return beam_tables(stretched, self.layout, self.period, integrity, may_share=False)[0]
 
     def product(self, pose: Floats, integrity: PerBond, table: BondTable) -> Product:
-        """Return the product of the stiffness in a pose with small motions, internal order; walls are at rest."""
+        """Return the function K u of small motions u, K the stiffness in a pose; internal order, walls at rest."""
         beams, _ = beam_tables(table, self.layout, self.period, integrity, may_share=False)
         return product_by(len(pose), lambda by: calls.multiply_beams(Poses(pose), by, beams))
 

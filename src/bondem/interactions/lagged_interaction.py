@@ -44,7 +44,7 @@ class LaggedInteraction(SteppingInteraction):
     normal_over_shear: float
 
     def product(self, pose: Floats, integrity: PerBond, table: BondTable) -> Product:
-        """Return the product of the matrix of intact springs at rest with small motions, internal order."""
+        """Return the function K u of small motions u, with the matrix K of intact springs at rest, internal order."""
         matrix = self.stiffness()
         return lambda motion: (matrix @ motion.ravel()).reshape(motion.shape)
 

@@ -1,4 +1,4 @@
-"""Catalogue of the bond laws, by the names of their classes."""
+"""Catalogue of the laws of bonds and cells, by the names of their classes."""
 
 from collections.abc import Mapping
 
@@ -47,7 +47,7 @@ PARAMETERS: dict[str, FreeParameter] = {one.name: one for one in (RADIUS_RATIO, 
 
 
 def named(law: str) -> str:
-    """Return the common name of a law, given the name of its class: EulerBernoulli becomes Euler–Bernoulli."""
+    """Return the common name of a bond or cell law by the name of its class, or this name itself for other laws."""
     known = LAWS | CELL_LAWS
     return known[law].title if law in known else law
 

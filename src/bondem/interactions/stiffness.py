@@ -20,7 +20,7 @@ class Stiffness:
 
     Attributes:
         bonds: B, 6×6 blocks, with a diagonal block in every row, (6 n, 6 n).
-        forms: F, V θ of each cell under unit motions [m², m³], 1×6 blocks, (n, 6 n), or None.
+        forms: F, volume change V θ of each cell by unit motions [m², m³], 1×6 blocks, (n, 6 n), or None.
         weight: W, λ / V of each cell [Pa/m³], (n,), or (0,).
         spread: S, springs between the dilatations of neighbouring cells [Pa/m³], (n, n), or None.
         turns: T, bending of layers one cell thick, 1×6 blocks, (2 n, 6 n), or None.

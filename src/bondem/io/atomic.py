@@ -60,7 +60,7 @@ def write_bytes(path: Path, content: bytes | memoryview) -> None:
 
 
 def write_text(path: Path, text: str) -> None:
-    """Write a text file in UTF-8; surrogates, as in undecodable file names, are written as escapes."""
+    """Write a text file in UTF-8, with escapes for surrogates of undecodable names; errors as for `replacing`."""
     write_bytes(path, text.encode(errors="backslashreplace"))
 
 

@@ -32,7 +32,7 @@ def read_elements(file: h5py.File, shape: Shape | None) -> Particles:
     """Read the elements that `write_elements` wrote, with the shape that they fill.
 
     Raises:
-        KeyError: An array is missing.
+        KeyError, ValueError: An array is missing, or is no array.
     """
     period = array_at(file, "elements/period") if "elements/period" in file else None
     # a carved packing may extend beyond its shape, which `Particles` would reject
@@ -65,7 +65,7 @@ def read_bonds(file: h5py.File, particles: Particles) -> Lattice:
 
     Raises:
         KeyError: an array is missing.
-        ValueError: an array has the wrong length.
+        ValueError: an array has the wrong length, or numbers of bodies or cells that do not exist.
     """
     pairs, bodies = array_at(file, "bonds/pairs"), None
     if "bodies" in file:

@@ -177,7 +177,7 @@ def _write_csv(path: Path, frame: _Frame, suffix: str) -> None:
 
 
 def _write_data(path: Path, frame: _Frame, suffix: str) -> None:
-    """Write atoms of style bpm/sphere: id, molecule, type, diameter, density, x, y, z."""
+    """Write atoms of style bpm/sphere (id, molecule, type, diameter, density, x, y, z), velocities and bonds."""
     diameter, pairs = 2.0 * frame.lattice.particles.radius, frame.pairs
     with open(path, "w", encoding="utf-8") as file:
         strained = f", {STRAINED}" if frame.state is not None and np.any(frame.state.displacement) else ""

@@ -74,7 +74,7 @@ def refuse_newer(path: Path, schema: int, version: str, known: int, kind: Kind) 
 
 
 def put(group: Any, name: str, values: Any) -> None:
-    """Store an array with checksums, by which readers notice damage."""
+    """Store an array, with checksums unless it is empty or a scalar."""
     array = np.asarray(values)
     if array.ndim and array.size:
         group.create_dataset(name, data=array, chunks=True, fletcher32=True)

@@ -116,7 +116,7 @@ def read_lattice(
     Raises:
         InputError: an error of `read_particles`, a file without bonds, or bonds across the border of a cell
             that is not known to be periodic.
-        DisconnectedError: the specimen consists of two large pieces.
+        DisconnectedError: the specimen consists of more than one large piece.
 
     Warns:
         StressFreeWarning: the body in the file moves, is strained or has damage, and the imported one does not.

@@ -43,7 +43,7 @@ class JournaledFile(io.RawIOBase):
             existing file.
 
     Raises:
-        RunFileError: another process writes this file, or it cannot be committed.
+        RunFileError: another process writes this file, or it cannot be opened.
     """
 
     def __init__(self, path: Path, *, new: bool = False) -> None:

@@ -41,13 +41,11 @@ def balanced_body(
 
 
 def with_corrected_normals(body: Lattice, boundary: Sequence[BoundaryCondition]) -> Lattice:
-    """Return a body with the shares A w M⁻¹ n of run files before schema 9, where M = (1/V) Σ A d n⊗n of a cell.
+    """Return a body with the shares A w M⁻¹ n of run files before schema 9; body and boundary are those of the run.
 
-    A smooth platen fixes the displacement of a facet along its normal only: the share of this facet is along n alone.
-
-    Args:
-        body: body of the run.
-        boundary: conditions of the run.
+    M is (1/V) Σ A d n⊗n over the facets of a cell, with area A, normal n and distance d from the centre. w is the
+    part of d in the distance of both centres, 1 for a free facet. A smooth platen fixes the displacement of a facet
+    along its normal only: the share of this facet is along n alone.
     """
     if body.cells is None:
         return body

@@ -15,14 +15,14 @@ IDENTITY = "identity"
 
 
 def text_of_model(model: Model) -> str:
-    """Encode the parameters of a model as JSON, without its elements and bonds."""
+    """Encode laws, conditions and shape of a model as JSON; types unknown to bondem raise RunFileError."""
     names = ("bond", "boundary", "contact", "walls", "failure", "mass_matrix")
     return json.dumps({name: encode(getattr(model, name)) for name in names}
                       | {"shape": encode(model.lattice.particles.shape)})  # fmt: skip
 
 
 def identity_of(model: Model, plan: Plan, initial: State) -> str:
-    """Compute the digest that identifies a run, as 64 hexadecimal digits.
+    """Compute the digest that identifies a run, as 64 hexadecimal digits; errors as for `text_of_model`.
 
     Args:
         model: model of the run.

@@ -96,7 +96,7 @@ class Checkpoint:
 
     @property
     def events(self) -> BrokenBonds:
-        """Broken bonds or facets in the order of breakage, as of a run."""
+        """Broken bonds or facets in the order of breakage."""
         return BrokenBonds.of(self.state)
 
 

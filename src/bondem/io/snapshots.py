@@ -7,7 +7,7 @@
                        bending_moment (larger one of both ends), twisting_moment
     /VTKHDF/cells      instead of bonds for a body of cells: polyhedra that move and turn; fields of the elements are
                        stored once, under both names
-    /VTKHDF/cracks     polygons of facets and beams that have lost integrity: integrity, opening, sliding, facet
+    /VTKHDF/cracks     polygons of facets and beams that have lost integrity: integrity, area, opening, sliding, facet
     /VTKHDF/walls      polygons of the walls of the model: number of the wall
 
 Snapshots are in SI units and single precision; states for a restart are stored elsewhere, bit for bit.
@@ -66,7 +66,7 @@ class Snapshots:
 
     @classmethod
     def begin(cls, file: h5py.File, model: Model, cracks: Callable[[State], Outlined] | None) -> "Snapshots":
-        """Create the group and write the constant data."""
+        """Create the group of snapshots in a file, and write its constant data."""
         root = begin_collection(file)
         lattice, n, drawn, corners = model.lattice, len(model.lattice.particles), drawn_bonds(model.lattice), None
         pieces = {"elements": Piece.begin(root, "elements", "PolyData")}

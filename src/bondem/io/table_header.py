@@ -87,7 +87,7 @@ def choose(
         unit_given: True if the caller gives the unit, so that the header may lack it.
 
     Raises:
-        InputError: a column is missing, or its unit is not known.
+        InputError: `columns` are not four, a column is missing or not unique, or units are unknown or incomplete.
     """
     if columns is not None and len(columns) != 4:
         raise InputError(f"columns = {shown(columns)}: not four columns; give those of x, y, z and radius")

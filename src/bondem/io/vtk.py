@@ -46,7 +46,7 @@ def write_vtkhdf(
 
     Raises:
         InputError: the file cannot be written, the state is of another lattice, a field has the wrong length or a
-            name in use, or `bonds` is given for cells.
+            name in use, `bonds` is given for cells, or a state with cracks was changed after its last step.
         RunFileError: the disk is full, or another failure to write.
     """
     path = place("write_vtkhdf: path", path)

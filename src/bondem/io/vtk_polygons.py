@@ -18,7 +18,7 @@ def poly_data(path: Path, points: ArrayLike, chosen: str, offsets: Ints, corners
     """Yield the group of a new PolyData file with points and cells of one kind, to which fields can be added.
 
     Args:
-        path: file to write.
+        path: file to write; InputError if it cannot be written.
         points: positions of the points [m], (n, 3).
         chosen: kind of the cells, "Lines" or "Polygons".
         offsets: offsets of the cells in `corners`, (c + 1,).
@@ -38,7 +38,7 @@ def write_polygons(path: Path, vertex: Floats, start: Ints, fields: Mapping[str,
     """Write a VTKHDF file of polygons that share no corners.
 
     Args:
-        path: file to write.
+        path: file to write; InputError if it cannot be written.
         vertex: corners of all polygons in sequence [m], (v, 3).
         start: offsets of the polygons, (p + 1,); corners of polygon q are start[q] … start[q + 1] - 1.
         fields: fields of the polygons by name, (p,) or (p, k).

@@ -99,7 +99,7 @@ class _Step:
         return found
 
     def pairs(self, lines: Any) -> Pairs | None:
-        """Return the ends of the lines, (m, 2); None without lines, or if a line has more than two points."""
+        """Return the ends of lines, (m, 2), or None without lines or with longer ones; damage raises ValueError."""
         cells = array_at(lines, "NumberOfCells")[self.first :][: len(self.points)].astype(np.int64)
         # the offsets of each piece have one entry more than its lines
         begin = self._begin("CellOffsets", _LINES) + self.first

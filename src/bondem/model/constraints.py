@@ -1,4 +1,4 @@
-"""Boundary conditions resolved to arrays in internal order, with a row for each fixed, driven or loaded element."""
+"""Boundary conditions as arrays, internal order, with rows of elements under supports, drives, loads and dashpots."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -76,7 +76,8 @@ class Constraints:
         cells of these facets have rows nevertheless.
 
         Raises:
-            InputError: A degree of freedom is driven twice, or both fixed and driven.
+            InputError: A degree of freedom is driven twice, or both fixed and driven; or a condition does not fit the
+                lattice, such as a pressure that follows spheres.
             EmptyRegionError: A region selects no element.
         """
         n, m = len(lattice.particles), len(lattice.pairs)
@@ -197,7 +198,7 @@ class Constraints:
 
     @property
     def applied_force(self) -> float:
-        """Norm of the forces of all loads at the end of their schedules [N], before they cancel within elements."""
+        """Norm of the forces of all `Load` and `Pressure` at the end of schedules [N], before sums per element."""
         return float(np.linalg.norm(self._final(self.loads.schedule)[:, None] * self.loads.value[:, :3]))
 
     def final_couples(self) -> list[tuple[Couple, float]]:
@@ -209,7 +210,7 @@ class Constraints:
         return self._final(self.strain_schedule) @ self.strain_part
 
     def final_press(self) -> PerElement:
-        """Return the volume changes V θ by tractions at the end of all schedules [m³], internal order, (n,)."""
+        """Return volume changes V θ of cells by tractions at the end of all schedules [m³], internal order, (n,)."""
         return self._final(self.press_schedule) @ self.press_value
 
     def _final(self, schedules: np.ndarray | int) -> Floats:

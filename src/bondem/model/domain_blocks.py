@@ -1,7 +1,7 @@
 """Division of a step into blocks that fit into the cache, and into domains for threads.
 
-Bonds are sorted by their farther element j, so that the bonds with j in a range of elements are contiguous too. A
-block consists of such a range and its bonds, and adds their forces to the sums of both ends. An element moves, while
+Bonds i < j are sorted by their element j, so that the bonds with j in a range of elements are contiguous too. A block
+consists of such a range and its bonds, and adds their forces to the sums of both ends. An element moves, while
 it is still in the cache, with the block of its last bond. Domains are ranges of blocks. A bond between domains
 belongs to the domain of j, and its contribution to i has a row of its own. Such elements i are shared, and move when
 all domains are done.
@@ -35,7 +35,7 @@ class Blocks:
         first_owner: elements of block b from ready[first_owner[b]] on are fixed, driven or loaded, shape (blocks,).
         ready: all elements that are not shared, in the order in which they move, uint32.
         ready_row: rows of their sums, uint32.
-        row_i, row_j: rows that each bond adds to, uint32, shape (m,).
+        row_i, row_j: rows that each bond adds to, uint32, shape (m,), or longer as by `with_twins`.
         shared: elements with bonds in other domains; fixed, driven or loaded ones last, uint32, shape (s,).
         shared_first_owner: number of shared elements that are not fixed, driven or loaded.
         shared_row: rows of their sums, uint32, shape (s,).

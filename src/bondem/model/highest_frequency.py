@@ -26,12 +26,13 @@ def highest_frequency(
     model: Model, *, integrity: PerBond | None = None, table: BondTable | None = None,
     slips: tuple[LongSlip, ...] = (),
 ) -> float:
-    """Return ω_max of the unconstrained lattice at rest [rad/s], a bound for every set of supports.
+    """Return ω_max of a model at rest with all elements free [rad/s], a bound for any elements that are fixed.
 
-    With the dispersion-corrected mass the result is raised to a bound for explicit steps.
+    Springs between facets of cells and walls that constrain them are included. With the dispersion-corrected mass the
+    result is raised to a bound for explicit steps.
 
     Args:
-        model: model that will move.
+        model: bonds or facets, masses and walls.
         integrity: present integrity of the bonds (`State.integrity`), internal order, (m,); None for intact bonds.
             Broken bonds only lower ω_max.
         table: constants of the bonds, internal order; None for those of the model.
@@ -57,12 +58,12 @@ def stiffest(
     table: BondTable | None = None,
     slips: tuple[LongSlip, ...] = (),
 ) -> float:
-    """Return an upper bound of the largest eigenvalue of K u = ω² M u [1/s²], for any masses in internal order.
+    """Return a bound of ω² in K u = ω² M u [1/s²], for masses [kg] and inertias [kg·m²], (n,), internal order.
 
     Lanczos iteration finds the bound without a matrix: K u is the derivative of the forces of the bonds at rest along
     u. The iteration ends when the residual is below the tolerance, and the residual is added. The start is a fixed
     vector, larger for elements that are stiff for their mass: a highest mode of few such elements, hardly above the
-    others, could be missed from another start. `slips` are the result of `long_slips`.
+    others, could be missed from another start. Other arguments are those of `highest_frequency`.
     """
     layout, n, m = model.layout, len(model.layout.order), len(model.layout.i)
     if m == 0 and not len(model.interaction.supports.cell):

@@ -13,10 +13,10 @@ from bondem.model.model import Model
 class LongSlip:
     """Linearised effect of slip s = √A, the size of a facet, on closed cracks with friction on material planes.
 
-    The normal rotates with the mean of both cells and the slip with cell i. With t the direction of the slip and
-    b = n×t, a rotation changes the opening n·δ by ½ s b·(θ_i + θ_j), and the stretch b·δ of the friction spring by
-    -s n·θ_i. A change y of either quantity x adds the energy k [(x + y)² - x²] / 2, and a change y of the opening
-    adds λ A² y² / 2 V by the volume strains of the cells.
+    The normal n rotates with the mean of both cells and the slip with cell i. With δ the relative displacement of the
+    faces, t the direction of the slip and b = n×t, a rotation changes the opening n·δ by ½ s b·(θ_i + θ_j), and the
+    stretch b·δ of the friction spring by -s n·θ_i. A change y of either quantity x adds the energy
+    ½ k [(x + y)² - x²], and a change y of the opening adds λ A² y² / 2 V by the volume strains of the cells.
 
     Attributes:
         i, j: cells of the facets, internal order, (f,).
@@ -45,7 +45,7 @@ class LongSlip:
         return found
 
     def forces(self, motion: Floats) -> Floats:
-        """Return the forces and torques, (n, 6), that slip adds to those of small motions (n, 6) without slip."""
+        """Return the loads [N, N·m], (n, 6), that slip adds to those of motions [m, rad], (n, 6), without slip."""
         i, j, n, b = self.i, self.j, self.normal, self.across
         u, turn = motion[:, :3], motion[:, 3:]
         opening = u[j] - u[i] + np.cross(turn[j], self.arm_j) - np.cross(turn[i], self.arm_i)
@@ -65,8 +65,8 @@ class LongSlip:
 def long_slips(model: Model) -> tuple[LongSlip, ...]:
     """Return slips in two directions and their opposites on all material planes of a model; empty without planes.
 
-    These are entries of `failure=` keyed by two regions. All facets of a plane can slip by their size at once. Within
-    a region only few facets of a cell do. The safety factor of the default time step covers this.
+    A material plane is an entry of `failure=` for a pair of regions. All facets of a plane can slip by their size at
+    once. Within a region only few facets of a cell do. The safety factor of the default time step covers this.
     """
     table, layout = model.softening, model.layout
     if table is None or not isinstance(model.failure, Mapping):

@@ -60,7 +60,7 @@ class Model:
         bond: a bond law, or laws by region: {region: law, (region, region): law}; None for a lattice without bonds.
             Use `CellBond`, or {region: CellBond}, for a body cut into cells.
         density: density of the elements, ρ_μ [kg/m³], or of the material in a body of cells; a number, shape (n,), or
-            a `bd.Material`. Only linear statics without body forces is independent of the density.
+            a `bd.Material`. Static solutions without body forces are independent of the density.
         boundary: one boundary condition or several: supports, drives, loads, absorbing boundaries, strains.
         contact: law of contacts with walls and between elements without an intact bond, or laws of one class by
             region: {region: law, (region, region): law, (region, wall): law, wall: law}. None for no contacts.
@@ -179,7 +179,7 @@ class Model:
 
     @cached_property
     def correction(self) -> PerElement | None:
-        """Coefficients ρ β / V of the corrected mass matrix [kg/m⁶], user's order, (n,); None for lumped masses."""
+        """Factors ρ β / V of `correction_factors` [kg/m⁶], user's order, (n,); None for lumped masses."""
         if self.mass_matrix == "lumped":
             return None
         constants = self.cell_constants
@@ -279,12 +279,12 @@ class Model:
 
     @property
     def implied_fracture(self) -> ImpliedFracture | None:
-        """Fracture properties implied by the criterion and these elements; None without a criterion or bonds."""
+        """Fracture properties implied by the criterion and these elements; None if no bond can fail."""
         return implied_fracture(self.interaction, self.failure_parts, self.mass) if self.fails else None
 
     @property
     def pressed(self) -> PerElement:
-        """Part of V θ of each cell by tractions on free facets, at the end of schedules [m³], user's order, (n,)."""
+        """Volume change V θ of each cell by tractions at the end of all schedules [m³], user's order, (n,)."""
         return self.constraints.final_press()[self.layout.rank]
 
     @cached_property

@@ -24,7 +24,7 @@ class Solution:
 
     Attributes:
         status: outcome of the solution.
-        iterations: number of time steps, or iterations of Newton's method or conjugate gradients; 1 for elimination.
+        iterations: number of time steps, or of iterations of the solver; 1 for elimination.
         residual: residual of the equations, relative to their terms [-]; each type of solution defines it.
     """
 

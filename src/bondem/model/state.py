@@ -46,9 +46,9 @@ class State(StateMotion):
     Arrays of the solvers, in internal order; `dir` does not list them:
 
     - `origin`: origin of x, y, z in `pose` [m], shape (3,); zero unless the specimen lies far from the origin.
-    - `pose`: rows (x, y, z, spare, quaternion w x y z), shape (n, 8).
-    - `motion`: rows (velocity, 1/m, angular velocity, 1/I), shape (n, 8).
-    - `acceleration`: translational and rotational accelerations at the present pose, shape (n, 6).
+    - `pose`: rows (x, y, z [m], stress λ θ of a cell [Pa], quaternion w x y z), shape (n, 8).
+    - `motion`: rows (velocity [m/s], 1/m [1/kg], angular velocity [rad/s], 1/I [1/kg·m²]), shape (n, 8).
+    - `acceleration`: accelerations at the present pose [m/s², rad/s²], shape (n, 6).
     - `integrity`: integrity of each bond, 1 intact … 0 broken, shape (m,).
     - `history`: data that the law stores per bond: force and moment of the incremental formulation, (6, m), or gap,
       extra force and its work of the non-local law, (7, m); else (6, 0).
@@ -56,8 +56,8 @@ class State(StateMotion):
       else (0, 6). A law may define arrays of other names, which follow all others in run files.
     - `eigenstrain`: ε* of each bond [-], whose rest length is L (1 + ε*); shape (m,), or (0,) if none was set.
     - `reaction`: minus the bond forces on the elements of `Constraints.element` [N, N·m], shape (r, 6).
-    - `work`: work of loads, drives and walls that constrain cells on each of these since the start [J], shape (r,).
-      The works of body forces on each element and of strains follow, if there are any.
+    - `work`: work of loads, drives and walls that constrain cells on each of these elements since the start [J],
+      (r,). The works of body forces on each element and of strains follow, if there are any.
     - `loss`: energy that damping has dissipated at each element, the present power of damping, and energy that
       friction has dissipated [J, W, J], shape (n, 3).
     - `touching`: internal pairs i < j in contact or with faces between them, sorted by j, then i, shape (c, 2).
@@ -306,10 +306,10 @@ class State(StateMotion):
         return freeze(wall_rows(self.walls)["orientation"].copy())
 
     def set_eigenstrain(self, strain: float | np.ndarray) -> None:
-        """Set a stress-free strain ε* of the bonds [-] (heat, shrinkage, initial stress), user's order, (m,).
+        """Set a stress-free strain ε* of the bonds [-] (heat, shrinkage), user's order, (m,), or one value for all.
 
         Raises:
-            InputError: The array has the wrong shape, a value is at or below -1, or the formulation is incremental.
+            InputError: The shape is wrong, a value is not finite or not above -1, or the formulation is incremental.
         """
         if not self.model.interaction.strains:
             raise InputError("eigenstrain needs stored rest lengths; use formulation='total'")

@@ -14,8 +14,8 @@ def check_arrays(state: State) -> None:
     """Reject a state with an array that was replaced and does not fit the elements and bonds of its model.
 
     Raises:
-        InputError: An array has another type or shape, a pose or velocity that is not finite, a number of an
-            element, bond or wall that the model does not have, or an unknown status of a crack.
+        InputError: An array has another type or shape, values that are not finite, numbers of elements, bonds or
+            walls that the model does not have, an unknown status of a crack, an unordered pair, or a bond twice.
     """
     fresh = State(state.model)
     m = len(fresh.integrity)

@@ -57,7 +57,7 @@ class StateMotion:
 
     @property
     def displacement(self) -> PerElement3:
-        """Displacements from the reference [m], (n, 3). Assign (n, 3), or (3,) for all; others raise InputError."""
+        """Displacements [m], (n, 3). Assign finite (n, 3), or (3,) for all; others raise InputError."""
         return self._by_user(self.pose[:, :3] - self.rest)
 
     @displacement.setter
@@ -80,7 +80,7 @@ class StateMotion:
 
     @property
     def velocity(self) -> PerElement3:
-        """Velocities of the centres [m/s], (n, 3). Assign (n, 3), or (3,) for all; others raise InputError."""
+        """Velocities of the centres [m/s], (n, 3). Assign finite (n, 3), or (3,) for all; others raise InputError."""
         return self._by_user(self.motion[:, :3])
 
     @velocity.setter
@@ -89,7 +89,7 @@ class StateMotion:
 
     @property
     def angular_velocity(self) -> PerElement3:
-        """Angular velocities [rad/s], (n, 3). Assign (n, 3), or (3,) for all; others raise InputError."""
+        """Angular velocities [rad/s], (n, 3). Assign finite (n, 3), or (3,) for all; others raise InputError."""
         return self._by_user(self.motion[:, 4:7])
 
     @angular_velocity.setter
@@ -118,7 +118,7 @@ class StateMotion:
             about: point that moves with v [m], (3,); the centre of mass of the elements unless given.
 
         Raises:
-            InputError: A vector is not three finite components.
+            InputError: `region` is no region, or a vector is not three finite components.
             EmptyRegionError: No element matches.
         """
         owner, lattice = "State.set_velocity", self.model.lattice

@@ -14,8 +14,8 @@ from bondem.geometry.rotations import turned_vectors
 def set_off(rows: Floats, before: Sequence[Wall | None], walls: Sequence[Wall]) -> None:
     """Set the velocities of walls at the start of a run, without moving the walls.
 
-    Walls that remain servo-controlled or free continue to move. Walls that become free get their `velocity`; all
-    others start at rest.
+    Walls that remain servo-controlled or free continue to move. Walls that become free get their `velocity` and
+    `spin`; all others start at rest. Displacements become those of the points about which walls now turn.
 
     Args:
         rows: rows of the walls of a state, changed in place, shape (w, 27).

@@ -70,9 +70,9 @@ def failure_index(model: Model, state: State | SmallMotion) -> PerBond:
 
     Static solutions are those of the model without its criterion, `dataclasses.replace(model, failure=None)`.
 
-    Softening beams and facets have index 1. Criteria for cracks and yielding of cells are evaluated at the stress σ*
-    of `bd.Rankine`. These criteria give a facet in compression the index 0; `bd.Rankine` gives such a facet the
-    smaller of the indices of σ* and of its traction alone.
+    Softening beams and facets have index 1. Functions of the stress of cells, such as `bd.DruckerPrager`, are
+    evaluated at σ* of `bd.Rankine`, and are 0 for facets in compression. `bd.Rankine`, and `bd.MohrCoulomb` with a
+    fracture energy, give such a facet at most the index of its traction alone.
 
     Args:
         model: model with a failure criterion.
@@ -82,7 +82,8 @@ def failure_index(model: Model, state: State | SmallMotion) -> PerBond:
         Index [-], user's order, shape (m,).
 
     Raises:
-        InputError: The model has no criterion, or the state or solution belongs to another model.
+        InputError: The model has no criterion, the state or solution belongs to another model, or a state with cracks
+            was changed after its last step.
     """
     instance("failure_index", "model", model, Model, "bd.Model(...)")
     motion = state

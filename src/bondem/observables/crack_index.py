@@ -77,7 +77,8 @@ def yield_index(model: Model, state: State) -> PerElement:
     """Compute the yield index of each cell, (σ1 - σ3)/2 + (σ1 + σ3)/2 sin φ over c cos φ with its present cohesion c.
 
     For the cone of Drucker and Prager the index is √J2 + α I1 over k, and 0 if the mean stress is tensile. Cells that
-    have lost their cohesion have index 1. All indices are 0 if the model has no yielding.
+    have lost their cohesion have index 1. All indices are 0 if the model has no yielding. A state of yielded cells
+    that was changed after its last step raises InputError.
 
     Returns:
         Index [-], user's order, shape (n,).

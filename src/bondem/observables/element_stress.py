@@ -97,7 +97,7 @@ def element_stress(model: Model, result: SmallMotion | State) -> ElementStress:
         Stresses [Pa] and couple stresses [N/m] of the elements, with their volumes and centres.
 
     Raises:
-        InputError: a model of cells, or a result of another model.
+        InputError: The model has cells, or `bd.bond_forces` rejects the result.
     """
     instance("element_stress", "model", model, Model, "bd.Model(...)")
     model.interaction.refuse_facets("element_stress: elements of this model are cells; give it to bd.cell_stress")

@@ -13,8 +13,8 @@ def linear_energy(
 ) -> EnergyParts:
     """Compute the energy of small displacements [m] and rotations [rad], user's order, (n, 3) each.
 
-    The parts are ½ kn (δ·X - L ε*)², ½ ks |δ - (δ·X) X|², ½ kb |ρ - (ρ·X) X|², ½ kt (ρ·X)² of `BondStrain`.
-    `strain` is ε* of each bond [-], in internal order.
+    For beams the parts are ½ kn (δ·X - L ε*)², ½ ks |δ - (δ·X) X|², ½ kb |ρ - (ρ·X) X|², ½ kt (ρ·X)² of `BondStrain`.
+    `strain` is ε* of each bond [-], (m,), in internal order; None for zero.
     """
     law = model.interaction
     strain = np.zeros(len(model.lattice.pairs)) if strain is None else strain

@@ -65,8 +65,8 @@ def pack(
 ) -> Particles:
     """Fill a shape with spheres: dense, random and isotropic.
 
-    Spheres lie inside the walls to rounding. The radii follow from count, shape and target. The same arguments give
-    the same packing, bit for bit, for any number of threads.
+    Spheres lie inside the walls to rounding, except those of "even". The radii follow from count, shape and target.
+    The same arguments give the same packing, bit for bit, for any number of threads.
 
     The `method` makes the packing, and a target defines its final state:
 
@@ -89,7 +89,8 @@ def pack(
     then separated first, and the small ones fill the rest.
 
     Args:
-        shape: any shape; only Cylinder, Box, Ball and Cell have exact walls, others use a grid of depths.
+        shape: any shape. Walls of Cylinder, Box, Ball and Cell are exact, as are planes normal to an axis of other
+            shapes; their further walls are depths on a grid.
         count: number of spheres.
         size: size of cells, the cube root of their volume, for "even", in place of `count`. Give one size [m],
             `bd.Graded`, or a function of points (k, 3) [m] that returns sizes (k,) [m]. Sizes at two points may
@@ -102,10 +103,10 @@ def pack(
         spread: κ = (R_max - R_min) / R̄ [-], radii uniform in R̄ (1 ± κ/2) (André et al. 2012, eq 10); 0.25 unless
             `sizes` is given. Equal spheres (0) order at walls.
         sizes: law of the radii, in place of `spread`: Uniform, Lognormal or Sieve.
-        method: "quench", "growth" (exact walls only), "compression", "shear" (Box and Cylinder) or "even".
+        method: "quench", "growth" (Box, Cylinder, Ball, Cell), "compression", "shear" (Box, Cylinder) or "even".
         seed: number that selects one of the random packings.
-        coordination_number: target z = 2 contacts / spheres [-], ± 0.01; 6.2 if no target is given. Contacts are
-            counted as by `bd.connect` with tolerance 0, over all spheres, including rattlers and those at walls.
+        coordination_number: target z = 2 contacts / spheres [-], ± 0.01 or one contact; 6.2 without a target.
+            Contacts are counted as by `bd.connect` with tolerance 0, over all spheres, also rattlers and at walls.
         volume_fraction: target φ, volume of the spheres over that of the shape [-]; below jamming these barely touch.
         jamming: True for the density at which the spheres begin to carry load as the target. No overlap exceeds 1e-3
             mean radii, or 1e-3 of the smaller radius of a pair where large spheres were separated first. A periodic
@@ -203,7 +204,7 @@ def _cells(
 def _two_sizes(
     shape: Shape, radii: Floats, target: Target, random: np.random.Generator, on_step: Callable[[int], None]
 ) -> SoftSpheres | None:
-    """Pack spheres of two very different sizes, large ones first; None if this fails or the sizes differ less."""
+    """Pack spheres of two very different sizes, large ones first; None if this fails, or below a ratio of two."""
     limit = parting(radii)
     if limit is None:
         return None

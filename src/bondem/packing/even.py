@@ -62,7 +62,7 @@ def _lost(shape: Shape, x: Floats, width: float) -> Ints:
 
 
 def points_of(shape: Shape, x: Floats, width: float) -> Particles:
-    """Return particles at centres `x` (n, 3) [m] of negligible radius, so that they cannot overlap."""
+    """Return particles at centres `x` (n, 3) [m] of radius 1e-3 `width` [m], so small that they cannot overlap."""
     return filled(Particles(x, 1e-3 * width, shape.period), shape)
 
 

@@ -35,7 +35,7 @@ def graded(shape: Shape, size: SizesAt, random: np.random.Generator, report: Cal
 
     Args:
         shape: shape to fill.
-        size: sizes of cells at points (k, 3) [m], (k,).
+        size: function that returns sizes of cells [m], (k,), at points [m], (k, 3).
         random: random generator.
         report: function called with the completed share.
 
@@ -58,7 +58,7 @@ def graded(shape: Shape, size: SizesAt, random: np.random.Generator, report: Cal
 
 
 def _initial_centres(shape: Shape, places: Sites, size: SizesAt, random: np.random.Generator) -> PerElement3:
-    """Draw random centres [m], (n, 3), in Morton order, one in each of n consecutive parts of equal capacity."""
+    """Draw random centres [m], (n, 3), in Morton order, one in each of n consecutive parts with room for one cell."""
     n = places.count
     end = np.cumsum(places.cells)
     along = (np.arange(n) + random.random(n)) * (end[-1] / n)

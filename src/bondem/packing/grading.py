@@ -45,7 +45,7 @@ class Graded:
         growth: growth of the cell size per distance [-], above 0 up to 1; neighbours differ by about this share.
 
     Raises:
-        InputError: A size or `growth` is out of range, `fine` is above `coarse`, or `about` is no shape or points.
+        InputError: A size or `growth` is out of range, `fine` is above `coarse`, or `about` is of another kind.
     """
 
     fine: float
@@ -73,7 +73,7 @@ class Graded:
         return KDTree(np.array(self.about))
 
     def __call__(self, points: PerElement3) -> PerElement:
-        """Return the sizes at points (k, 3) [m], (k,)."""
+        """Return the sizes of cells [m], (k,), at points [m], (k, 3)."""
         if isinstance(self.about, Shape):
             distance = np.maximum(-self.about.depth(points), 0.0)
         else:
@@ -126,7 +126,7 @@ def cells_of(size: object, volume: float) -> int:
 
 
 def sizes_by(size: Callable[[PerElement3], PerElement]) -> SizesAt:
-    """Return a user's function of points (k, 3) [m] for cell sizes (k,) [m]; bad sizes raise InputError."""
+    """Return a user's function of points (k, 3) [m] for cell sizes (k,) [m], with InputError for bad sizes."""
 
     def sizes(points: PerElement3) -> PerElement:
         try:
@@ -151,10 +151,11 @@ def sites(shape: Shape, size: SizesAt) -> Sites:
 
     Args:
         shape: shape to be filled.
-        size: sizes of cells at points (k, 3) [m], (k,); sizes at two points differ by no more than their distance.
+        size: function that returns sizes of cells [m], (k,), at points [m], (k, 3); sizes at two points differ by
+            no more than their distance.
 
     Raises:
-        InputError: The shape would hold more than `MOST_CELLS` cells.
+        InputError: The shape has room for more than `MOST_CELLS` cells.
     """
     lower, upper = shape.bounds
     along = np.maximum(1, np.rint(_FIRST * (upper - lower) / (upper - lower).max())).astype(int)

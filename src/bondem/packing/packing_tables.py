@@ -16,7 +16,7 @@ def new_relaxing(count: int, tolerance: float, loose: float) -> Relaxing:
 
 
 def new_growing(scale: float, rate: float, duration: float, events: int) -> Growing:
-    """Return the table of a growth of the radii for a time, or up to a number of collisions, with an empty report."""
+    """Return the table of growth from `scale` at `rate` [1/s] for `duration` [s], or `events` collisions."""
     return Growing(scale, rate, duration, events, np.zeros(GrowthReport.COUNT))
 
 

@@ -51,7 +51,7 @@ def parting(radius: Floats) -> float | None:
 def separated(
     shape: Shape, relative_radius: Floats, limit: float, random: np.random.Generator, on_step: Callable[[int], None]
 ) -> SoftSpheres:
-    """Return spheres at rest above jamming, whose large spheres did not overlap at the start.
+    """Return spheres relaxed above jamming, whose large spheres hardly overlapped at the start.
 
     Args:
         shape: shape to fill.
@@ -62,7 +62,7 @@ def separated(
 
     Raises:
         InputError: The spheres are too large for the shape.
-        PackingError: The large spheres cannot be placed without overlaps, or leave no room for the small ones.
+        PackingError: The large spheres cannot be placed beside each other, or leave no room for the small ones.
     """
     large = relative_radius > limit
     volume = 4.0 / 3.0 * math.pi * relative_radius**3

@@ -64,8 +64,8 @@ class Compaction:
         radius: radii [m], (n,).
         length: final extent up to the pressure wall along x [m].
         history: gauges "pressure wall" (displacement), "pressure" (force), "shear wall" (displacement of the wall at
-            y_max, or growth of the mantle) and "shear" (force on it); energies [J], whose balance restarts with the
-            second run, after the radii were fitted. Density [kg/m³] and pressure [Pa] are 1.
+            y_max, or growth of the mantle) and "shear" (force on that wall, or growth); energies [J], whose balance
+            restarts with the second run, after the radii were fitted. Density [kg/m³] and pressure [Pa] are 1.
         steps: number of time steps.
     """
 
@@ -82,7 +82,7 @@ def sheared(
     """Compact spheres of relative radii (n,) under shear to fill the shape; the target has no effect here.
 
     Raises:
-        InputError: The shape lacks the walls that the method needs.
+        InputError: The shape is neither Box nor Cylinder, or the spheres are too large for it.
         PackingError: The run became unstable.
     """
     packed = compact(shape, relative_radius, random, on_share=lambda share: on_step(round(share * _REPORTS)))

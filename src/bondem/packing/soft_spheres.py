@@ -37,7 +37,7 @@ class Rest:
         mean_overlap: mean overlap of the contacts, in mean radii [-].
         largest_overlap: largest overlap, in mean radii [-].
         steps: number of minimisation steps.
-        settled: True if the forces balance. If neither `settled` nor `loose`, the spheres did not reach rest in time.
+        settled: True if forces act and balance. If neither `settled` nor `loose`, the spheres did not come to rest.
         loose: True if the spheres do not press on each other.
     """
 

@@ -92,7 +92,7 @@ def depths_inside(shape: Shape) -> PerElement:
 def enough(shape: Shape, radius: PerElement, across: float) -> tuple[int, float]:
     """Return the number of spheres that fit if those of `radius` (n,) [m] are too large, and their mean radius [m].
 
-    The deepest places of the shape are then `across` largest radii deep. In a periodic cell any number fits.
+    The 97 % quantile of depths in the shape is then `across` largest radii. In a periodic cell any number fits.
     """
     if shape.period is not None:
         return len(radius), float(radius.mean())

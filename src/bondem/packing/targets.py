@@ -1,6 +1,6 @@
 """Targets: final states to which soft spheres are scaled after a method has packed them.
 
-Above jamming the mean overlap is proportional to ln(scale), and so is (z - z_J)² (O'Hern et al., Phys. Rev. E 68,
+Above jamming the mean overlap grows linearly with ln(scale), and so does (z - z_J)² (O'Hern et al., Phys. Rev. E 68,
 2003). Here z_J is the coordination number at jamming. A few scales are therefore sufficient.
 """
 

@@ -4,7 +4,7 @@ A centre at half the size of a cell below a face has its mirror image outside. T
 the face, or touches it where it is curved. If no point of the face is nearer to any other centre, cells end there and
 nowhere else: exactly on plane faces, on a polyhedron of the same volume around curved ones. Near a convex edge a
 centre is half a cell size from both faces and has an image beyond each. Concave edges are only approximated: the
-error is 0.13 cell sizes, root mean square over an L.
+error is 0.13 cell sizes, root mean square over an L-shaped surface.
 """
 
 from collections.abc import Callable, Sequence
@@ -132,7 +132,7 @@ def _layers(shape: Shape, surface: Around, sided: _Sided, h: float, random: np.r
 
 
 def _spread(shape: Shape, sided: _Sided, points: PerElement3, count: int, h: float) -> PerElement3:
-    """Return the pins of a layer [m], (k, 3): `count` of its points pushed apart, and more in holes, then centred."""
+    """Return centres along a surface [m], (k, 3): `count` of `points` pushed apart, more in holes, then centred."""
     pin = points[:count].copy()
     if count == 1:
         return pin

@@ -24,12 +24,12 @@ def bonds(run: Translation, _: Given) -> int:
 
 
 def portions_of_elements(run: Translation, _: Given) -> int:
-    """Return the number of portions of elements: each thread adds up the terms of `TERMS_OF_THREAD`."""
+    """Return the number of portions of `TERMS_OF_THREAD` elements, whose terms one thread adds up."""
     return -(-run.span.n // TERMS_OF_THREAD)
 
 
 def portions_of_bonds(run: Translation, _: Given) -> int:
-    """Return the number of portions of bonds or facets: each thread adds up the terms of `TERMS_OF_THREAD`."""
+    """Return the number of portions of `TERMS_OF_THREAD` bonds or facets, whose terms one thread adds up."""
     return -(-run.span.m // TERMS_OF_THREAD)
 
 

@@ -1,4 +1,4 @@
-"""Kernel launches on a device for crack initiation by a function of the stress; a user's one runs on the CPU."""
+"""Kernel launches on a device for crack initiation by functions of the stress; those of users run on the CPU."""
 
 import numpy as np
 

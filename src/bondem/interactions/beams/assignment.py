@@ -28,7 +28,7 @@ def bond_stiffness(lattice: Lattice, bond: BondAssignment | None) -> tuple[BondS
     pair. Later entries override earlier ones.
 
     Raises:
-        InputError: A bond follows no law, an entry is no bond law, a key is no region, or formulations differ.
+        InputError: A bond of connected elements has no law, a law or key is no law or region, or formulations differ.
         EmptyRegionError: A region has no elements.
     """
     if bond is None:

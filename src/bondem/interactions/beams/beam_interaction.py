@@ -36,7 +36,7 @@ from bondem.specimen.ordering import Layout
 
 
 class BeamInteraction(Interaction):
-    """Beams of the total formulation, whose forces depend on the present pose only."""
+    """Beams of the total formulation, whose forces follow from the present pose without memory."""
 
     law: ClassVar[type] = BondLaw
 

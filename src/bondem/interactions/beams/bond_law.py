@@ -2,7 +2,7 @@
 
 Chen et al. (2022) show that the parallel-bond, Euler–Bernoulli and Timoshenko models differ only in four stiffnesses
 of the bond (normal, shear, bending, twisting) and in its contact point. A law is therefore data, computed once per
-bond; `core/laws/beam.hpp` is the physics of them all.
+bond; `core/laws/beam.hpp` computes the forces of all laws.
 """
 
 from abc import ABC, abstractmethod
@@ -46,7 +46,7 @@ class BondGeometry:
 
 @dataclass(frozen=True)
 class BondStiffness:
-    """Stiffnesses of bonds by a law, as the compiled core reads them, each of shape (m,).
+    """Stiffnesses and contact points of bonds by a law, each of shape (m,).
 
     Attributes:
         kn: normal stiffness [N/m].
@@ -88,7 +88,7 @@ class BondLaw(ABC):
         nu: Poisson's ratio of the bond, ν_μ [-].
         radius_ratio: bond radius over a mean radius, r̃ [-]; `radius_rule` selects the mean.
         radius: bond radius [m], instead of `radius_ratio`.
-        radius_rule: "mean" (R̄ of the lattice, André), "pair_min" (smaller of the two elements, PFC) or
+        radius_rule: "mean" (R̄ of the body, André), "pair_min" (smaller of the two elements, PFC) or
             "pair_mean".
         formulation: "total" (exact gradient of one energy) or "incremental" (rates integrated step by step,
             as in the papers).

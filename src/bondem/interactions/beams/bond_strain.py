@@ -13,11 +13,11 @@ from bondem.specimen.lattice import Lattice
 class BondStrain:
     """Small deformation of every bond from the reference, user's order.
 
-    With X the direction of a bond, its slip is δ = u_j - u_i + X × (a θ_i + b θ_j) at the contact point and its
-    relative rotation ρ = θ_j - θ_i.
+    With X the direction of a bond and a, b the distances of its contact point from both centres, its slip there is
+    δ = u_j - u_i + X × (a θ_i + b θ_j) and its relative rotation ρ = θ_j - θ_i.
 
     Attributes:
-        direction: X, from i to j, (m, 3).
+        direction: X, from i to j [-], (m, 3).
         normal: elongation δ·X [m], (m,).
         shear: slip δ - (δ·X) X [m], (m, 3).
         bend: bending rotation ρ - (ρ·X) X [rad], (m, 3).

@@ -47,7 +47,7 @@ class CellConstants:
         bend: resistance to relative rotation, xx, yy, zz, xy, xz, yz [N·m], float32, (6, m).
         shares: A w_p m, balanced shares of the facet: V θ of each side is Σ share·δ [m²], float32, (2, 3, m).
         volume: V [m³], shape (n,).
-        weight: λ_p / V_p, the factor from V_p θ_p to the stress λ_p θ_p [Pa/m³], shape (n,).
+        weight: factor from V_p θ_p without the openings of free facets to the stress λ_p θ_p [Pa/m³], shape (n,).
         direction: normals of the facets, from i to j [-], shape (3, m).
         G, lame: shear modulus and Lamé's λ of each cell [Pa], shape (n,); λ is at least -2 G / q, q of `compliance`.
         supports: facets that walls constrain; their cells in the user's order.
@@ -95,7 +95,8 @@ class CellConstants:
             may_fail: True for facets that may fail, whose cells have no gradients of the dilatation.
 
         Raises:
-            InputError: The lattice has no cells, a cell follows no law, or the laws differ in `facet_rotation`.
+            InputError: The lattice has no cells, a cell follows no law, a key is no region, or the laws differ in
+                `facet_rotation`.
         """
         facets, cells = body_of(body)
         G, lame, rotation = _materials(body, bond)
@@ -145,15 +146,15 @@ class CellConstants:
         return self.G * (3.0 * self.lame + 2.0 * self.G) / (self.lame + self.G)
 
     def stress_of(self, swelling: PerElement) -> PerElement:
-        """Return σ_p = ∂U/∂θ_p / V_p of each cell [Pa], (n,), for V θ without the openings of free facets [m³], (n,).
+        """Return the stress of each cell [Pa], (n,), for V θ without the openings of free facets [m³], (n,).
 
-        It is λ_p θ_p plus, with gradients of the dilatation, the stress of the springs between cells.
+        The stress is λ θ plus, with gradients of the dilatation θ, that of the springs between cells.
         """
         stress = self.weight * swelling
         return np.asarray(stress + self.weight * self.gradients.differences(stress), dtype=float)
 
     def pressed_by(self, force: Floats) -> PerElement:
-        """Return the contribution of forces on free facets [N], (k, 3), to V θ of the cells [m³], (n,)."""
+        """Return the volume changes V θ of cells [m³], (n,), by forces on their free facets [N], (k, 3)."""
         opened = self.softness * (self.way * force).sum(axis=1)
         return np.bincount(self.free_cell, weights=opened, minlength=len(self.pressed)).astype(float)
 
@@ -187,12 +188,12 @@ class CellConstants:
 
     @property
     def share_i(self) -> PerBond3:
-        """Shares of the facets in V θ of cells i [m²], shape (m, 3)."""
+        """Shares of the facets in the volume changes V θ of cells i [m²], shape (m, 3)."""
         return _rows(self.shares[0])
 
     @property
     def share_j(self) -> PerBond3:
-        """Shares of the facets in V θ of cells j [m²], shape (m, 3)."""
+        """Shares of the facets in the volume changes V θ of cells j [m²], shape (m, 3)."""
         return _rows(self.shares[1])
 
     @property

@@ -164,8 +164,8 @@ class CellInteraction(CellsAtAnyPose):
     ) -> CellStrain:
         """Return the deformation by small motions [m, rad], user's order, with walls at their final places.
 
-        `strain` are stress-free strains of the facets [-], internal order, (m,). `pressed` is the contribution of
-        tractions to V θ of the cells [m³], (n,).
+        `strain` are stress-free strains of the facets [-], internal order, (m,). `pressed` are the volume
+        changes V θ of cells by tractions [m³], (n,).
         """
         own, supports = np.empty(len(strain)), self.supports
         own[self.layout.bond_order] = strain

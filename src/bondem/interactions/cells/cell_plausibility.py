@@ -88,7 +88,7 @@ def _question_ragged(body: Lattice, bond: Mapping[Region, CellBond]) -> None:
 
 
 def question_joint(body: Lattice, between: tuple[Region, Region], facets: Ints) -> None:
-    """Warn about cells that cut through a joint, of these facets between two regions, if a surface defines it."""
+    """Warn about cells that cut through a joint of `facets`, (k,), between two regions, if a surface defines it."""
     sides = np.array([where.mask(body) for where in between])[:, body.pairs[facets]]
     border = facets[(sides[:, :, 0] != sides[:, :, 1]).any(axis=0)]
     effect = "it is about twice as strong as entered and does not slide"

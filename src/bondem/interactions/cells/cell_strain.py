@@ -49,7 +49,7 @@ class CellStrain:
             slip: additional opening of every facet [m], (m, 3): that of a macroscopic strain in a periodic cell, or
                 minus the stress-free opening.
             wall: displacement of walls that constrain facets [m], (g, 3); None for walls at rest.
-            pressed: contribution of tractions on free facets to V θ [m³], (n,); None for none.
+            pressed: volume changes V θ by tractions on free facets [m³], (n,); None for none.
         """
         i, j = body.pairs.T
         gap = (

@@ -67,7 +67,7 @@ class BodyTables:
         return cls(facets, cells, gradient_tables(constants.gradients, len(layout.order), walls), walls)
 
     def load(self, pose: Floats, rest: Floats, sums: Floats) -> None:
-        """Add force and torque of facets and walls on all cells to `sums`, (n, 8); store stresses in the poses."""
+        """Add loads of facets and walls on cells to `sums` [N, N·m], (n, 8); store stresses λ θ in the poses."""
         to = BeamSums(self.facets.i, self.facets.j, sums)
         run_pass(calls.load_body(CellPoses(pose, rest), *self.tables, to))
 
@@ -140,7 +140,7 @@ class CellsAtAnyPose(Interaction):
         return found.tangent[:, :, :m]
 
     def _current_forms(self, pose: Floats, pattern: bsr_array) -> bsr_array:
-        """Return V θ of each cell under unit motions from the present pose [m², m³], 1×6 blocks, (n, 6 n)."""
+        """Return volume changes V θ of cells by unit motions from the present pose [m², m³], 1×6 blocks, (n, 6 n)."""
         layout, cells = self.layout, self.constants
         i, j = layout.i.astype(np.int64), layout.j.astype(np.int64)
         a, b = turned_vectors(pose[i, 4:], cells.lever_i), turned_vectors(pose[j, 4:], cells.lever_j)

@@ -21,7 +21,7 @@ from bondem.specimen.lattice import Lattice
 
 
 def correction_factors(body: Lattice, G: PerElement, lame: PerElement, density: PerElement) -> PerElement:
-    """Return the factors ρ β / V by which `corrected_mass` corrects the speed of pressure waves [kg/m⁶], (n,).
+    """Return the factors ρ β / V of `corrected_mass` [kg/m⁶], (n,), with β of this module, but at least 0.
 
     Args:
         body: a lattice with facets and cells.
@@ -38,7 +38,7 @@ def corrected_mass(mass: Floats, forms: csr_array, factor: PerElement) -> csr_ar
 
     Args:
         mass: diagonal of M [kg, kg·m²], (6 n,).
-        forms: F, V θ of each cell under unit motions [m², m³], (n, 6 n).
+        forms: F, volume change V θ of each cell by unit motions [m², m³], (n, 6 n).
         factor: ρ β / V of each cell [kg/m⁶], (n,).
     """
     return csr_array(diags_array(mass) - forms.T @ (diags_array(factor) @ forms))

@@ -3,9 +3,9 @@
 A cell p has one dilatation θ_p and the stress σ_p = λ_p θ_p. The energy ½ λ j |∇θ|² per volume of a gradient within
 the cell is therefore missing. j is the mean of z² over cells, with z the distance from the centre. Two terms add it.
 
-- Between cells: U = Σ ½ c (σ_i - σ_j)² over facets of area A between centres L apart. The difference between cells
-  represents the gradient within them. c = A L κ / (λ² L̄²), with κ = λ j and L̄² = Σ A L³ / Σ A L. In κ, λ is at most
-  2 G, the stiffness of the facets. A larger κ would raise the highest frequency, and stiffen plates near ν = 0.4.
+- Between cells of one material: U = Σ ½ c (σ_i - σ_j)² over facets of area A between centres L apart. The difference
+  between cells stands for the gradient within. c = A L κ / (λ² L̄²), κ = λ j and L̄² = Σ A L³ / Σ A L. In κ, λ is
+  at most 2 G, the stiffness of facets. A larger κ would raise the highest frequency, and stiffen plates near ν = 0.4.
 - Across a layer of normal a: a relative rotation ρ opens a facet by ρ × a per height. The curvature χ follows from
   V χ = Σ ρ·(a × s) over the facets within the layer, with their shares s. Its energy is U = ½ J λ_p χ² with
   J = ∫ (a·(x - x_p))² dV. A column has two such directions a.
@@ -40,15 +40,15 @@ class GradientConstants:
     """Constants of the energy of gradients of the dilatation, between cells and across layers one cell thick.
 
     Attributes:
-        springs: function that returns cells i and j of the facets with a spring, int32, and c [m³/Pa], (k,) each.
+        springs: function that returns cells i and j of facets with a spring, int32, and its c [m³/Pa], (k,) each.
         a, b: cells of the facets within layers, shape (l,).
         facet: numbers of these facets, shape (l,).
-        way_a, way_b: n × s of both cells for each direction across their layer [m²], shape (l, 2, 3): V χ is
-            Σ ρ·(n × s), with ρ = θ_b - θ_a.
+        way_a, way_b: n × s of both cells, with directions n across their layer and shares s of the facet [m²], shape
+            (l, 2, 3): V χ is Σ ρ·(n × s), with ρ = θ_b - θ_a.
         wall: rows of `CellConstants.supports` with walls that constrain cells of layers, shape (h,).
         wall_cell: cells that these walls constrain, shape (h,).
         wall_way: n × s of these walls [m²], shape (h, 2, 3): they add -θ·(n × s) to V χ.
-        weight: J λ_p / V² of each cell and direction [Pa/m], shape (n, 2), or (0, 2) without layers.
+        weight: J λ_p / V² of each cell and direction, J its second moment [Pa/m], (n, 2), or (0, 2) without layers.
     """
 
     springs: Callable[[], Springs]
@@ -115,7 +115,7 @@ class GradientConstants:
         )  # fmt: skip
 
     def differences(self, stress: PerElement) -> PerElement:
-        """Return Σ c (σ_p - σ_q) over the facets of each cell [m³], for stresses λ_p θ_p [Pa], (n,)."""
+        """Return Σ c (σ_p - σ_q) over the springs c of each cell p to cells q [m³], for stresses λ θ [Pa], (n,)."""
         (i, j, spring), n = self.springs(), len(stress)
         force = spring * (stress[i] - stress[j])
         return np.asarray(np.bincount(i, force, n) - np.bincount(j, force, n), dtype=float)
@@ -160,10 +160,10 @@ class GradientConstants:
         return csr_array(own_part - between - between.T)
 
     def turns(self, ways: tuple[Floats, Floats, Floats], n: int) -> bsr_array | None:
-        """Return the matrix T of `Stiffness`, √weight V χ under unit motions, (2 n, 6 n); None without layers.
+        """Return the matrix T of `Stiffness`: √weight times `bends` of unit motions, (2 n, 6 n); None without layers.
 
         Args:
-            ways: n × s of both cells, (l, 2, 3) each, and of walls, (h, 2, 3), in the present pose [m²].
+            ways: `way_a` and `way_b`, (l, 2, 3) each, and `wall_way`, (h, 2, 3), turned to the present pose [m²].
             n: number of cells.
         """
         if not len(self.facet):

@@ -17,14 +17,14 @@ class Adhesion:
     dashpots of the contact, and depends on the gap alone. Its potential is a well of depth F_c D / 2 at the gap 0.
     Spheres without other forces rest at the overlap where the spring balances F_c, and F_c pulls them apart.
     Friction and rolling resistance have the force of the spring as their normal force. Pairs that a bond joins or
-    has joined do not adhere, because broken surfaces do not heal.
+    has joined do not adhere, because broken surfaces do not heal, unless the contact law has `parallel=True`.
 
     This is the adhesion of PFC's adhesive rolling resistance linear model, with the force `adh_f0` = strength A and
     the range `adh_d0` = reach. Yade's `normalCohesion` is strength π.
 
     Attributes:
         strength: pull-off force over the area A [Pa].
-        reach: gap up to which the force acts, at most the radius of the smallest element that adheres [m].
+        reach: gap up to which the force acts, at most the radius of the smallest element [m].
 
     Raises:
         InputError: A value is not positive.

@@ -124,7 +124,7 @@ class ContactLaws:
         return rows[self.between], at_walls
 
     def of_pairs(self, i: Ints, j: Ints) -> tuple[Floats, Floats, Floats]:
-        """Return ks / kn, μ and β [-] of the contacts of elements i and j, (c,) each; i and j in user's order."""
+        """Return ks / kn, friction μ and damping β [-] of contacts of elements i and j, user's order, (c,) each."""
         _, soft, friction, beta, *_ = np.array([law.parameters for law in self.laws]).T
         law = self.between[self.kind[i], self.kind[j]]
         return soft[law], friction[law], beta[law]

@@ -62,8 +62,8 @@ class ContactLaw(ABC):
     def parameters(self) -> Floats:
         """Parameters of the law that the compiled core reads as a `ContactRow`, (9,).
 
-        They are the modulus [Pa], ks / kn, μ and β, μ_r and μ_w of rolling and twisting, the overlap over the radius
-        at which the stiffness against rolling is taken, and strength [Pa] and reach [m] of adhesion.
+        They are the modulus [Pa], ks / kn, friction μ, damping β, μ_r and μ_w of rolling and twisting, the overlap
+        over the radius at which the stiffness against rolling is taken, and strength [Pa] and reach [m] of adhesion.
         """
 
     @property
@@ -93,6 +93,8 @@ class ContactLaw(ABC):
     @abstractmethod
     def shortest(self, radius: Floats, mass: Floats, platens: Floats, *, walled: bool) -> float:
         """Return the shortest duration of an elastic collision of two free spheres, or of a sphere with a wall [s].
+
+        Motion within the reach of adhesion counts as a collision.
 
         Args:
             radius: radii of the spheres [m], (n,).
@@ -252,7 +254,7 @@ class LinearContact(ContactLaw):
         return _DEEPEST
 
     def shortest(self, radius: Floats, mass: Floats, platens: Floats, *, walled: bool) -> float:
-        """Return the shortest duration π √(m̄ / k) of an elastic collision [s]; see `ContactLaw.shortest`."""
+        """Return the shortest duration π √(m̄ / k) of a collision, or that of `passage` [s]; see `ContactLaw`."""
         kn = 0.5 * math.pi * self.E * radius
         elastic = math.pi * slowest_root(kn, 2.0 * kn, mass, platens, walled=walled)
         return min(elastic, passage(self.adhesion, radius, mass, platens, walled=walled))

@@ -73,7 +73,7 @@ class ContactModel:
             laws: laws of their contacts.
             walls: walls that they touch.
             own: normal stiffness of pairs whose bond breaks [N/m], (m,); None to treat them like other pairs.
-            radius: radii of the elements in contact, user's order, (n,).
+            radius: radii of the elements in contact [m], user's order, (n,).
         """
         n = len(laws.kind)
         radius = np.ascontiguousarray(radius[layout.order[:n]])
@@ -101,7 +101,7 @@ class ContactModel:
         return cls(laws, radius, walls, pairs, RestGaps(sources.start, touching.wall, touching.now), own)
 
     def of_broken(self, layout: Layout) -> tuple[PerBond, PerBond, PerBond]:
-        """Return ks / kn (0 without friction), μ and β of the contacts of broken bonds, internal order, each (m,)."""
+        """Return ks / kn (0 without friction), friction μ, damping β of broken bonds, internal order, each (m,)."""
         soft, friction, beta = self.laws.of_pairs(layout.order[layout.i], layout.order[layout.j])
         return np.where(friction > 0.0, soft, 0.0), friction, beta
 

@@ -39,7 +39,7 @@ def keep_wall_places(walls: Walls, position: Floats, turning: Ints) -> None:
 
 
 def new_wall_sources(radius: Floats, skin: float) -> WallSources:
-    """Return the input of a search for walls near spheres, without stored contacts and initial overlaps."""
+    """Return the input of a search for walls within `skin` [m] of spheres, without stored contacts and overlaps."""
     none = np.zeros(len(radius) + 1, dtype=np.int64), np.zeros(0, dtype=np.uint32)
     return WallSources(radius, *none, np.zeros(0), *none, np.zeros((0, 6)), skin, np.empty_like(none[0]))
 

@@ -50,8 +50,8 @@ class NonLocal:
         E: Young's modulus of the material [Pa].
         nu: Poisson's ratio of the material [-], from 0 to below 0.5.
         lever: point of action of the force. "facet" is the centroid of the facet, with which every cell has the exact
-            stress of a uniform strain. "contact" is a point on the line of centres, as in the paper, and the only
-            choice for a lattice of spheres.
+            stress of a uniform strain. "contact" is a point on the line of centres, as in the paper. A lattice of
+            spheres has this point in either case.
         areas: areas A. "facet" requires a body from `bd.connect(..., method="laguerre")`, and "weighted" a lattice of
             spheres (`bondem.interactions.non_local.contact_areas`).
         volume: V of eq (1): "cell" (estimated as Σ A l / 3 for spheres), or "sphere" as in the paper, with which
