@@ -117,7 +117,7 @@ class Cracking:
 
     @property
     def per_section(self) -> float:
-        """Energy dissipated by facets over the section [J/m²]; for a single crack it is the fracture energy."""
+        """Energy dissipated by facets over the section [J/m²]: G_f for a single crack, NaN without a section."""
         return self.dissipated / self.section
 
     @property
@@ -132,7 +132,7 @@ class Cracking:
 
     @property
     def single(self) -> bool:
-        """True if both energies are those of one crack at most, so that the work per section is a fracture energy.
+        """True if the work per section is a fracture energy, as the energies allow for one crack only.
 
         The stored energy is then at most G_f times the section, and the dissipated energy at most 1.5 times this.
         """

@@ -21,7 +21,10 @@ Curve = tuple[Floats, Floats]
 
 @dataclass(frozen=True)
 class TestOption:
-    """Option of a test in a study, in SI: above zero, or zero if `closed`, below `below`; `needed` has no default."""
+    """Option of a test in a study: a number above 0 and below `below`, in an SI unit.
+
+    A `closed` option may also be 0. A `needed` option has no default.
+    """
 
     __test__ = False  # no test of pytest
 

@@ -26,7 +26,8 @@ class NaturalFrequencies(Plotted):
     Attributes:
         tension, bending, torsion: first axial, bending and torsional frequency [Hz].
         modes: computed modes, among which the three were found.
-        mass_share: effective mass of each mode along x, y, z and about x, over the total mass [-], (count, 4).
+        mass_share: effective mass of each mode along x, y and z over the total mass, and effective moment of inertia
+            about x over the total one [-], (count, 4).
     """
 
     tension: float

@@ -72,7 +72,7 @@ def strike(
 
     Raises:
         UnstableRunError: the run became unstable or lost its energy balance.
-        RunInterrupted: Ctrl-C was pressed. The `.result` of the error has the velocities so far.
+        RunInterrupted: Ctrl-C was pressed. The `.result` of the error is the `Wave` so far, None for a short run.
     """
     near, far = Face("x_max", depth), Face("x_min", depth)
     model = Model(lattice, law, density=density, boundary=[Drive(near, vx=-velocity)] if held else [])

@@ -110,8 +110,8 @@ def sphere_impact(
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
-        InputError: a shape other than a ball, a plane inside the ball or more than a diameter away, a velocity away
-            from the plane, or a value out of range.
+        InputError: a shape other than a ball, a plane that moves, lies inside the ball or is more than a diameter
+            away, a velocity away from the plane, or a value out of range.
         UnstableRunError: the run became unstable or lost its energy balance.
         RunInterrupted: Ctrl-C was pressed. The `.result` of the error has the test so far, None for a short run.
     """
