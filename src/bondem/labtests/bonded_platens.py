@@ -319,10 +319,10 @@ class BondedSpecimen:
         return float(np.quantile(failure_index(self.bare, scaled), 1.0 - _REACHED))
 
     def _uniform_index(self, largest: float, least: float) -> float:
-        """Return the failure index of the non-local law over the nominal stress [1/Pa], the largest of all criteria.
+        """Return the largest failure index of all criteria under the non-local law, over the nominal stress [1/Pa].
 
-        `largest` and `least` are principal stresses over the nominal one [-]. Without a limit, the result is 1 over
-        the weakest strength.
+        `largest` and `least` are principal stresses over the nominal one [-]. If no criterion limits them, the result
+        is 1 over the weakest strength.
         """
         limits = [limit for part in self.bare.failure_parts if (limit := part.criterion.principal) is not None]
         found = max(max(a * largest, b * largest - c * least) for a, b, c in limits)

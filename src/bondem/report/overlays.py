@@ -78,7 +78,7 @@ def draw_walls(ax: Axes, model: Model, state: State | None, lower: Floats, upper
 
 
 def _motion_of(wall: Wall) -> Floats | None:
-    """Return a vector of any length along the motion of a wall, (3,); None for a fixed wall."""
+    """Return a vector of any length along the motion of a wall, (3,); None for a wall without translation."""
     along = np.zeros(3)
     match wall.motion:
         case Driven(motion=motion):
