@@ -46,8 +46,8 @@ def connect(
         The lattice; its pairs are sorted and have i < j.
 
     Raises:
-        InputError: Both `tolerance` and `reach` are given, they reach too far, no pair is near enough, or an element
-            has no Laguerre cell.
+        InputError: Both `tolerance` and `reach` are given, or one with "laguerre"; they reach too far, or no pair is
+            near enough; a centre lies outside the shape to be cut, or an element has no Laguerre cell.
         DisconnectedError: The specimen consists of two large pieces.
     """
     choice("connect", "method", method, Method)

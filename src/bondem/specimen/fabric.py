@@ -54,7 +54,7 @@ class Fabric:
             without the elements already found: rattlers in the sense of jamming.
         backbone_coordination_number: mean number of bonds among elements that are not `loose` [-]; NaN if all are.
         backbone_histogram: number of elements that are not `loose` with 0, 1, 2, ... bonds among them.
-        fineness: edge of the cube with the volume of the shape, over the mean diameter [-]: macro over micro.
+        fineness: edge of the cube with the volume of the shape, over the mean diameter [-].
         smallest_extent: smallest extent of the shape along x, y or z, over the mean diameter [-].
         strata: differences between slices of the core across x, y and z, and layers; near 0 in a homogeneous packing.
         largest_overlap: largest overlap of two bonded spheres, over R̄ [-]; 0 without overlaps.

@@ -51,8 +51,8 @@ class Lattice:
         bodies: labels, names and shapes of the bodies.
 
     Raises:
-        InputError: An index is out of range, a bond joins an element to itself, a bond is given twice, or bonded
-            centres coincide.
+        InputError: `pairs` has another shape or type, an index is out of range, a bond joins an element to itself, a
+            bond is given twice, or bonded centres coincide.
         DisconnectedError: A body has a second large piece.
     """
 
@@ -183,7 +183,7 @@ class Lattice:
             about: point of the axis [m], (3,); None for the centre of volume of all elements.
 
         Raises:
-            InputError: The axis has no length, or the lattice is periodic.
+            InputError: The axis is unknown or has no length, a number is not finite, or the lattice is periodic.
         """
         owner = "Lattice.rotated"
         angle = number(owner, "angle", angle, unit="rad")
