@@ -103,7 +103,7 @@ def solve_modes(
     Raises:
         InputError: The model has fewer modes than `count`, no bonds or potential, or contacts, walls or a criterion.
             Or `prestress` is not an equilibrium of the model, or an unstable one.
-        ConvergenceError: The iteration did not reach an estimated error of 1e-8 in ω².
+        ConvergenceError: The iteration did not reach an estimated relative error of 1e-8 in ω².
     """
     instance("solve_modes", "model", model, Model, "bd.Model(...)")
     count = whole_number("solve_modes", "count", count, least=1)
@@ -230,7 +230,7 @@ def _block_gradients(system: System, mass: Floats, count: int) -> tuple[Floats, 
     """Return ω² (count,), modes (6 n, count) and rounds of block conjugate gradients (LOBPCG, Knyazev 2001).
 
     The iteration starts from modes of the clusters. Equal frequencies, of which a ball has up to 2 l + 1, converge
-    slowly if the block ends among them. A block that has not converged in `_PATIENCE` rounds is therefore widened.
+    slowly if the block ends among them. A block that has not converged in 60 rounds is therefore widened.
     """
     iteration = Iteration(system)
     n, none = len(iteration.root), system.loose.shape[1]

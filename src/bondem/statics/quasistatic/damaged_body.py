@@ -202,7 +202,7 @@ class DamagedBody:
         return CrackedHalves(k, c.k[k], part, c.normal[k], self.across[k], self.left[k], factor * np.stack(force))
 
     def weaken(self, facets: Ints, integrity: ArrayLike, closed: ArrayLike, across: ArrayLike | None = None) -> None:
-        """Set the integrity of some facets, at least `_NONE`, and their halves in compression.
+        """Set the integrity of some facets, at least 1e-7, and their halves in compression.
 
         Args:
             facets: internal numbers, each once, (c,).

@@ -150,10 +150,10 @@ def solve_quasistatic(
             last events is below the peak.
 
     Raises:
-        InputError: The model has no cells, another criterion, cells that yield, contacts or prestress, or nothing is
-            driven at `drive`.
+        InputError: The model has no cells, another criterion, cells that yield, planes with cohesion, contacts,
+            eigenstrains or body forces; nothing is driven at `drive`; or an option is out of range.
         ConvergenceError: The body does not resist the load, for example without sufficient supports.
-        RunInterrupted: Ctrl-C was pressed; its `.result` is the path so far.
+        RunInterrupted: Ctrl-C was pressed. The `.result` of the error is the path so far.
 
     Warns:
         FractureEnergyWarning: The pressure along cracks that began without it grows to a fifth of the strength.

@@ -14,7 +14,7 @@ from bondem._types import Floats
 class SofteningLine:
     """Traction of a softening facet: the larger of two straight lines in its opening (`core/laws/softening.hpp`).
 
-    T = |F⁺| / A is the traction that the facet would have with full integrity, which is proportional to its gap. The
+    T is the size of the traction that the facet would have with full integrity, which is proportional to its gap. The
     facet of integrity s carries s T.
 
     Attributes:
