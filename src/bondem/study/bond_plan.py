@@ -39,7 +39,7 @@ class BondPlan:
         of_cells: True for a body of cells; class attribute, like the following ones.
         words: plural nouns for elements and bonds.
         neighbours: estimated number of bonds per element, half the coordination number [-].
-        memory: estimated peak memory per element [bytes]; for cells measured in docs/validation/cost.md.
+        memory: estimated peak memory per element [bytes].
     """
 
     of_cells: ClassVar[bool] = False

@@ -38,7 +38,7 @@ class CalibrationPlan:
         law: family of bond laws; None for the recommended one.
         count: number of elements per packing.
         packings: number of packings, with seeds seed, seed + 1, …
-        shape: name in `SHAPES`: the periodic cell, without surfaces, or the cylinder of André et al. (2012).
+        shape: "cell", which is periodic and without surfaces, or "cylinder", that of André et al. (2012).
         spread: full range of the radii over their mean, κ [-].
         nu_mu: Poisson's ratio of the bonds [-].
         seed: seed of the first packing.

@@ -145,6 +145,7 @@ def packed(study: Study, k: int, on_stage: Progress) -> _Body:
 
     Raises:
         DisconnectedError: the specimen consists of two large pieces.
+        PackingError: the packing did not reach its target.
         StudyError: the shape in a file of particles does not suit the tests.
     """
     stage, seed = f"pack {k + 1} of {study.packings}", study.seed + k

@@ -41,6 +41,7 @@ def run_programme(
 
     Raises:
         InputError: the folder cannot be written to, another process writes to it, or a study is not feasible.
+        PackingError: a packing did not reach its target.
         UnstableRunError: a run became unstable or lost its energy balance. Finished specimens are kept.
     """
     with only_writer(Path(out), "output folder"), reported(progress) as on_stage:

@@ -182,7 +182,7 @@ def read_study(path: str | Path) -> Study:
     """Read a study file.
 
     Raises:
-        StudyError: no such file, not TOML, or a key that is unknown, missing or out of range.
+        StudyError: no such file, not TOML, a test programme, or a key that is unknown, missing or out of range.
     """
     path = Path(path)
 

@@ -98,8 +98,8 @@ class TractionOnset:
 class StressOnset:
     """Onset of facets by the stress of their cells, and of those of material planes by their own traction.
 
-    A facet of the material begins to crack if three conditions hold: σ1 of the stress σ* of `bd.Rankine` reaches its
-    strength, it is in tension or shear, and its opening along a principal direction is enough to soften. A facet under
+    A facet of the material begins to crack if σ1 of the stress σ* of `bd.Rankine` reaches the strength, the facet is
+    in tension or shear, and its opening along a principal direction is enough for softening. A facet under
     a pressure along its crack softens in one direction alone, so that the pressure remains (`pressed_cracks`).
     """
 
