@@ -31,7 +31,7 @@ class BulkModuli(StiffnessResult):
         stiffness: C of σ = C ε, in the order xx, yy, zz, yz, xz, xy with engineering shear strains [Pa], (6, 6).
         strains: deformation of the bonds under each of the six unit strains; empty for cells and the non-local law.
         motions: displacements [m] and rotations [rad] in addition to the uniform strains, six arrays (n, 6).
-        volume: volume of the cell [m³].
+        volume: volume of the periodic cell [m³].
     """
 
     stiffness: Floats

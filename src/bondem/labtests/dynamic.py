@@ -36,13 +36,13 @@ def dynamic_tension(
 
     Args:
         lattice: the specimen.
-        law: bond law, cell law or non-local law of the specimen.
+        law: bond law or cell law of the specimen; the non-local law has no modes, and raises InputError.
         density: density of the elements, ρ_μ [kg/m³], a number or (n,); `theory_refined` uses the distribution of
             their mass.
         E: Young's modulus of the specimen [Pa].
         nu: Poisson's ratio of the specimen [-].
         rho: density of the specimen, mass over volume of the shape [kg/m³].
-        gyration: `Tension.gyration` of the specimen [m²], (2,), for the consistency check `theory_refined`.
+        gyration: `Tension.gyration` of the specimen [m²], (2,), for `theory_refined`; None for that of the shape.
         modes: natural frequencies of the specimen, if known; None to compute them.
         vibration: free vibration of the specimen, or None.
         depth: depth of the two face regions, in mean radii [-].
@@ -81,12 +81,12 @@ def dynamic_bending(
 
     Args:
         lattice: the specimen.
-        law: bond law, cell law or non-local law of the specimen.
+        law: bond law or cell law of the specimen; the non-local law has no modes, and raises InputError.
         density: density of the elements, ρ_μ [kg/m³], a number or (n,).
         E: Young's modulus of the specimen [Pa].
         nu: Poisson's ratio of the specimen [-].
         rho: density of the specimen, mass over volume of the shape [kg/m³].
-        gyration: `Tension.gyration` of the specimen [m²], (2,), for the consistency check `theory_refined`.
+        gyration: `Tension.gyration` of the specimen [m²], (2,), for `theory_refined`; None for that of the shape.
         modes: natural frequencies of the specimen, if known; None to compute them.
         vibration: free vibration of the specimen, or None.
         depth: depth of the two face regions, in mean radii [-].
@@ -125,12 +125,12 @@ def dynamic_torsion(
 
     Args:
         lattice: the specimen.
-        law: bond law, cell law or non-local law of the specimen.
+        law: bond law or cell law of the specimen; the non-local law has no modes, and raises InputError.
         density: density of the elements, ρ_μ [kg/m³], a number or (n,).
         E: Young's modulus of the specimen [Pa].
         nu: Poisson's ratio of the specimen [-].
         rho: density of the specimen, mass over volume of the shape [kg/m³].
-        gyration: `Tension.gyration` of the specimen [m²], (2,), for the consistency check `theory_refined`.
+        gyration: `Tension.gyration` of the specimen [m²], (2,), for `theory_refined`; None for that of the shape.
         modes: natural frequencies of the specimen, if known; None to compute them.
         vibration: free vibration of the specimen, or None.
         depth: depth of the two face regions, in mean radii [-].

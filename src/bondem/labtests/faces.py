@@ -104,7 +104,7 @@ class SpecimenFaces:
 
 @dataclass(frozen=True, eq=False)
 class WalledFaces(SpecimenFaces):
-    """Faces of a body of cells: the free facets of `elements`, its cells, on its walls."""
+    """Faces of a body of cells, which are the free facets of its `elements`."""
 
     elements: CellElements
 

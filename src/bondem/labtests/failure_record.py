@@ -40,7 +40,7 @@ class TestFigure:
 
     Attributes:
         title: title of its panels.
-        strain, stress: quantities of its curve.
+        strain, stress: names of the quantities of its curve, on the horizontal and on the vertical axis.
         azimuth, elevation: direction of view of the broken specimen [rad].
         slips: True to colour yielded cells by their slip.
         halved: True to leave out the half of the specimen in front.

@@ -53,13 +53,13 @@ def natural_frequencies(
 ) -> NaturalFrequencies:
     """Compute the first axial, bending and torsional frequency by `solve_modes`.
 
-    The effective mass identifies the modes: the first axial and torsional modes have 81 % of the total mass, the
-    first pair of bending modes 61 %. The square of the bending frequency is the mean of the squares over the pair,
-    weighted with the effective mass along y.
+    The effective mass identifies the modes: the first axial mode has 81 % of the total mass, and the first pair of
+    bending modes 61 %. The first torsional mode has 81 % of the total moment of inertia. The square of the bending
+    frequency is the mean of the squares over the pair, weighted with the effective mass along y.
 
     Args:
         lattice: the specimen.
-        law: bond law, cell law or non-local law of the specimen.
+        law: bond law or cell law of the specimen; the non-local law has no modes, and raises InputError.
         density: density of the elements, ρ_μ [kg/m³], a number or (n,).
         count: number of modes to compute.
         depth: depth of the clamped face region, in mean radii [-].

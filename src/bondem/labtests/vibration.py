@@ -67,7 +67,7 @@ class FreeVibration(Plotted):
 
     @property
     def drawn(self) -> dict[str, Floats]:
-        """Motions of the free face over their largest values, in time."""
+        """Motions of the free face over their largest values [-] in time, by name and unit, (s,) each."""
         moved = {f"{kind} over its largest value [-]": one / np.abs(one).max() for kind, one in self.signal.items()}
         return {"time [s]": self.time} | moved
 

@@ -101,8 +101,8 @@ def brazilian(
         law: cell law, bond law, or laws by region, or the non-local law; of cells the first one is the matrix.
         failure: for cells a criterion with a tensile strength, or `bd.MohrCoulomb` with a fracture energy; for
             bonded spheres a criterion of bonds such as `bd.PeripheralStress`; or criteria by region.
-        half_angle: half angle α of the strips [rad]; None for 5°, or for three quarters of a cell if larger. Bonded
-            spheres have 10°, or one and a half mean radii if larger.
+        half_angle: half angle α of the strips [rad]; None for 5° (10° for bonded spheres), or for a half width of
+            three quarters of a cell (one and a half mean radii) if this is larger.
         platen_friction: coefficient of friction between platens and disc [-]; 0 for smooth platens, for which the
             factor holds. Strips of bonded spheres are smooth.
         density: density of the material [kg/m³], or a `bd.Material`; results do not depend on it. None for 2000.
