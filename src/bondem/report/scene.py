@@ -82,7 +82,7 @@ class Scene:
         return snapshot_number(self._file, snapshot, self.count, argument="snapshot")
 
     def draw(self, plotter: Any, number: int) -> None:
-        """Draw the snapshot with the index `number`, which begins at 0, in a pyvista plotter."""
+        """Draw the snapshot of index `number`, from 0, in a pyvista plotter; unknown fields raise InputError."""
         pieces = self._pieces(number)
         body = self._body(pieces)
         if body is not None:

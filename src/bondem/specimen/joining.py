@@ -24,8 +24,8 @@ def join(*bodies: Lattice | Particles, names: Sequence[str] | None = None, pairs
     Args:
         bodies: lattices, or particles for loose grains, which are a body without bonds. All bodies of a lattice of
             several bodies are joined.
-        names: name of each argument, such as ("rock", "anvil"); "body 0", "body 1", … unless given. The bodies of a
-            scene then keep their names if these differ; else "grains/0" becomes "name/0".
+        names: name of each argument, such as ("rock", "anvil"); None for "body 0", "body 1", …. In an argument of
+            several bodies "grains/0" becomes "name/0"; with None it keeps its name if no two are equal.
         pairs: bonds between spheres of different bodies, as elements of the joined lattice, shape (k, 2). Spheres
             that such a bond joins may overlap.
 

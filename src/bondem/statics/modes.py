@@ -229,7 +229,7 @@ def _inverse_lanczos(system: System, mass: Floats, count: int) -> tuple[Floats, 
 def _block_gradients(system: System, mass: Floats, count: int) -> tuple[Floats, Floats, int]:
     """Return ω² (count,), modes (6 n, count) and rounds of block conjugate gradients (LOBPCG, Knyazev 2001).
 
-    The iteration starts from modes of the clusters. Equal frequencies, of which a ball has up to 2 l + 1, converge
+    The iteration starts from modes of the clusters. Equal frequencies, of which a ball has many, converge
     slowly if the block ends among them. A block that has not converged in 60 rounds is therefore widened.
     """
     iteration = Iteration(system)

@@ -84,7 +84,7 @@ def run_strength(
 
     Raises:
         InputError: the folder cannot be written to, or has runs of another plan.
-        UnstableRunError: a test failed at the start.
+        UnstableRunError: a test with the initial strengths became unstable.
     """
     bodies: list[Lattice] = []
     law = CellBond(E=plan.E, nu=plan.nu)

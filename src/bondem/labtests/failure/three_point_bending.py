@@ -83,7 +83,7 @@ class BendingTest(PlottedState):
 
     @property
     def table(self) -> dict[str, Floats]:
-        """Notch opening if it was measured, load, deflection, and deflection and stress of the curve, by name and unit."""
+        """Notch opening if measured, load, deflection, deflection over span and stress, by name and unit."""
         mouth = {} if self.cmod is None else {"CMOD [m]": self.cmod}
         others = {"load [N]": self.load, "deflection over span [-]": self.curve[:, 0]}
         deflection = {"deflection [m]": self.deflection}

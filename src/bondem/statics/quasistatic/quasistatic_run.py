@@ -66,10 +66,10 @@ class QuasistaticResult(PlottedState):
         event: event of the failure, (f,).
         position: centroid of the facet in the reference [m], (f, 3).
         bond_integrity: integrity of all facets at the end, user's order, (m,).
-        end: reason for the end: "unloaded", "parted", "strong", "loose", "folded", "events" or "interrupted".
-            "strong": nothing fails at any load. "loose": parts are connected so weakly that no equilibrium is found.
-            "folded": before the next event a tenth of the elements would rotate by more than 0.1 rad, so that motions
-            are no longer small.
+        end: reason for the end. "unloaded": the load is below `until`. "parted": the body is in parts. "strong":
+            nothing fails at any load. "loose": parts are connected so weakly that no equilibrium is found. "folded":
+            before the next event a tenth of the elements would rotate by more than 0.1 rad, so that motions are no
+            longer small. "events": `most` events occurred. "interrupted": Ctrl-C was pressed.
         motion: displacements of the elements at the last event [m], (n, 3).
         state: equilibrium at the last event, before its facets fail; for a body that has parted, with the integrities
             after the event. For `bd.fragments`, `bd.cracks` and figures, and to continue in `bd.solve_explicit`.
