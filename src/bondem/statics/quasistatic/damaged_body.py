@@ -251,7 +251,7 @@ class DamagedBody:
         return np.where(self.in_one[facets, None], self.across[facets], self.weakened.normal[facets])
 
     def _apart(self, facets: Ints) -> Floats:
-        """Return stiffness along `_along` less that across it, over 1 - s, (2, c): 1 if closed, less 1 if `in_one`."""
+        """Return stiffness along `_along` less that across, over 1 - s, (2, c): 1 if closed, less 1 if `in_one`."""
         return (self.closed[facets] - self.in_one[facets, None].astype(float)).T
 
     def _weigh(self, facets: Ints, sign: float) -> None:
