@@ -29,7 +29,8 @@ def split_bonded(
     """Compress a disc of bonded spheres along y.
 
     Planes with a coefficient of `friction` [-] press on the flats of a disc. On a plain cylinder, the elements of two
-    strips of a half angle [rad] approach along y. The test ends at a share `ending` of the peak load [-], or 0.7.
+    strips of a half angle [rad] approach along y; None for 10°, or more if radii are large. The test ends at a share
+    `ending` of the peak load [-]; None for 0.7.
 
     Returns:
         Result of the test, elastic stress σ_zz at the centre over 2 P / (π D t) [-] (NaN for the non-local law), its

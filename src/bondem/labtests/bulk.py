@@ -67,7 +67,7 @@ def bulk_moduli(lattice: Lattice, law: AnyLaw, *, guess: BulkModuli | None = Non
     Args:
         lattice: bonded elements of a `Cell`, or of particles with a `period`.
         law: bond law, cell law, or laws by region, or the non-local law.
-        guess: moduli of the same lattice with similar bonds, as an initial guess; for bonds of spheres only.
+        guess: moduli of the same lattice with similar bonds, as an initial guess for bonds of spheres, or None.
 
     Raises:
         InputError: the lattice is not periodic or has no bonds.

@@ -32,7 +32,7 @@ def dynamic_tension(
     """Compare the first axial frequency of a clamped specimen with √(E/ρ) / (4 L).
 
     The measured value is the natural frequency of the modes, which needs no signal processing. Given a free
-    vibration, `curves` also has its signal, spectrum and frequency ("free_vibration").
+    vibration, `Outcome.curves` has its signal, spectrum and frequency ("free_vibration").
 
     Args:
         lattice: the specimen.
@@ -49,7 +49,7 @@ def dynamic_tension(
 
     Raises:
         EmptyRegionError: a face has no connected element.
-        InputError: a specimen that is neither a Cylinder nor a Box, no axial mode, or a value out of range.
+        InputError: neither a Cylinder nor a Box, a kind of mode missing among the first 8, or a value out of range.
     """
     density, E, nu, rho = constant("density", density), constant("E", E), constant("nu", nu), constant("rho", rho)
     check("dynamic_tension", lattice, density=density, E=E, nu=nu, rho=rho, depth=depth)
@@ -77,7 +77,7 @@ def dynamic_bending(
 ) -> Outcome:
     """Compare the first bending frequency of a clamped specimen with Euler–Bernoulli's and Timoshenko's cantilevers.
 
-    `curves` has the signal, spectrum and frequency of the free vibration, if it is given.
+    `Outcome.curves` has the signal, spectrum and frequency of the free vibration, if it is given.
 
     Args:
         lattice: the specimen.
@@ -121,7 +121,7 @@ def dynamic_torsion(
 ) -> Outcome:
     """Compare the first torsional frequency of a clamped specimen with √(G J / (ρ I_p)) / (4 L).
 
-    `curves` has the signal, spectrum and frequency of the free vibration, if it is given.
+    `Outcome.curves` has the signal, spectrum and frequency of the free vibration, if it is given.
 
     Args:
         lattice: the specimen.

@@ -83,7 +83,7 @@ def draw_failed(figure: Figure, ax: Axes, body: Lattice, curves: Mapping[str, Fl
         figure: figure for the colour bar.
         ax: axes to draw on.
         body: lattice of cells or of bonded spheres.
-        curves: arrays "displacement" [m], "orientation", "damage" and "slip" of elements, and "piece" for fragments.
+        curves: "displacement" [m], (n, 3), "orientation", (n, 4), "damage", "slip" and "piece" of elements, (n,).
         style: style of the figure.
     """
     view = view_of(style)

@@ -35,8 +35,7 @@ def connect(
 
     Args:
         particles: the elements.
-        tolerance: bond where L - (Ri + Rj) <= tolerance · R̄ [-], with the distance L of the centres, the radii Ri
-            and Rj, and the mean radius R̄. If neither this nor `reach` is given, it is 0.
+        tolerance: bond where gap <= tolerance · R̄ [-], with gap = L - (Ri + Rj) and the mean radius R̄; None for 0.
         reach: bond where L <= reach · (Ri + Rj) [-], the contact-radius multiplier η_r of Chen et al. (2022).
         method: "distance" or "laguerre". The latter cuts the shape into Laguerre cells, one per element, and bonds
             cells that share a facet; the lattice then has `facets` and `cells`. Particles without a shape use the

@@ -84,7 +84,7 @@ def replicate(
         seed: number that selects the random rotations.
 
     Raises:
-        InputError: `join` rejects the copies, there are several bodies, or an array has another shape.
+        InputError: `join` rejects the copies, there are several bodies, or an array has another shape or values.
     """
     instance("replicate", "body", body, Lattice, "a lattice, from bd.connect")
     body.bodies.require_one("replicate")
@@ -130,7 +130,7 @@ def turns_of(owner: str, rotations: ArrayLike | str | None, number: int, seed: i
 
 
 def parts(lattice: Lattice) -> list[tuple[Ints, Particles]]:
-    """Return, for each body, the indices of its elements and its particles with their shape."""
+    """Return, for each body, the indices of its elements, (k,), and its particles with their shape."""
     if len(lattice.names) == 1:
         return [(np.arange(len(lattice.particles)), lattice.particles)]
     position, radius = lattice.particles.position, lattice.particles.radius

@@ -237,11 +237,12 @@ class Lattice:
         return OUTLETS.draw_lattice(self, path, values=values, label=label, view=view)
 
     def on_face(self, name: str, body: Which | None = None) -> Ints:
-        """Return the free facets of a body on a face or patch of its shape, as ascending indices into `cells.free`.
+        """Return the free facets on a face or patch of a body's shape, as ascending indices into `cells.free`, (k,).
+
+        `body` is the name or number of the body, None for the only one.
 
         Raises:
-            InputError: The shape has no such face, the lattice has no cells, or it has several bodies and none is
-                named.
+            InputError: The shape has no such face, there is no such body, no cells, or several bodies and none named.
 
         Warns:
             FaceWarning: A patch ends within a plane, and its facets cover another area than the patch.

@@ -82,7 +82,7 @@ def wall_layering(particles: Particles, *, reach: float = 4.0, bins_per_diameter
 
 
 def _clear(distance: Mapping[str, Floats], face: str, count: int) -> Mask:
-    """Return a mask of the points away from all faces but one, shape (count,)."""
+    """Return a mask of the points at least 1.5 mean diameters from all faces but `face`, shape (count,)."""
     far = np.ones(count, dtype=bool)
     for other, away in distance.items():
         far &= (away >= _ASIDE) | (other == face)

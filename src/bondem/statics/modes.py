@@ -259,7 +259,7 @@ def _block_gradients(system: System, mass: Floats, count: int) -> tuple[Floats, 
 def _iterated(
     iteration: Iteration, M: Any, rigid: Floats, S: Floats, *, count: int, width: int
 ) -> tuple[Floats, Floats, int, bool]:
-    """Return ω² and vectors of a block, its number of rounds, and True if the first `count` have converged."""
+    """Return ω², (width,), and vectors of a block, its rounds, and True if the first `count` have converged."""
     K = cast(Any, iteration.scaled)  # types of sparse products take a type checker a minute in this loop
     M_rigid, KS, MS = M @ rigid, K @ S, M @ S
     last, square, X = 0, np.zeros(0), S
@@ -284,7 +284,7 @@ def _iterated(
 
 
 def _ritz(K: Floats, M: Floats, count: int) -> tuple[Floats, Floats]:
-    """Return the lowest eigenvalues and vectors of a small pencil whose vectors may be nearly dependent."""
+    """Return the lowest eigenvalues, (count,), and vectors of a pencil (K, M) of nearly dependent vectors."""
     scale = 1.0 / np.sqrt(M.diagonal())
     size, vector = np.linalg.eigh(M * scale[:, None] * scale)
     keep = size > 1e-12 * size[-1]

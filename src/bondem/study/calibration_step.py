@@ -85,7 +85,7 @@ def run_calibration(
         plan: plan of the calibration.
         out: folder for the results, or None.
         cache: packing cache, as for `bd.pack`.
-        progress: callback, called with the stage and its completed share [-].
+        progress: callback, called with the stage and its completed share [-], or None.
 
     Returns:
         The calibration, and the contents of `calibration.json`.

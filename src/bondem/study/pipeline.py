@@ -52,7 +52,7 @@ def run_study(study: Study, out: str | Path, *, progress: Progress | None = None
     Args:
         study: the study.
         out: folder for the results, created with the first result.
-        progress: callback, called with the stage and its completed share [-].
+        progress: callback, called with the stage and its completed share [-], or None.
 
     Returns:
         Contents of `results.json`.

@@ -34,7 +34,7 @@ def run_programme(
         programme: the test programme.
         out: folder for the results, created with the first result.
         fresh: True to run all specimens again.
-        progress: callback, called with the specimen and its stage, and the completed share of the stage [-].
+        progress: callback, called with the specimen and its stage, and the share of the stage [-], or None.
 
     Returns:
         Contents of `results.json`: "rows" of the table, and the results of each specimen under "specimens".

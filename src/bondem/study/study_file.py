@@ -152,7 +152,7 @@ class Study:
 
     @property
     def failures(self) -> dict[str, Criterion]:
-        """Failure criteria of the parts of the material, by name; empty without failure."""
+        """Failure criteria of the parts of the material, by name; empty without a failure criterion."""
         if self.failure is None:
             return {}
         if self.aggregates is None:

@@ -147,7 +147,7 @@ class DamagedBody:
         return self.matrix.force(self.motion) if self.motion.any() else self.motion
 
     def potential(self, motion: Floats) -> float:
-        """Return the energy of the body less the work of its loads, up to a constant that no facet changes [J]."""
+        """Return the energy at a motion (6 n,) less the work of loads, up to a constant that no facet changes [J]."""
         stored = 0.5 * float(motion @ self.matrix.force(motion))
         stored += 0.5 * float(self.system.matrix.weight @ self.given**2)
         return stored - float(self.right @ motion)

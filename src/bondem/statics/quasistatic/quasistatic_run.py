@@ -103,7 +103,7 @@ class QuasistaticResult(PlottedState):
 
     @property
     def table(self) -> dict[str, Floats]:
-        """Load, displacement, energies and gauges at each event by name and unit, (e,) each."""
+        """Displacement, load, factor, energies and gauges at each event, by name and unit, (e,) each."""
         found = {
             "displacement [m]": self.displacement, "load [N]": self.load, "factor [-]": self.factor,
             "work [J]": self.work, "stored [J]": self.stored, "dissipated [J]": self.energy,
@@ -145,7 +145,7 @@ def solve_quasistatic(
         until: share of the peak load at which the path ends. All of the last twentieth of the events, at least
             2 / `ripple`, must stay below it, because single events occur at much lower loads than others.
         most: largest number of events.
-        gauges: pairs of regions whose relative displacement is recorded, by name.
+        gauges: pairs of regions whose relative displacement is recorded, by name, or None.
         progress: function called with the completed share, 0 … 1, which never falls: how far the highest load of the
             last events is below the peak.
 
@@ -241,7 +241,7 @@ def _followed(
 
 
 def _balance(body: DamagedBody, equilibrium: Equilibrium, motion: Floats, size: float) -> tuple[Floats, Loaded]:
-    """Return the equilibrium, with facets in compression closed, and loads; `size` is the last `body.size` or 0."""
+    """Return the motion in equilibrium, (6 n,), and loads after facets closed; `size`: last `body.size` or 0."""
     def rest() -> tuple[Floats, Loaded]:
         found = body.motion + equilibrium.solve(body.right - body.pull, motion - body.motion, size)
         return found, body.loaded(found)
