@@ -126,7 +126,7 @@ def _of_cells(statics: Statics) -> BulkModuli:
 
 
 def _of_lagged(model: Model, law: LaggedInteraction) -> BulkModuli:
-    """Compute the stiffness tensor under a non-local law, from the mean stress Σ branch ⊗ F / V."""
+    """Compute the stiffness tensor under a non-local law, from the mean stress Σ branch ⊗ force / volume."""
     lattice = model.lattice
     assert lattice.particles.period is not None
     volume = float(lattice.particles.period.prod())

@@ -209,7 +209,8 @@ def static_bending(
         depth: depth of the two face regions, in mean radii [-].
 
     Raises:
-        EmptyRegionError, InputError: as for `clamped_tension`.
+        EmptyRegionError: a face has no connected element.
+        InputError: a specimen that is neither a Cylinder nor a Box or is too coarse, or a value out of range.
     """
     E, nu = constant("E", E), constant("nu", nu)
     check("static_bending", lattice, E=E, nu=nu, stress=stress, depth=depth)
@@ -255,7 +256,8 @@ def static_torsion(
         depth: depth of the two face regions, in mean radii [-].
 
     Raises:
-        EmptyRegionError, InputError: as for `clamped_tension`.
+        EmptyRegionError: a face has no connected element.
+        InputError: a specimen that is neither a Cylinder nor a Box or is too coarse, or a value out of range.
     """
     E, nu = constant("E", E), constant("nu", nu)
     check("static_torsion", lattice, E=E, nu=nu, stress=stress, depth=depth)

@@ -117,7 +117,7 @@ class Cracking:
 
     @property
     def per_section(self) -> float:
-        """Energy dissipated by facets over the section [J/m²]: G_f for a single crack, NaN without a section."""
+        """Energy dissipated by facets over the section [J/m²]: the G_f entered, for one crack; NaN without a section."""
         return self.dissipated / self.section
 
     @property
@@ -125,7 +125,7 @@ class Cracking:
         """Elastic energy at the peak over the energy of one crack, G_f times the section [-]; NaN without either.
 
         Above 1 the specimen stores more energy than one crack dissipates, and the equilibrium path snaps back. In
-        a test at a given motion the excess drives further cracks and vibrations.
+        a test under displacement control the excess drives further cracks and vibrations.
         """
         taken = self.fracture_energy * self.section
         return self.stored / taken if taken > 0.0 else math.nan

@@ -92,7 +92,8 @@ def dynamic_bending(
         depth: depth of the two face regions, in mean radii [-].
 
     Raises:
-        EmptyRegionError, InputError: as for `dynamic_tension`.
+        EmptyRegionError: a face has no connected element.
+        InputError: neither a Cylinder nor a Box, a kind of mode missing among the first 8, or a value out of range.
     """
     density, E, nu, rho = constant("density", density), constant("E", E), constant("nu", nu), constant("rho", rho)
     check("dynamic_bending", lattice, density=density, E=E, nu=nu, rho=rho, depth=depth)
@@ -136,7 +137,8 @@ def dynamic_torsion(
         depth: depth of the two face regions, in mean radii [-].
 
     Raises:
-        EmptyRegionError, InputError: as for `dynamic_tension`.
+        EmptyRegionError: a face has no connected element.
+        InputError: neither a Cylinder nor a Box, a kind of mode missing among the first 8, or a value out of range.
     """
     density, E, nu, rho = constant("density", density), constant("E", E), constant("nu", nu), constant("rho", rho)
     check("dynamic_torsion", lattice, density=density, E=E, nu=nu, rho=rho, depth=depth)

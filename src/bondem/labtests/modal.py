@@ -89,7 +89,7 @@ def natural_frequencies(
 
 
 def _effective_mass(model: Model, shape: Floats) -> Floats:
-    """Compute the effective mass shares (φ·M r)² / (φ·M φ · r·M r), (count, 4), for r along x, y, z and about x."""
+    """Compute mass shares (φ·M r)² / (φ·M φ · r·M r) of modes φ, (count, 4), for r along x, y and z and about x."""
     lattice = model.lattice
     moving = lattice.connected
     y, z = (lattice.centre - lattice.centre[moving].mean(axis=0))[:, 1:].T

@@ -67,7 +67,7 @@ def strike(
         slices: number of slices along x for `Wave.sections`.
         moments: times of the snapshots [s]; each is taken at the nearest step.
         depth: depth of the two face regions, in mean radii [-].
-        out: run file as for `run_test`, without slices and moments, which it does not contain; None for no file.
+        out: run file (HDF5) from which the same call resumes, without slices and moments; None for no file.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:

@@ -214,7 +214,7 @@ class Iteration:
     """Solver by conjugate gradients on Sᵀ K S, preconditioned by the coarse correction of clusters.
 
     Attributes:
-        root: S of each element, shape (n, 6, 6).
+        root: scaling matrix S of each element, shape (n, 6, 6).
         scaled: Sᵀ K S.
         coarse: coarse correction of the scaled matrix.
         rigid: rigid motions that the supports permit, in scaled unknowns, orthonormal, (6 n, r).

@@ -144,7 +144,7 @@ def _solved(
 ) -> Floats:
     """Return the change by Newton's method, (6 n,), with forces of moments that rotate with their regions.
 
-    The forces add an unsymmetric matrix of rank three per moment to the tangent: K - G B is solved by K (Woodbury).
+    The forces add an unsymmetric matrix of rank three per moment to the tangent, so that Woodbury's identity applies.
     """
     if not couples:
         return solver(tangent).solve(right, rtol=1e-8)[0]

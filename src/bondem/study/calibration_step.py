@@ -84,7 +84,7 @@ def run_calibration(
     Args:
         plan: plan of the calibration.
         out: folder for the results, or None.
-        cache: packing cache, as for `bd.pack`.
+        cache: True to reuse packings of earlier calls from disk.
         progress: callback, called with the stage and its completed share [-], or None.
 
     Returns:
@@ -127,7 +127,7 @@ def run_calibration(
 
 
 def _summary(plan: CalibrationPlan, fit: Calibration, lattices: list[Lattice]) -> dict[str, Any]:
-    """Collect a calibration as finite numbers in SI; intervals are None for a single packing."""
+    """Collect a calibration as finite numbers in SI; scatter and intervals are None for a single packing."""
     several = len(fit.responses) > 1
     quantities: dict[str, Any] = {}
     for name in ("E", "nu", "E_mu", "value"):

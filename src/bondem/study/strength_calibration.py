@@ -1,4 +1,4 @@
-"""Pipeline of `bondem strength`: calibrate f_t and c of cells to the UCS and Brazilian strength of cylinders."""
+"""Pipeline of `bondem strength`: calibrate tensile strength and cohesion to UCS and Brazilian strength of cylinders."""
 
 import math
 from collections.abc import Callable

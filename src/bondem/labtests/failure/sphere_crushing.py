@@ -70,12 +70,12 @@ class SphereCrushing(OfOneRun):
 
     @property
     def peak(self) -> float:
-        """Nominal tensile strength 2.8 F / (π D²) of Hiramatsu and Oka (1966) [Pa]."""
+        """Nominal tensile strength 2.8 F / (π D²) of Hiramatsu and Oka (1966) [Pa], for the largest force F."""
         return TENSION * self.jaeger
 
     @property
     def jaeger(self) -> float:
-        """Strength measure F / D² of Jaeger (1967) [Pa]."""
+        """Strength measure F / D² of Jaeger (1967) [Pa], for the largest force F and the diameter D."""
         return self.force / self.diameter**2
 
     @property

@@ -181,7 +181,7 @@ def _followed(
     model: Model, drive: Region, pairs: Mapping[str, tuple[Region, Region]], limits: tuple[float, float, float, int],
     progress: Callable[[float], None] | None, halt: Halt,
 ) -> QuasistaticResult:  # fmt: skip
-    """Follow a path to its end, or until an interrupt; `limits` are ripple, together, until and most."""
+    """Follow a path to its end or an interrupt; `limits`: `ripple`, `together`, `until`, `most` of the caller."""
     band, close, share, limit = limits
     body, equilibrium, onset = _begin(model)
     reading, gauge = Reading(body, drive), PointGauges(model, pairs)
@@ -241,7 +241,7 @@ def _followed(
 
 
 def _balance(body: DamagedBody, equilibrium: Equilibrium, motion: Floats, size: float) -> tuple[Floats, Loaded]:
-    """Return the motion in equilibrium, (6 n,), and loads after facets closed; `size`: last `body.size` or 0."""
+    """Return motion, (6 n,), and loads in equilibrium, once no crack opens or closes; `size` is the last `body.size`."""
     def rest() -> tuple[Floats, Loaded]:
         found = body.motion + equilibrium.solve(body.right - body.pull, motion - body.motion, size)
         return found, body.loaded(found)
