@@ -117,7 +117,7 @@ class Cracking:
 
     @property
     def per_section(self) -> float:
-        """Energy dissipated by facets over the section [J/m²]: the G_f entered, for one crack; NaN without a section."""
+        """Energy dissipated by facets over the section [J/m²], near G_f for a single crack; NaN without a section."""
         return self.dissipated / self.section
 
     @property

@@ -1,4 +1,4 @@
-"""Pipeline of `bondem strength`: calibrate tensile strength and cohesion to UCS and Brazilian strength of cylinders."""
+"""Pipeline of `bondem strength`: fit tensile strength and cohesion to UCS and Brazilian strength of cylinders."""
 
 import math
 from collections.abc import Callable

@@ -40,7 +40,7 @@ class OpenedFacets:
         return self.motions.swelling.copy()
 
     def load(self, stress: Floats, moment: Floats) -> FacetLoading:
-        """Return the loads of facets at dilatation stresses of cells [Pa], (n,), and their sums V σ + `moment`, (n, 6)."""
+        """Return loads of facets at dilatation stresses of cells [Pa], (n,), and the sums V σ + `moment`, (n, 6)."""
         self.loading.stress[:], self.loading.moment[:] = stress, moment
         self._load()
         return FacetLoading._make(part.copy() for part in self.loading)

@@ -241,7 +241,7 @@ def _followed(
 
 
 def _balance(body: DamagedBody, equilibrium: Equilibrium, motion: Floats, size: float) -> tuple[Floats, Loaded]:
-    """Return motion, (6 n,), and loads in equilibrium, once no crack opens or closes; `size` is the last `body.size`."""
+    """Return motion, (6 n,), and loads in equilibrium, once no crack opens or closes; `size`: last `body.size`."""
     def rest() -> tuple[Floats, Loaded]:
         found = body.motion + equilibrium.solve(body.right - body.pull, motion - body.motion, size)
         return found, body.loaded(found)
