@@ -61,7 +61,10 @@ def run_study(study: Study, out: str | Path, *, progress: Progress | None = None
         InputError: the folder cannot be written to, or another process writes to it (both are checked before any
             work), or the study is not feasible.
         PackingError: a packing did not reach its target.
+        DisconnectedError: a specimen consists of two large pieces.
         UnstableRunError: the run of a test became unstable or lost its energy balance.
+        RunFileError: a file cannot be written, such as on a full disk.
+        RunInterrupted: Ctrl-C was pressed during the run of a test.
         UnreachableTargetError: neither the bond law nor any recommended law gives the material's Poisson's ratio.
     """
     with only_writer(Path(out), "output folder"), reported(progress) as on_stage:

@@ -42,7 +42,9 @@ def run_programme(
     Raises:
         InputError: the folder cannot be written to, another process writes to it, or a study is not feasible.
         PackingError: a packing did not reach its target.
+        RunFileError: a file cannot be written, such as on a full disk.
         UnstableRunError: a run became unstable or lost its energy balance. Finished specimens are kept.
+        RunInterrupted: Ctrl-C was pressed during a run. Finished specimens are kept.
     """
     with only_writer(Path(out), "output folder"), reported(progress) as on_stage:
         return _carry_out(programme, Path(out), fresh, on_stage)
