@@ -195,6 +195,15 @@ def test_a_picture_of_a_run(tmp_path: Path, options: dict[str, str]) -> None:
         scenes.render_run(place, tmp_path / "run.png", camera="above")
 
 
+@pytest.mark.parametrize(("camera", "front"), [("iso", 1.0), ("-x", -1.0)])
+def test_a_section_removes_the_half_in_front(tmp_path: Path, camera: str, front: float) -> None:
+    scene = pytest.importorskip("bondem.report.scene")
+    drawn = scene.Scene(finished(tmp_path), field=None, show="auto", section="x", warp=1.0, camera=camera, walls=True,
+                        axes=True)  # fmt: skip
+    body = drawn._body(drawn._pieces(0))
+    assert front * (body.center[0] - drawn._middle[0]) < 0.0
+
+
 def test_a_window_needs_a_display(tmp_path: Path, monkeypatch) -> None:
     pytest.importorskip("bondem.report.scenes")
     place = finished(tmp_path)

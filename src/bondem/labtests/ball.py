@@ -61,7 +61,7 @@ class BrokenBall(Plotted):
         pieces: fragments, the heaviest first.
         sizes: size distribution of the fragments.
         damage: share of broken bonds or facets [-].
-        fines: mass share of the fragments below the size limit of fines [-].
+        fines: mass share of the fragments smaller than a limit, the share `fine` of the ball's diameter [-].
     """
 
     pieces: Fragments

@@ -100,7 +100,7 @@ def _roller(
 ) -> CylinderWall:
     """Create a rod along z at x = `at` [m] that touches the beam from above (side 1) or below (-1).
 
-    It moves along y at `speed` [m/s], which it reaches at the time `begin` [s].
+    The rod moves along y at `speed` [m/s], which it reaches at the time `begin` [s].
     """
     lower, upper = specimen.bounds
     reach = specimen.bare.contact_radius + radius

@@ -119,7 +119,7 @@ class BondedSpecimen:
         """Check the arguments of a test that loads given `faces`, and create its specimen.
 
         Raises:
-            InputError: no criterion, a shape without these faces, a lattice without bonds, or an invalid density.
+            InputError: no criterion, no such faces, turned ends, an invalid density, no bonds, or several bodies.
         """
         check(test, lattice, density=density)
         shape = lattice.particles.envelope
@@ -265,7 +265,7 @@ class BondedSpecimen:
         )  # fmt: skip
 
     def pressed(self, axis: int, near: Ints, far: Ints) -> StaticResult:
-        """Solve for the equilibrium with the elements `near`, (k,), fixed and `far`, (k,), moved along an axis."""
+        """Solve for the equilibrium with elements `far` moved towards `near`, (k,) each, by 1e-5 of the extent."""
         lower, upper = self.bounds
         from_middle = np.linalg.norm(self.lattice.centre - 0.5 * (lower + upper), axis=1)
         inmost = Index([int(np.argmin(np.where(self.lattice.connected, from_middle, np.inf)))])
@@ -319,9 +319,10 @@ class BondedSpecimen:
         return float(np.quantile(failure_index(self.bare, scaled), 1.0 - _REACHED))
 
     def _uniform_index(self, largest: float, least: float) -> float:
-        """Return the failure index of the non-local law per nominal stress [1/Pa], for principal over nominal ones.
+        """Return the largest failure index of all criteria under the non-local law, over the nominal stress [1/Pa].
 
-        The largest of all criteria counts. A load that no criterion limits gives 1 over the weakest strength.
+        `largest` and `least` are principal stresses over the nominal one [-]. If no criterion limits them, the result
+        is 1 over the weakest strength.
         """
         limits = [limit for part in self.bare.failure_parts if (limit := part.criterion.principal) is not None]
         found = max(max(a * largest, b * largest - c * least) for a, b, c in limits)

@@ -29,14 +29,15 @@ def split_bonded(
     """Compress a disc of bonded spheres along y.
 
     Planes with a coefficient of `friction` [-] press on the flats of a disc. On a plain cylinder, the elements of two
-    strips of a half angle [rad] move along y. The test ends at a share `ending` of the peak load [-], 0.7 by default.
+    strips of a half angle [rad] approach along y; None for 10°, or more if radii are large. The test ends at a share
+    `ending` of the peak load [-]; None for 0.7.
 
     Returns:
-        Result of the test, elastic stress at the centre over 2 P / (π D t) [-], its theoretical value [-], and the
-        half angle of flats or strips [rad].
+        Result of the test, elastic stress σ_zz at the centre over 2 P / (π D t) [-] (NaN for the non-local law), its
+        theoretical value [-], and the half angle of flats or strips [rad].
 
     Raises:
-        InputError: a body that is not a disc, an angle out of range or without elements, or friction on strips.
+        InputError: no disc, an angle out of range or without elements, or friction on strips or on flats of cells.
     """
     disc = require_disc(specimen.lattice)
     bottom, top, angle, factor = _pressed_elements(specimen, disc, half_angle, friction)

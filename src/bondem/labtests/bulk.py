@@ -31,7 +31,7 @@ class BulkModuli(StiffnessResult):
         stiffness: C of σ = C ε, in the order xx, yy, zz, yz, xz, xy with engineering shear strains [Pa], (6, 6).
         strains: deformation of the bonds under each of the six unit strains; empty for cells and the non-local law.
         motions: displacements [m] and rotations [rad] in addition to the uniform strains, six arrays (n, 6).
-        volume: volume of the cell [m³].
+        volume: volume of the periodic cell [m³].
     """
 
     stiffness: Floats
@@ -67,7 +67,7 @@ def bulk_moduli(lattice: Lattice, law: AnyLaw, *, guess: BulkModuli | None = Non
     Args:
         lattice: bonded elements of a `Cell`, or of particles with a `period`.
         law: bond law, cell law, or laws by region, or the non-local law.
-        guess: moduli of the same lattice with similar bonds, as an initial guess; for bonds of spheres only.
+        guess: moduli of the same lattice with similar bonds, as an initial guess for bonds of spheres, or None.
 
     Raises:
         InputError: the lattice is not periodic or has no bonds.
@@ -126,7 +126,7 @@ def _of_cells(statics: Statics) -> BulkModuli:
 
 
 def _of_lagged(model: Model, law: LaggedInteraction) -> BulkModuli:
-    """Compute the stiffness tensor under a non-local law, from the mean stress Σ branch ⊗ F / V."""
+    """Compute the stiffness tensor under a non-local law, from the mean stress Σ branch ⊗ force / volume."""
     lattice = model.lattice
     assert lattice.particles.period is not None
     volume = float(lattice.particles.period.prod())

@@ -160,7 +160,7 @@ def clamped_tension(
         law: bond law, cell law or non-local law of the specimen.
         E: Young's modulus of the specimen, as `static_tension` measures it [Pa].
         nu: Poisson's ratio of the specimen [-].
-        gyration: `Tension.gyration` of the specimen [m²], (2,), for the consistency check `theory_refined`.
+        gyration: `Tension.gyration` of the specimen [m²], (2,), for `theory_refined`; None for that of the shape.
         stress: axial stress F / S [Pa].
         depth: depth of the two face regions, in mean radii [-].
 
@@ -204,12 +204,13 @@ def static_bending(
         law: bond law, cell law or non-local law of the specimen.
         E: Young's modulus of the specimen [Pa].
         nu: Poisson's ratio of the specimen [-].
-        gyration: `Tension.gyration` of the specimen [m²], (2,), for the consistency check `theory_refined`.
+        gyration: `Tension.gyration` of the specimen [m²], (2,), for `theory_refined`; None for that of the shape.
         stress: mean shear stress F / S [Pa].
         depth: depth of the two face regions, in mean radii [-].
 
     Raises:
-        EmptyRegionError, InputError: as for `clamped_tension`.
+        EmptyRegionError: a face has no connected element.
+        InputError: a specimen that is neither a Cylinder nor a Box or is too coarse, or a value out of range.
     """
     E, nu = constant("E", E), constant("nu", nu)
     check("static_bending", lattice, E=E, nu=nu, stress=stress, depth=depth)
@@ -250,12 +251,13 @@ def static_torsion(
         law: bond law, cell law or non-local law of the specimen.
         E: Young's modulus of the specimen [Pa].
         nu: Poisson's ratio of the specimen [-].
-        gyration: `Tension.gyration` of the specimen [m²], (2,), for the consistency check `theory_refined`.
+        gyration: `Tension.gyration` of the specimen [m²], (2,), for `theory_refined`; None for that of the shape.
         stress: T √S / J [Pa], approximately the largest shear stress.
         depth: depth of the two face regions, in mean radii [-].
 
     Raises:
-        EmptyRegionError, InputError: as for `clamped_tension`.
+        EmptyRegionError: a face has no connected element.
+        InputError: a specimen that is neither a Cylinder nor a Box or is too coarse, or a value out of range.
     """
     E, nu = constant("E", E), constant("nu", nu)
     check("static_torsion", lattice, E=E, nu=nu, stress=stress, depth=depth)

@@ -59,10 +59,10 @@ def impact(
 
     Raises:
         EmptyRegionError: a face has no connected element.
-        InputError: a shape other than a Cylinder or a Box, or no plateau of the velocity at x_min, such as for a
-            coarse specimen or wrong E or rho.
+        InputError: a value out of range, a shape other than a Cylinder or a Box, or no plateau of the velocity at
+            x_min, such as for a coarse specimen or wrong E or rho.
         UnstableRunError: the run became unstable or lost its energy balance.
-        RunInterrupted: Ctrl-C was pressed. The `.result` of the error has the velocities so far.
+        RunInterrupted: Ctrl-C was pressed. The `.result` of the error is the `Wave` so far, None for a short run.
     """
     density, E, nu, rho = constant("density", density), constant("E", E), constant("nu", nu), constant("rho", rho)
     check("impact", lattice, density=density, E=E, nu=nu, rho=rho, velocity=velocity, depth=depth)

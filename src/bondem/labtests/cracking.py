@@ -117,7 +117,7 @@ class Cracking:
 
     @property
     def per_section(self) -> float:
-        """Energy dissipated by facets over the section [J/m²]; for a single crack it is the fracture energy."""
+        """Energy dissipated by facets over the section [J/m²], near G_f for a single crack; NaN without a section."""
         return self.dissipated / self.section
 
     @property
@@ -125,14 +125,14 @@ class Cracking:
         """Elastic energy at the peak over the energy of one crack, G_f times the section [-]; NaN without either.
 
         Above 1 the specimen stores more energy than one crack dissipates, and the equilibrium path snaps back. In
-        a test at a given motion the excess drives further cracks and vibrations.
+        a test under displacement control the excess drives further cracks and vibrations.
         """
         taken = self.fracture_energy * self.section
         return self.stored / taken if taken > 0.0 else math.nan
 
     @property
     def single(self) -> bool:
-        """True if both energies are those of one crack at most, so that the work per section is a fracture energy.
+        """True if the work per section is a fracture energy, as the energies allow for one crack only.
 
         The stored energy is then at most G_f times the section, and the dissipated energy at most 1.5 times this.
         """

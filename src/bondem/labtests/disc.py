@@ -75,14 +75,14 @@ def require_disc(body: Lattice) -> Disc:
 
 
 def stamped(half_angle: float) -> float:
-    """Return the centre stress over 2 P / (π D t) [-] under smooth rigid stamps on strips of half angle α [rad]."""
+    """Return the centre stress over 2 P / (π D t) [-] under smooth rigid stamps on strips of a `half_angle` [rad]."""
     angle = math.pi * (np.arange(64) + 0.5) / 64
     sine = math.sin(half_angle) * np.cos(angle)
     return float((np.sqrt(1.0 - sine**2) * (1.0 - 4.0 * sine**2)).mean())
 
 
 def flattened(half_angle: float) -> float:
-    """Return the centre stress over 2 P / (π D t) [-] for flats of half angle α [rad], by Wang et al. (2004)."""
+    """Return the centre stress over 2 P / (π D t) [-] for flats of a `half_angle` [rad], by Wang et al. (2004)."""
     c, s = math.cos(half_angle), math.sin(half_angle) / half_angle
     return (2.0 * c**3 + c + s) ** 2 / (8.0 * (c + s)) / s
 

@@ -32,24 +32,24 @@ def dynamic_tension(
     """Compare the first axial frequency of a clamped specimen with √(E/ρ) / (4 L).
 
     The measured value is the natural frequency of the modes, which needs no signal processing. Given a free
-    vibration, `curves` also has its signal, spectrum and frequency ("free_vibration").
+    vibration, `Outcome.curves` has its signal, spectrum and frequency ("free_vibration").
 
     Args:
         lattice: the specimen.
-        law: bond law, cell law or non-local law of the specimen.
+        law: bond law or cell law of the specimen; the non-local law has no modes, and raises InputError.
         density: density of the elements, ρ_μ [kg/m³], a number or (n,); `theory_refined` uses the distribution of
             their mass.
         E: Young's modulus of the specimen [Pa].
         nu: Poisson's ratio of the specimen [-].
         rho: density of the specimen, mass over volume of the shape [kg/m³].
-        gyration: `Tension.gyration` of the specimen [m²], (2,), for the consistency check `theory_refined`.
+        gyration: `Tension.gyration` of the specimen [m²], (2,), for `theory_refined`; None for that of the shape.
         modes: natural frequencies of the specimen, if known; None to compute them.
         vibration: free vibration of the specimen, or None.
         depth: depth of the two face regions, in mean radii [-].
 
     Raises:
         EmptyRegionError: a face has no connected element.
-        InputError: a specimen that is neither a Cylinder nor a Box, no axial mode, or a value out of range.
+        InputError: neither a Cylinder nor a Box, a kind of mode missing among the first 8, or a value out of range.
     """
     density, E, nu, rho = constant("density", density), constant("E", E), constant("nu", nu), constant("rho", rho)
     check("dynamic_tension", lattice, density=density, E=E, nu=nu, rho=rho, depth=depth)
@@ -77,22 +77,23 @@ def dynamic_bending(
 ) -> Outcome:
     """Compare the first bending frequency of a clamped specimen with Euler–Bernoulli's and Timoshenko's cantilevers.
 
-    `curves` has the signal, spectrum and frequency of the free vibration, if it is given.
+    `Outcome.curves` has the signal, spectrum and frequency of the free vibration, if it is given.
 
     Args:
         lattice: the specimen.
-        law: bond law, cell law or non-local law of the specimen.
+        law: bond law or cell law of the specimen; the non-local law has no modes, and raises InputError.
         density: density of the elements, ρ_μ [kg/m³], a number or (n,).
         E: Young's modulus of the specimen [Pa].
         nu: Poisson's ratio of the specimen [-].
         rho: density of the specimen, mass over volume of the shape [kg/m³].
-        gyration: `Tension.gyration` of the specimen [m²], (2,), for the consistency check `theory_refined`.
+        gyration: `Tension.gyration` of the specimen [m²], (2,), for `theory_refined`; None for that of the shape.
         modes: natural frequencies of the specimen, if known; None to compute them.
         vibration: free vibration of the specimen, or None.
         depth: depth of the two face regions, in mean radii [-].
 
     Raises:
-        EmptyRegionError, InputError: as for `dynamic_tension`.
+        EmptyRegionError: a face has no connected element.
+        InputError: neither a Cylinder nor a Box, a kind of mode missing among the first 8, or a value out of range.
     """
     density, E, nu, rho = constant("density", density), constant("E", E), constant("nu", nu), constant("rho", rho)
     check("dynamic_bending", lattice, density=density, E=E, nu=nu, rho=rho, depth=depth)
@@ -121,22 +122,23 @@ def dynamic_torsion(
 ) -> Outcome:
     """Compare the first torsional frequency of a clamped specimen with √(G J / (ρ I_p)) / (4 L).
 
-    `curves` has the signal, spectrum and frequency of the free vibration, if it is given.
+    `Outcome.curves` has the signal, spectrum and frequency of the free vibration, if it is given.
 
     Args:
         lattice: the specimen.
-        law: bond law, cell law or non-local law of the specimen.
+        law: bond law or cell law of the specimen; the non-local law has no modes, and raises InputError.
         density: density of the elements, ρ_μ [kg/m³], a number or (n,).
         E: Young's modulus of the specimen [Pa].
         nu: Poisson's ratio of the specimen [-].
         rho: density of the specimen, mass over volume of the shape [kg/m³].
-        gyration: `Tension.gyration` of the specimen [m²], (2,), for the consistency check `theory_refined`.
+        gyration: `Tension.gyration` of the specimen [m²], (2,), for `theory_refined`; None for that of the shape.
         modes: natural frequencies of the specimen, if known; None to compute them.
         vibration: free vibration of the specimen, or None.
         depth: depth of the two face regions, in mean radii [-].
 
     Raises:
-        EmptyRegionError, InputError: as for `dynamic_tension`.
+        EmptyRegionError: a face has no connected element.
+        InputError: neither a Cylinder nor a Box, a kind of mode missing among the first 8, or a value out of range.
     """
     density, E, nu, rho = constant("density", density), constant("E", E), constant("nu", nu), constant("rho", rho)
     check("dynamic_torsion", lattice, density=density, E=E, nu=nu, rho=rho, depth=depth)

@@ -41,7 +41,7 @@ class ElasticBar:
 
     @property
     def moving(self) -> dict[str, Any]:
-        """Measured E [Pa] and ν [-], and both densities [kg/m³], as keyword arguments of dynamic tests."""
+        """Measured E [Pa] and ν [-], and densities of elements and bar [kg/m³], as arguments of dynamic tests."""
         return self.moduli | {"density": self.density, "rho": self.rho}
 
     @cached_property

@@ -17,11 +17,11 @@ PARTS = ("elastic", "kinetic", "fracture", "crushing", "plastic", "friction", "d
 def energy_ledger(test: AnyTest) -> dict[str, Floats]:
     """Compute the energies at each point of the curve of a test [J], (k,) each.
 
-    The keys are those of `PARTS`, "work" of the load and "balance": the sum of the parts less the work, less its
-    initial value. It vanishes for an exact solution, except for the non-local law, whose extra work is in no part. A
-    bending test of cells has no inertia: "fracture" is the dissipation of its events, and "kinetic", "crushing",
-    "plastic", "friction" and "damping" are zero. Its "work" and "elastic" use the motion of the loaded cells, whose
-    mean position deviates slightly from the line of the load.
+    The parts are "elastic", "kinetic", "fracture", "crushing", "plastic", "friction" and "damping". Further keys are
+    "work" of the load and "balance": the sum of the parts less the work, less its initial value. The balance vanishes
+    for an exact solution, except for the non-local law, whose extra work is in no part. A bending test of cells has
+    no inertia: "fracture" is the dissipation of its events, and all parts but this and "elastic" are zero. Its "work"
+    and "elastic" use the motion of the loaded cells, whose mean position deviates slightly from the line of the load.
     """
     if isinstance(test, BendingTest):
         run = test.path

@@ -59,9 +59,10 @@ class SpecimenFaces:
         return float(particles.mean_radius + np.hypot(*particles.position[side, 1:].T).mean())
 
     def side_distance(self, distance: Floats, share: Floats) -> float:
-        """Return the distance of "side" from the axis for its measured motion [m]: R_M, or the mean of facets.
+        """Return the distance from the axis at which the motion of "side" is measured [m].
 
-        A cylinder of cells is a prism, whose facets are nearer to the axis than the radius of its section.
+        For spheres this is R_M. For cells it is the mean `distance`: a cylinder of cells is a prism, whose facets are
+        nearer to the axis than the radius of its section.
 
         Args:
             distance: distances of the elements or facets at "side" from the axis [m], (k,).
@@ -103,7 +104,7 @@ class SpecimenFaces:
 
 @dataclass(frozen=True, eq=False)
 class WalledFaces(SpecimenFaces):
-    """Faces of a body of cells, `elements`: the free facets on its walls."""
+    """Faces of a body of cells, which are the free facets of its `elements`."""
 
     elements: CellElements
 

@@ -21,7 +21,10 @@ Curve = tuple[Floats, Floats]
 
 @dataclass(frozen=True)
 class TestOption:
-    """Option of a test in a study, in SI: above zero, or zero if `closed`, below `below`; `needed` has no default."""
+    """Option of a test in a study: a number above 0 and below `below`, in an SI unit.
+
+    A `closed` option may also be 0. A `needed` option has no default.
+    """
 
     __test__ = False  # no test of pytest
 
@@ -37,7 +40,7 @@ class TestFigure:
 
     Attributes:
         title: title of its panels.
-        strain, stress: quantities of its curve.
+        strain, stress: names of the quantities of its curve, on the horizontal and on the vertical axis.
         azimuth, elevation: direction of view of the broken specimen [rad].
         slips: True to colour yielded cells by their slip.
         halved: True to leave out the half of the specimen in front.

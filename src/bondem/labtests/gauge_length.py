@@ -58,8 +58,8 @@ def at_generators(
 ) -> tuple[PerElement3, PerElement3]:
     """Compute the displacements of the generators of elements, which are the sphere centres of the packing.
 
-    A uniform stress moves the generators of cells, and not their centres of mass, by an affine field
-    (docs/cell_law.md). The two points of a sphere coincide.
+    A uniform stress moves the generators of cells, and not their centres of mass, by an affine field. The two points
+    of a sphere coincide.
 
     Args:
         lattice: the specimen.

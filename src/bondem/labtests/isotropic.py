@@ -52,7 +52,7 @@ class StiffnessResult(Plotted):
 
         @property
         def stiffness(self) -> Floats:
-            """Matrix C of σ = C ε, in the order of `VOIGT` with engineering shear strains [Pa], (6, 6)."""
+            """Matrix C of σ = C ε [Pa], (6, 6), in the order xx, yy, zz, yz, xz, xy with engineering shear."""
             ...
 
     @property

@@ -26,7 +26,8 @@ class NaturalFrequencies(Plotted):
     Attributes:
         tension, bending, torsion: first axial, bending and torsional frequency [Hz].
         modes: computed modes, among which the three were found.
-        mass_share: effective mass of each mode along x, y, z and about x, over the total mass [-], (count, 4).
+        mass_share: effective mass of each mode along x, y and z over the total mass, and effective moment of inertia
+            about x over the total one [-], (count, 4).
     """
 
     tension: float
@@ -52,13 +53,13 @@ def natural_frequencies(
 ) -> NaturalFrequencies:
     """Compute the first axial, bending and torsional frequency by `solve_modes`.
 
-    The effective mass identifies the modes: the first axial and torsional modes have 81 % of the total mass, the
-    first pair of bending modes 61 %. The square of the bending frequency is the mean of the squares over the pair,
-    weighted with the effective mass along y.
+    The effective mass identifies the modes: the first axial mode has 81 % of the total mass, and the first pair of
+    bending modes 61 %. The first torsional mode has 81 % of the total moment of inertia. The square of the bending
+    frequency is the mean of the squares over the pair, weighted with the effective mass along y.
 
     Args:
         lattice: the specimen.
-        law: bond law, cell law or non-local law of the specimen.
+        law: bond law or cell law of the specimen; the non-local law has no modes, and raises InputError.
         density: density of the elements, ρ_μ [kg/m³], a number or (n,).
         count: number of modes to compute.
         depth: depth of the clamped face region, in mean radii [-].
@@ -88,7 +89,7 @@ def natural_frequencies(
 
 
 def _effective_mass(model: Model, shape: Floats) -> Floats:
-    """Compute the effective mass shares (φ·M r)² / (φ·M φ · r·M r), (count, 4), for r along x, y, z and about x."""
+    """Compute mass shares (φ·M r)² / (φ·M φ · r·M r) of modes φ, (count, 4), for r along x, y and z and about x."""
     lattice = model.lattice
     moving = lattice.connected
     y, z = (lattice.centre - lattice.centre[moving].mean(axis=0))[:, 1:].T

@@ -249,7 +249,7 @@ def require_cells(test: str, body: Lattice, law: object, density: float = DENSIT
         The cell law; for laws by region the first one, of the matrix.
 
     Raises:
-        InputError: a lattice without cells, another law, or a density that is not positive.
+        InputError: no cells, several bodies, turned ends x_min or x_max, another law, or a density not above 0.
     """
     check(test, body, density=density)
     matrix = matrix_of(law)

@@ -76,7 +76,7 @@ def run_test(
     Raises:
         UnstableRunError: the run became unstable or lost its energy balance.
         InputError: the file contains another run, or cannot be written.
-        RunInterrupted: Ctrl-C was pressed. The `.result` of the error has the run so far, None for a short run.
+        RunInterrupted: Ctrl-C was pressed. The `.result` of the error is that of `read` so far, None for a short run.
     """
     if dt is None:
         dt = step_of(model)

@@ -19,12 +19,12 @@ class Requirements:
 
 
 def broken_only(shape: Shape) -> str | None:
-    """Return the reason why a shape has no tension test, `NOTCH`, `BORING` or `BALL`; None for other shapes."""
+    """Return the reason why a shape has no tension test, "notch", "boring" or "ball"; None for other shapes."""
     return BALL if isinstance(shape, Ball) else cut_as(shape)
 
 
 def cut_as(shape: Shape) -> str | None:
-    """Return the cut of a shape, `NOTCH` or `BORING`; None for an uncut shape or other cuts."""
+    """Return the cut of a shape, "notch" or "boring"; None for an uncut shape or other cuts."""
     return shape.name if isinstance(shape, Cut) and shape.name in (NOTCH, BORING) else None
 
 

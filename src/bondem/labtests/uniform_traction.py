@@ -61,7 +61,7 @@ def uniform_stress(lattice: Lattice, law: AnyLaw, *, depth: float = 0.02) -> Uni
 
     Uniform tractions load the skin of a packing, which is softer than its interior, as much as the interior. The
     moduli are therefore a lower bound of the bulk moduli and approach them from below as elements become smaller
-    (Huet, J. Mech. Phys. Solids 38, 1990); docs/studies.md has numbers.
+    (Huet, J. Mech. Phys. Solids 38, 1990).
 
     Args:
         lattice: the specimen, of any shape with walls.

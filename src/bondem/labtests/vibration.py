@@ -46,7 +46,8 @@ class FreeVibration(Plotted):
         energy_error: largest error of the energy balance over the energy at release [-].
         dt: time step [s].
         steps: number of steps.
-        released: time of release [s]; in a run that starts at rest the loads increase until then.
+        released: time of release [s]: 0 for a start from the equilibrium under load. In a run from the unloaded
+            state, the loads increase until then.
     """
 
     time: Floats
@@ -66,7 +67,7 @@ class FreeVibration(Plotted):
 
     @property
     def drawn(self) -> dict[str, Floats]:
-        """Motions of the free face over their largest values, in time."""
+        """Motions of the free face over their largest values [-] in time, by name and unit, (s,) each."""
         moved = {f"{kind} over its largest value [-]": one / np.abs(one).max() for kind, one in self.signal.items()}
         return {"time [s]": self.time} | moved
 
@@ -125,7 +126,7 @@ def free_vibration(
         EmptyRegionError: a face has no connected element.
         InputError: a specimen that is neither a Cylinder nor a Box, or a value out of range.
         UnstableRunError: the run became unstable or lost its energy balance.
-        RunInterrupted: Ctrl-C was pressed; its `.result` is the motion so far.
+        RunInterrupted: Ctrl-C was pressed. The `.result` of the error is the motion so far, None for a short run.
     """
     density, E, nu, rho = constant("density", density), constant("E", E), constant("nu", nu), constant("rho", rho)
     check(

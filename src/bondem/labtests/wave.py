@@ -67,12 +67,12 @@ def strike(
         slices: number of slices along x for `Wave.sections`.
         moments: times of the snapshots [s]; each is taken at the nearest step.
         depth: depth of the two face regions, in mean radii [-].
-        out: run file as for `run_test`, without slices and moments, which it does not contain; None for no file.
+        out: run file (HDF5) from which the same call resumes, without slices and moments; None for no file.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
         UnstableRunError: the run became unstable or lost its energy balance.
-        RunInterrupted: Ctrl-C was pressed. The `.result` of the error has the velocities so far.
+        RunInterrupted: Ctrl-C was pressed. The `.result` of the error is the `Wave` so far, None for a short run.
     """
     near, far = Face("x_max", depth), Face("x_min", depth)
     model = Model(lattice, law, density=density, boundary=[Drive(near, vx=-velocity)] if held else [])

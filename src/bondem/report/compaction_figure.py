@@ -78,12 +78,7 @@ class Course:
 
 
 def draw_compaction(path: Path, course: Course) -> None:
-    """Draw the grains at three times, coloured by initial height, and walls, pressure and density over time.
-
-    Args:
-        path: PNG to write.
-        course: record of the compaction.
-    """
+    """Draw into a PNG grains at three times, coloured by initial height, and walls, pressure and density in time."""
     with sheet(path, 8.2, 8.4, 0, 0) as (figure, _):
         grid = figure.add_gridspec(4, 1, height_ratios=(3.3, 1.0, 1.0, 1.0))
         _grains(figure.add_subplot(grid[0]), course)

@@ -48,9 +48,10 @@ def draw_modes(path: Path, specimen: Examined) -> None:
 
 
 def _mode(specimen: Examined, kind: str, column: int) -> tuple[str, Floats, Floats]:
-    """Return title, exaggerated shape, (n, 6), and colours, (n, 3), of the mode with the largest effective mass.
+    """Return title, exaggerated shape, (n, 6), and colours, (n, 3), of the first mode of a `kind`.
 
-    A bending mode deflects upwards, along z.
+    It has the largest effective mass in a `column` of `NaturalFrequencies.mass_share`, for bending that along z.
+    A bending mode deflects upwards.
     """
     frequencies, lattice = specimen.frequencies, specimen.lattice
     assert frequencies is not None

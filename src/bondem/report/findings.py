@@ -86,8 +86,8 @@ class Findings:
     Attributes:
         title: title of the report.
         material: continuum that the bonds have to reproduce; None for a study that packs and checks only.
-        bonds: bonds of the tests; None for a study that packs and checks only.
-        chart: evaluations at 0.6 to 1.4 times the calibrated parameter; empty for a study without a calibration.
+        bonds: law and density of the bonds of the tests; None for a study that packs and checks only.
+        chart: evaluations at 0.6 to 1.4 times the calibrated parameter; empty without a calibration or figures.
         calibrating: number of packings of the calibration, which are the first of `specimens`.
         specimens: all packings, with the results of their tests.
         results: contents of `results.json`.

@@ -39,7 +39,7 @@ def draw_fracture(
         state: final state.
         pieces, cracks, growth, emission: results for this state and its events.
         b_value: b-value of the emission, or None.
-        view: direction of view.
+        view: direction of view; None for the default of `View`.
         reach: magnification of displacements of the fragments [-].
     """
     view = View() if view is None else view

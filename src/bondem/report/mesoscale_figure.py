@@ -51,12 +51,7 @@ def draw_mesoscale(path: Path, body: Lattice, state: State, stones: Aggregates, 
 
 
 def draw_cut_open(path: Path, specimen: Examined) -> None:
-    """Draw a section of a specimen with aggregates and its cracks after each of its tests to failure.
-
-    Args:
-        path: PNG to write.
-        specimen: cells around aggregates, broken in at least one test.
-    """
+    """Draw a section of a body of cells with aggregates, with its cracks after each test to failure, into a PNG."""
     assert specimen.aggregates is not None
     body, names = specimen.lattice, broken_in(specimen)
     solid, colour = polyhedra(body), _coloured(body, specimen.aggregates)

@@ -35,7 +35,7 @@ def box_edges(lower: Floats, upper: Floats) -> tuple[Floats, Ints]:
 
 
 def draw_box(ax: Axes, lower: Floats, upper: Floats, view: View) -> None:
-    """Draw the rear edges of the box about a body, its coordinates [mm], and the directions of the axes."""
+    """Draw the rear edges of a box from `lower` to `upper` [m], its coordinates in mm, and the axes."""
     corner, pairs = box_edges(lower, upper)
     place = seen_from(corner, view)
     rear = pairs[(pairs == np.argmin(place[:, 2])).any(axis=1)]
@@ -56,7 +56,7 @@ def draw_box(ax: Axes, lower: Floats, upper: Floats, view: View) -> None:
 
 
 def draw_walls(ax: Axes, model: Model, state: State | None, lower: Floats, upper: Floats, view: View) -> None:
-    """Draw the walls of a model in a state, or at rest for None, with arrows along their motions."""
+    """Draw walls in a state (None: at rest) about a box from `lower` to `upper` [m], with arrows of their motions."""
     if not model.walls:
         return
     outlines = wall_outlines(model.walls, lower, upper)
@@ -78,7 +78,7 @@ def draw_walls(ax: Axes, model: Model, state: State | None, lower: Floats, upper
 
 
 def _motion_of(wall: Wall) -> Floats | None:
-    """Return a vector of any length along the motion of a wall, (3,); None for a fixed wall."""
+    """Return a vector of any length along the motion of a wall, (3,); None for a wall without translation."""
     along = np.zeros(3)
     match wall.motion:
         case Driven(motion=motion):

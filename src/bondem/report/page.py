@@ -106,7 +106,7 @@ def write_report(
         findings: results to report.
         out: existing folder.
         figures: True to draw figures.
-        progress: callback, called with the completed share [-], 0 … 1.
+        progress: callback, called with the completed share [-], 0 … 1, or None.
 
     Raises:
         RunFileError: a file cannot be written, such as on a full disk.

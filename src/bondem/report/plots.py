@@ -70,7 +70,7 @@ class Drawing(Figure):
 def draw_lattice(
     lattice: Lattice, path: Any, *, values: ArrayLike | None, label: str, view: tuple[float, float]
 ) -> Drawing:  # fmt: skip
-    """Draw a lattice, coloured by `values` (n,), by body, or by size, for `Lattice.plot`."""
+    """Draw a lattice, coloured by values, body or size; arguments and errors as for `Lattice.plot`."""
     eye, sides, bodies = _view("Lattice.plot", view), lattice.particles.envelope.bounds, len(lattice.names)
     with _figure("Lattice.plot", path, 1) as (figure, (ax,)):
         if values is None and bodies > 1:
@@ -94,7 +94,7 @@ def _given(lattice: Lattice, values: ArrayLike) -> Floats:
 
 
 def draw_surface(surface: Surface, path: Any, *, view: tuple[float, float]) -> Drawing:
-    """Draw a surface in a view and from the opposite side, for `Surface.plot`."""
+    """Draw a surface in a view and from the opposite side; arguments and errors as for `Surface.plot`."""
     eye = _view("Surface.plot", view)
     opposite = View(azimuth=eye.azimuth + math.pi, elevation=-eye.elevation)
     with _figure("Surface.plot", path, 2) as (figure, axes):

@@ -59,9 +59,12 @@ class Scene:
         self, run_file: Path, *, field: str | None, show: str, section: str | None, warp: float, camera: str,
         walls: bool, axes: bool,
     ) -> None:  # fmt: skip
-        self._file, self._field, self._show, self._section = run_file, field, show, section
+        self._file, self._field, self._show = run_file, field, show
         self._warp, self._walls, self._axes = warp, walls, axes
         self._toward, self._up = _direction(camera)
+        # the normal of the section, towards the camera: pyvista removes the half to which it points
+        front = section is None or self._toward["xyz".index(section)] >= 0.0
+        self._section = section if front else f"-{section}"
         if not read_contents(run_file).snapshots:
             raise InputError(f"'{run_file}' has no snapshots; run again with snapshot_every=")
         self._reader = vtkHDFReader()
@@ -82,7 +85,7 @@ class Scene:
         return snapshot_number(self._file, snapshot, self.count, argument="snapshot")
 
     def draw(self, plotter: Any, number: int) -> None:
-        """Draw the snapshot with the index `number`, which begins at 0, in a pyvista plotter."""
+        """Draw the snapshot of index `number`, from 0, in a pyvista plotter; unknown fields raise InputError."""
         pieces = self._pieces(number)
         body = self._body(pieces)
         if body is not None:
@@ -96,7 +99,7 @@ class Scene:
         cracks = pieces.get("cracks")
         if cracks is not None and cracks.n_cells and (self._show == "cracks" or self._section):
             if self._section is not None:
-                cracks = cracks.clip(normal=f"-{self._section}", origin=self._middle)
+                cracks = cracks.clip(normal=self._section, origin=self._middle)
             plotter.add_mesh(
                 cracks, color=ORANGE, show_edges=self._show == "cracks", edge_color=INK, name="cracks", **_LIGHT
             )
@@ -150,7 +153,7 @@ class Scene:
         if self._colour is not None and show in ("cells", "elements"):
             (mesh.cell_data if show == "cells" else mesh.point_data)["fragment"] = self._colour
         if self._section is not None:
-            mesh = mesh.clip(normal=f"-{self._section}", origin=self._middle, crinkle=show == "cells")
+            mesh = mesh.clip(normal=self._section, origin=self._middle, crinkle=show == "cells")
         if show == "elements":
             sides = _COARSE if mesh.n_points > _MANY else _FINE
             ball = pyvista.Sphere(radius=1.0, theta_resolution=sides, phi_resolution=sides)

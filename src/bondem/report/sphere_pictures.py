@@ -17,7 +17,7 @@ def draw_spheres(
 ) -> None:  # fmt: skip
     """Draw elements as spheres, without elements far from the specimen.
 
-    These have displacements that differ from the median by more than half the largest extent of the specimen.
+    Elements are far if their displacement differs from the median by more than half the specimen's largest extent.
 
     Args:
         ax: axes to draw on.

@@ -83,7 +83,7 @@ def draw_failed(figure: Figure, ax: Axes, body: Lattice, curves: Mapping[str, Fl
         figure: figure for the colour bar.
         ax: axes to draw on.
         body: lattice of cells or of bonded spheres.
-        curves: arrays "displacement" [m], "orientation", "damage" and "slip" of elements, and "piece" for fragments.
+        curves: "displacement" [m], (n, 3), "orientation", (n, 4), "damage", "slip" and "piece" of elements, (n,).
         style: style of the figure.
     """
     view = view_of(style)
@@ -116,12 +116,7 @@ def view_of(style: TestFigure) -> View:
 
 
 def reach_of(body: Lattice, moved: Floats) -> float:
-    """Choose the magnification of motion in pictures: 1, 2, 5, 10, … [-].
-
-    Args:
-        body: the specimen.
-        moved: displacements [m], (k, 3).
-    """
+    """Choose a magnification 1, 2, 5, 10, … [-] for displacements of a specimen [m], (k, 3), in pictures."""
     size, most = float(np.ptp(body.centre, axis=0).max()), float(np.ptp(moved, axis=0).max())
     most_times = _EXAGGERATED * size / most if most > 0.0 else 1.0
     if most_times <= 1.0:

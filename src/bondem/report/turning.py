@@ -22,7 +22,7 @@ _COLOURS, _MOVED = 24, 0.08
 
 @dataclass(frozen=True)
 class Turning:
-    """Data of the rotatable picture.
+    """Data of the rotatable picture of spheres.
 
     Attributes:
         place: coordinates of the centres from -1 to 1, times 32 000, as 16-bit integers, three per element, base64.

@@ -26,7 +26,7 @@ class Aggregates(Region):
         radius: radius of each ball [m], shape (k,).
 
     Raises:
-        InputError: An array has the wrong shape or is empty, a radius is not positive, or balls overlap.
+        InputError: An array has the wrong shape, is empty or not finite, a radius is not positive, or balls overlap.
     """
 
     position: Sequence[Sequence[float]] | ArrayLike
@@ -91,5 +91,5 @@ class Aggregates(Region):
         return found
 
     def mask(self, lattice: Lattice) -> Mask:
-        """Return a mask of the elements whose centres of tessellation lie inside a ball, shape (n,)."""
+        """Return a mask of the elements whose particle has its centre inside a ball, shape (n,)."""
         return self.depth(lattice.particles.position) > 0.0

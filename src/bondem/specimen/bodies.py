@@ -41,7 +41,7 @@ class Bodies:
             raise InputError(f"{owner} takes one body, not a scene of {several}; give the body before bd.join")
 
     def numbers(self, owner: str, which: Which) -> Ints:
-        """Return the numbers of the bodies with a name, in a group of names, or with one number, ascending.
+        """Return the numbers of the bodies with a name, in a group of names, or with one number, ascending, (k,).
 
         Raises:
             InputError: There is no such body.

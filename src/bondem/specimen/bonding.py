@@ -35,7 +35,7 @@ def connect(
 
     Args:
         particles: the elements.
-        tolerance: bond where gap <= tolerance · R̄ [-], with gap = L - (Ri + Rj); this is the default, with 0.
+        tolerance: bond where gap <= tolerance · R̄ [-], with gap = L - (Ri + Rj) and the mean radius R̄; None for 0.
         reach: bond where L <= reach · (Ri + Rj) [-], the contact-radius multiplier η_r of Chen et al. (2022).
         method: "distance" or "laguerre". The latter cuts the shape into Laguerre cells, one per element, and bonds
             cells that share a facet; the lattice then has `facets` and `cells`. Particles without a shape use the
@@ -46,8 +46,8 @@ def connect(
         The lattice; its pairs are sorted and have i < j.
 
     Raises:
-        InputError: Both `tolerance` and `reach` are given, they reach too far, no pair is near enough, or an element
-            has no Laguerre cell.
+        InputError: Both `tolerance` and `reach` are given, or one with "laguerre"; they reach too far, or no pair is
+            near enough; a centre lies outside the shape to be cut, or an element has no Laguerre cell.
         DisconnectedError: The specimen consists of two large pieces.
     """
     choice("connect", "method", method, Method)

@@ -57,7 +57,7 @@ def _corners(level: int) -> Floats:
 
 @cache
 def _cuts(level: int) -> Floats:
-    """Return the normals of the planes that separate child k = 0, 1, 2 of each face from child 3, (f, 3, 3)."""
+    """Return the normals of the planes that separate part k = 0, 1, 2 of each divided face from part 3, (f, 3, 3)."""
     corner = _corners(level)
     middle = _unit(corner + np.roll(corner, -1, axis=1))
     return np.cross(np.roll(middle, 1, axis=1), middle)

@@ -343,7 +343,7 @@ class CellElements(Elements):
         raise InputError(refusal)
 
     def on_face(self, name: str, body: Which | None = None) -> Ints:
-        """Return the free facets on a face or patch, as ascending indices into `cells.free`.
+        """Return the free facets on a face or patch, as ascending indices into `cells.free`, (k,).
 
         See `Lattice.on_face`.
         """

@@ -54,12 +54,12 @@ class Fabric:
             without the elements already found: rattlers in the sense of jamming.
         backbone_coordination_number: mean number of bonds among elements that are not `loose` [-]; NaN if all are.
         backbone_histogram: number of elements that are not `loose` with 0, 1, 2, ... bonds among them.
-        fineness: edge of the cube with the volume of the shape, over the mean diameter [-]: macro over micro.
+        fineness: edge of the cube with the volume of the shape, over the mean diameter [-].
         smallest_extent: smallest extent of the shape along x, y or z, over the mean diameter [-].
         strata: differences between slices of the core across x, y and z, and layers; near 0 in a homogeneous packing.
         largest_overlap: largest overlap of two bonded spheres, over R̄ [-]; 0 without overlaps.
         isotropy_error: e of André et al. (2012), eq 11 [-]: mean square difference between the frequencies of bond
-            directions on the 320 faces of the geode and 1/320. It is at most 319/320², so the limit of
+            directions on the faces of `direction_sphere()` and 1/320. It is at most 319/320², so the limit of
             0.0032 in the paper excludes nothing.
         chi2_per_dof: χ² over the 160 pairs of opposite faces, with their true solid angles, per degree of freedom
             [-]. It is 1 ± 0.11 for a random isotropic fabric, and grows with the sample for any other.

@@ -24,8 +24,8 @@ def join(*bodies: Lattice | Particles, names: Sequence[str] | None = None, pairs
     Args:
         bodies: lattices, or particles for loose grains, which are a body without bonds. All bodies of a lattice of
             several bodies are joined.
-        names: name of each argument, such as ("rock", "anvil"); "body 0", "body 1", … unless given. Bodies of an
-            argument of several bodies are called "name/0", "name/1", ….
+        names: name of each argument, such as ("rock", "anvil"); None for "body 0", "body 1", …. In an argument of
+            several bodies "grains/0" becomes "name/0"; with None it keeps its name if no two are equal.
         pairs: bonds between spheres of different bodies, as elements of the joined lattice, shape (k, 2). Spheres
             that such a bond joins may overlap.
 
@@ -84,7 +84,7 @@ def replicate(
         seed: number that selects the random rotations.
 
     Raises:
-        InputError: `join` rejects the copies, there are several bodies, or an array has another shape.
+        InputError: `join` rejects the copies, there are several bodies, or an array has another shape or values.
     """
     instance("replicate", "body", body, Lattice, "a lattice, from bd.connect")
     body.bodies.require_one("replicate")
@@ -130,7 +130,7 @@ def turns_of(owner: str, rotations: ArrayLike | str | None, number: int, seed: i
 
 
 def parts(lattice: Lattice) -> list[tuple[Ints, Particles]]:
-    """Return, for each body, the indices of its elements and its particles with their shape."""
+    """Return, for each body, the indices of its elements, (k,), and its particles with their shape."""
     if len(lattice.names) == 1:
         return [(np.arange(len(lattice.particles)), lattice.particles)]
     position, radius = lattice.particles.position, lattice.particles.radius

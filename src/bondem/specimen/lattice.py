@@ -51,8 +51,8 @@ class Lattice:
         bodies: labels, names and shapes of the bodies.
 
     Raises:
-        InputError: An index is out of range, a bond joins an element to itself, a bond is given twice, or bonded
-            centres coincide.
+        InputError: `pairs` has another shape or type, an index is out of range, a bond joins an element to itself, a
+            bond is given twice, or bonded centres coincide.
         DisconnectedError: A body has a second large piece.
     """
 
@@ -183,7 +183,7 @@ class Lattice:
             about: point of the axis [m], (3,); None for the centre of volume of all elements.
 
         Raises:
-            InputError: The axis has no length, or the lattice is periodic.
+            InputError: The axis is unknown or has no length, a number is not finite, or the lattice is periodic.
         """
         owner = "Lattice.rotated"
         angle = number(owner, "angle", angle, unit="rad")
@@ -237,11 +237,12 @@ class Lattice:
         return OUTLETS.draw_lattice(self, path, values=values, label=label, view=view)
 
     def on_face(self, name: str, body: Which | None = None) -> Ints:
-        """Return the free facets of a body on a face or patch of its shape, as ascending indices into `cells.free`.
+        """Return the free facets on a face or patch of a body's shape, as ascending indices into `cells.free`, (k,).
+
+        `body` is the name or number of the body, None for the only one.
 
         Raises:
-            InputError: The shape has no such face, the lattice has no cells, or it has several bodies and none is
-                named.
+            InputError: The shape has no such face, there is no such body, no cells, or several bodies and none named.
 
         Warns:
             FaceWarning: A patch ends within a plane, and its facets cover another area than the patch.

@@ -25,7 +25,7 @@ class Layering:
 
     Attributes:
         distance: distance from the wall at the middle of each bin, over the mean diameter 2R̄ [-], shape (b,).
-        volume_fraction: solid fraction at that distance [-], shape (b,); NaN in bins of fewer than 100 points.
+        volume_fraction: solid fraction at that distance [-], shape (b,); NaN in bins of fewer than 100 sample points.
         amplitude: rms deviation of the solid fraction from its mean, over the mean, from two to four mean diameters
             from the wall [-]; NaN in thin bodies. A random packing, whose layers decay, has 0.04, and equal
             spheres ordered by the wall have 0.1. At a wall covered by a hundred spheres, chance gives 0.1.
@@ -82,7 +82,7 @@ def wall_layering(particles: Particles, *, reach: float = 4.0, bins_per_diameter
 
 
 def _clear(distance: Mapping[str, Floats], face: str, count: int) -> Mask:
-    """Return a mask of the points away from all faces but one, shape (count,)."""
+    """Return a mask of the points at least 1.5 mean diameters from all faces but `face`, shape (count,)."""
     far = np.ones(count, dtype=bool)
     for other, away in distance.items():
         far &= (away >= _ASIDE) | (other == face)

@@ -31,8 +31,8 @@ class Material:
         InputError: A value is not finite or is outside its physical range.
 
     Warns:
-        UnitWarning: E or rho differs by a factor of 10³ from that of the named material, or no solid has such a
-            value.
+        UnitWarning: E or rho differs by a factor of 300 from that of a material of this name, or no solid has such
+            a value.
     """
 
     name: str
@@ -70,7 +70,7 @@ def constant(name: str, given: Given | Material) -> Given | float:
 
 
 def of_material(law: type[Law]) -> type[Law]:
-    """Make a class accept a `Material` in place of its arguments E, nu, rho and density: of one, or of all at once.
+    """Make a class accept a `Material` in place of one of its arguments E, nu, rho and density, or of all of them.
 
     `bd.CellBond(granite)` is `bd.CellBond(E=granite.E, nu=granite.nu)`.
     """

@@ -70,7 +70,7 @@ def points_inside(shape: Shape, count: int, depth: float) -> tuple[Floats, float
 
     Args:
         shape: shape to sample.
-        count: number of points in its bounding box, which is reduced by `depth` on all sides.
+        count: number of points in its bounding box, reduced by `depth` on all sides for a large shape with faces.
         depth: smallest distance from every wall [m].
 
     Returns:

@@ -88,7 +88,7 @@ def radial_distribution(particles: Particles, *, reach: float = 4.0, bins: int =
 
 
 def _covariance(shape: Shape, depth: float, distance: Floats) -> Floats:
-    """Return the probability that a point at a distance [m], (b,), from a point of the core lies in the core too."""
+    """Return the probability that a point at a distance [m], (b,), from a point `depth` [m] inside is as deep too."""
     if not shape.faces:
         return np.ones(len(distance))
     points, _ = points_inside(shape, samples(shape, _SAMPLES), depth)

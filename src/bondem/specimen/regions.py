@@ -21,7 +21,7 @@ class Region(ABC):
         """Return a mask of the matching elements, shape (n,). Rattlers are not excluded."""
 
     def select(self, lattice: Lattice) -> Ints:
-        """Return the indices of the connected elements of the region, ascending and in the user's order.
+        """Return the indices of the connected elements of the region, ascending and in the user's order, (k,).
 
         If the lattice has no bonds, all elements of the region are selected.
 

@@ -27,7 +27,7 @@ _LOST = 0.5
 
 
 def clump_of(position: PerElement3) -> Ints:
-    """Return the cluster of each element, (n,): the number of its cell in a grid of equal, nearly cubic cells."""
+    """Return the cluster of each element, (n,): the number of its box in a grid of equal, nearly cubic boxes."""
     n = len(position)
     lower = position.min(axis=0)
     extent = np.maximum(np.ptp(position, axis=0), 1e-300)

@@ -152,7 +152,7 @@ class Solver(Protocol):
         Args:
             load: forces and torques [N, N·m], (6 n,), that do no work on `System.loose`; ignored where motions are
                 prescribed.
-            guess: initial displacements and rotations of an iteration [m, rad], (6 n,).
+            guess: initial displacements and rotations of an iteration [m, rad], (6 n,); None for zero.
             rtol: residual over load at which the iteration ends.
 
         Raises:
@@ -214,7 +214,7 @@ class Iteration:
     """Solver by conjugate gradients on Sᵀ K S, preconditioned by the coarse correction of clusters.
 
     Attributes:
-        root: S of each element, shape (n, 6, 6).
+        root: scaling matrix S of each element, shape (n, 6, 6).
         scaled: Sᵀ K S.
         coarse: coarse correction of the scaled matrix.
         rigid: rigid motions that the supports permit, in scaled unknowns, orthonormal, (6 n, r).
@@ -225,7 +225,7 @@ class Iteration:
 
         Args:
             system: the matrix and its free part.
-            lost: elements on both sides of bonds, and the share of their stiffness that these have lost, (m,) each.
+            lost: elements on both sides of bonds, and the share of stiffness that these lost, (m,) each, or None.
         """
         self._system = system
         K = system.matrix
@@ -316,7 +316,7 @@ class Matrix(Protocol):
 def conjugate_gradients(
     matrix: Matrix, precondition: Callable[[Floats], Floats], residual: Floats, stop: float, *, energy: float = 0.0
 ) -> tuple[Floats, int]:
-    """Return x with |residual - K x| <= stop, and the number of iterations; raise ConvergenceError on failure.
+    """Return x, (k,), with |residual - K x| <= stop, and the number of iterations; or raise ConvergenceError.
 
     The iteration also ends at r·z <= `energy`, with the remaining residual r and its preconditioned form z: r·z is
     about twice the energy of the error.

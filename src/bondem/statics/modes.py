@@ -103,7 +103,7 @@ def solve_modes(
     Raises:
         InputError: The model has fewer modes than `count`, no bonds or potential, or contacts, walls or a criterion.
             Or `prestress` is not an equilibrium of the model, or an unstable one.
-        ConvergenceError: The iteration did not reach an estimated error of 1e-8 in ω².
+        ConvergenceError: The iteration did not reach an estimated relative error of 1e-8 in ω².
     """
     instance("solve_modes", "model", model, Model, "bd.Model(...)")
     count = whole_number("solve_modes", "count", count, least=1)
@@ -229,8 +229,8 @@ def _inverse_lanczos(system: System, mass: Floats, count: int) -> tuple[Floats, 
 def _block_gradients(system: System, mass: Floats, count: int) -> tuple[Floats, Floats, int]:
     """Return ω² (count,), modes (6 n, count) and rounds of block conjugate gradients (LOBPCG, Knyazev 2001).
 
-    The iteration starts from modes of the clusters. Equal frequencies, of which a ball has up to 2 l + 1, converge
-    slowly if the block ends among them. A block that has not converged in `_PATIENCE` rounds is therefore widened.
+    The iteration starts from modes of the clusters. Equal frequencies, of which a ball has many, converge
+    slowly if the block ends among them. A block that has not converged in 60 rounds is therefore widened.
     """
     iteration = Iteration(system)
     n, none = len(iteration.root), system.loose.shape[1]
@@ -259,7 +259,7 @@ def _block_gradients(system: System, mass: Floats, count: int) -> tuple[Floats, 
 def _iterated(
     iteration: Iteration, M: Any, rigid: Floats, S: Floats, *, count: int, width: int
 ) -> tuple[Floats, Floats, int, bool]:
-    """Return ω² and vectors of a block, its number of rounds, and True if the first `count` have converged."""
+    """Return ω², (width,), and vectors of a block, its rounds, and True if the first `count` have converged."""
     K = cast(Any, iteration.scaled)  # types of sparse products take a type checker a minute in this loop
     M_rigid, KS, MS = M @ rigid, K @ S, M @ S
     last, square, X = 0, np.zeros(0), S
@@ -284,7 +284,7 @@ def _iterated(
 
 
 def _ritz(K: Floats, M: Floats, count: int) -> tuple[Floats, Floats]:
-    """Return the lowest eigenvalues and vectors of a small pencil whose vectors may be nearly dependent."""
+    """Return the lowest eigenvalues, (count,), and vectors of a pencil (K, M) of nearly dependent vectors."""
     scale = 1.0 / np.sqrt(M.diagonal())
     size, vector = np.linalg.eigh(M * scale[:, None] * scale)
     keep = size > 1e-12 * size[-1]

@@ -107,7 +107,7 @@ class _Trial:
 
 
 def _advance(model: Model, system: System, start: State, share: float, motion: Floats) -> _Trial:
-    """Return the equilibrium under a `share` of the loads after a prescribed `motion`."""
+    """Return the equilibrium under a `share` of the loads after a prescribed `motion` [m, rad], (n, 6)."""
     state = start.copy()
     noise = 1e-14 * float((model.bonds.kn * model.bonds.length).max()) * np.sqrt(len(motion))
     beams, _ = beam_tables(model.bonds, model.layout, model.period, state.integrity, may_share=False)
@@ -144,7 +144,7 @@ def _solved(
 ) -> Floats:
     """Return the change by Newton's method, (6 n,), with forces of moments that rotate with their regions.
 
-    The forces add an unsymmetric matrix of rank three per moment to the tangent: K - G B is solved by K (Woodbury).
+    The forces add an unsymmetric matrix of rank three per moment to the tangent, so that Woodbury's identity applies.
     """
     if not couples:
         return solver(tangent).solve(right, rtol=1e-8)[0]
@@ -180,7 +180,7 @@ def tangent_matrix(model: Model, pattern: bsr_array, pose: Floats) -> Stiffness:
 
 
 def at_pose(model: Model, system: System, pose: Floats) -> Stiffness:
-    """Return the tangent of a strained model at a pose, into which the stresses of its cells are written."""
+    """Return the tangent of a strained model at a pose, (n, 8), into which the stresses of its cells are written."""
     model.interaction.gradient(pose)
     return tangent_matrix(model, system.matrix.bonds, pose)
 

@@ -122,8 +122,8 @@ def solve_static(model: Model, *, nonlinear: bool = False, guess: StaticResult |
     Args:
         model: model to solve.
         nonlinear: True to follow large rotations; False to solve K u = f at the reference.
-        guess: solution of a similar model, from which an iterative solution of K u = f starts. An elimination ignores
-            it, and a nonlinear path begins at rest.
+        guess: solution of a similar model, from which an iterative solution of K u = f starts, or None. An
+            elimination ignores it.
 
     Raises:
         InputError: Loads drive a rigid motion that is free, a velocity is prescribed, or the model has contacts,
@@ -204,7 +204,7 @@ class Statics:
 
         Args:
             load: forces and moments, user's order.
-            guess: displacements and rotations with which an iteration starts [m, rad], user's order.
+            guess: displacements and rotations with which an iteration starts [m, rad], user's order; None for zero.
             rtol: residual over load at which the iteration ends [-].
 
         Raises:

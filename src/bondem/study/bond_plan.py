@@ -39,7 +39,7 @@ class BondPlan:
         of_cells: True for a body of cells; class attribute, like the following ones.
         words: plural nouns for elements and bonds.
         neighbours: estimated number of bonds per element, half the coordination number [-].
-        memory: estimated peak memory per element [bytes]; for cells measured in docs/validation/cost.md.
+        memory: estimated peak memory per element [bytes].
     """
 
     of_cells: ClassVar[bool] = False
@@ -72,7 +72,7 @@ class BondPlan:
         return Bonding(law=fit.law, density=fit.density, fit=fit)
 
     def size(self, volume: float) -> float:
-        """Return the size of an element [m] from the volume of the body per element [m³]."""
+        """Return the diameter of a sphere or the edge of a cell [m], for a volume of the body per element [m³]."""
         return (6.0 * _FILLED * volume / math.pi) ** (1.0 / 3.0)
 
     def described(self, calibrating: int) -> str:
@@ -109,7 +109,7 @@ class CellPlan(BondPlan):
 
     Attributes:
         cells: class of the cell law, which replaces the bond law and its calibration.
-        facet_rotation: option of the cell law.
+        facet_rotation: argument of this name of the cell law.
     """
 
     of_cells: ClassVar[bool] = True

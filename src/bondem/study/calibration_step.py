@@ -38,7 +38,7 @@ class CalibrationPlan:
         law: family of bond laws; None for the recommended one.
         count: number of elements per packing.
         packings: number of packings, with seeds seed, seed + 1, …
-        shape: name in `SHAPES`: the periodic cell, without surfaces, or the cylinder of André et al. (2012).
+        shape: "cell", which is periodic and without surfaces, or "cylinder", that of André et al. (2012).
         spread: full range of the radii over their mean, κ [-].
         nu_mu: Poisson's ratio of the bonds [-].
         seed: seed of the first packing.
@@ -84,8 +84,8 @@ def run_calibration(
     Args:
         plan: plan of the calibration.
         out: folder for the results, or None.
-        cache: packing cache, as for `bd.pack`.
-        progress: callback, called with the stage and its completed share [-].
+        cache: True to reuse packings of earlier calls from disk.
+        progress: callback, called with the stage and its completed share [-], or None.
 
     Returns:
         The calibration, and the contents of `calibration.json`.
@@ -127,7 +127,7 @@ def run_calibration(
 
 
 def _summary(plan: CalibrationPlan, fit: Calibration, lattices: list[Lattice]) -> dict[str, Any]:
-    """Collect a calibration as finite numbers in SI; intervals are None for a single packing."""
+    """Collect a calibration as finite numbers in SI; scatter and intervals are None for a single packing."""
     several = len(fit.responses) > 1
     quantities: dict[str, Any] = {}
     for name in ("E", "nu", "E_mu", "value"):

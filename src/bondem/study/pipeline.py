@@ -52,7 +52,7 @@ def run_study(study: Study, out: str | Path, *, progress: Progress | None = None
     Args:
         study: the study.
         out: folder for the results, created with the first result.
-        progress: callback, called with the stage and its completed share [-].
+        progress: callback, called with the stage and its completed share [-], or None.
 
     Returns:
         Contents of `results.json`.
@@ -61,7 +61,10 @@ def run_study(study: Study, out: str | Path, *, progress: Progress | None = None
         InputError: the folder cannot be written to, or another process writes to it (both are checked before any
             work), or the study is not feasible.
         PackingError: a packing did not reach its target.
+        DisconnectedError: a specimen consists of two large pieces.
         UnstableRunError: the run of a test became unstable or lost its energy balance.
+        RunFileError: a file cannot be written, such as on a full disk.
+        RunInterrupted: Ctrl-C was pressed during the run of a test.
         UnreachableTargetError: neither the bond law nor any recommended law gives the material's Poisson's ratio.
     """
     with only_writer(Path(out), "output folder"), reported(progress) as on_stage:
@@ -145,6 +148,7 @@ def packed(study: Study, k: int, on_stage: Progress) -> _Body:
 
     Raises:
         DisconnectedError: the specimen consists of two large pieces.
+        PackingError: the packing did not reach its target.
         StudyError: the shape in a file of particles does not suit the tests.
     """
     stage, seed = f"pack {k + 1} of {study.packings}", study.seed + k

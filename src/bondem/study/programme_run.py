@@ -34,14 +34,17 @@ def run_programme(
         programme: the test programme.
         out: folder for the results, created with the first result.
         fresh: True to run all specimens again.
-        progress: callback, called with the specimen and its stage, and the completed share of the stage [-].
+        progress: callback, called with the specimen and its stage, and the share of the stage [-], or None.
 
     Returns:
         Contents of `results.json`: "rows" of the table, and the results of each specimen under "specimens".
 
     Raises:
         InputError: the folder cannot be written to, another process writes to it, or a study is not feasible.
+        PackingError: a packing did not reach its target.
+        RunFileError: a file cannot be written, such as on a full disk.
         UnstableRunError: a run became unstable or lost its energy balance. Finished specimens are kept.
+        RunInterrupted: Ctrl-C was pressed during a run. Finished specimens are kept.
     """
     with only_writer(Path(out), "output folder"), reported(progress) as on_stage:
         return _carry_out(programme, Path(out), fresh, on_stage)

@@ -24,7 +24,7 @@ class _StartedError(Exception):
 def rehearse(study: Study) -> str:
     """Pack the first specimen of a study and begin its tests to failure, without a time step.
 
-    Without tests to failure, only the law is checked; above 20 000 elements, only the law and the element size.
+    Without tests to failure, only the law is checked; above 20 000 packed elements, only law and element size.
 
     Returns:
         Text for the user on the extent of the check.

@@ -30,7 +30,7 @@ class SpecimenPlan:
     Attributes:
         shape: shape that the elements fill.
         count: number of elements.
-        sizes: law of the radii; None for the method of equal spheres.
+        sizes: law of the radii; None for the method "even", which makes equal spheres.
         method: packing method.
         target: one or none of coordination_number, volume_fraction and jamming, by name, as for `bd.pack`.
     """

@@ -1,4 +1,4 @@
-"""Pipeline of `bondem strength`: calibrate f_t and c of cells to the UCS and Brazilian strength of cylinders."""
+"""Pipeline of `bondem strength`: fit tensile strength and cohesion to UCS and Brazilian strength of cylinders."""
 
 import math
 from collections.abc import Callable
@@ -84,7 +84,7 @@ def run_strength(
 
     Raises:
         InputError: the folder cannot be written to, or has runs of another plan.
-        UnstableRunError: a test failed at the start.
+        UnstableRunError: a test with the initial strengths became unstable.
     """
     bodies: list[Lattice] = []
     law = CellBond(E=plan.E, nu=plan.nu)

@@ -152,7 +152,7 @@ class Study:
 
     @property
     def failures(self) -> dict[str, Criterion]:
-        """Failure criteria of the parts of the material, by name; empty without failure."""
+        """Failure criteria of the parts of the material, by name; empty without a failure criterion."""
         if self.failure is None:
             return {}
         if self.aggregates is None:
@@ -182,7 +182,7 @@ def read_study(path: str | Path) -> Study:
     """Read a study file.
 
     Raises:
-        StudyError: no such file, not TOML, or a key that is unknown, missing or out of range.
+        StudyError: no such file, not TOML, a test programme, or a key that is unknown, missing or out of range.
     """
     path = Path(path)
 

@@ -87,7 +87,7 @@ class TomlTable:
         return found
 
     def has(self, key: str) -> bool:
-        """Return True if the key is given; in any case it is known from now on (`TomlTable`)."""
+        """Return True if the key is given; given or not, the key then counts as requested."""
         self._asked.append(key)
         return key in self._data
 

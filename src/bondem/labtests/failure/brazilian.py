@@ -80,7 +80,7 @@ def brazilian(
     """Compress a cylinder along x across a diameter along y between rigid platens, until the load has dropped.
 
     On a plain `bd.Cylinder` the platens constrain the free facets in two strips of the side, only along y. The stress
-    across the diameter at the centre is then below that of a line load, by a factor of 0.983 at α = 5° and 0.932 at
+    across the diameter at the centre is then below that of a line load, by a factor of 0.983 at α = 5° and 0.933 at
     10°. The factor is the mean of cos β (1 - 4 sin² β) over the pressure ∝ 1 / √(sin² α - sin² β) under a smooth
     rigid stamp. This superposes chords after Timoshenko and Goodier §41; a uniform traction along y would give 0.989
     and 0.955.
@@ -101,11 +101,11 @@ def brazilian(
         law: cell law, bond law, or laws by region, or the non-local law; of cells the first one is the matrix.
         failure: for cells a criterion with a tensile strength, or `bd.MohrCoulomb` with a fracture energy; for
             bonded spheres a criterion of bonds such as `bd.PeripheralStress`; or criteria by region.
-        half_angle: half angle α of the strips [rad]; None for 5°, or for three quarters of a cell if larger. Bonded
-            spheres have 10°, or one and a half mean radii if larger.
+        half_angle: half angle α of the strips [rad]; None for 5° (10° for bonded spheres), or for a half width of
+            three quarters of a cell (one and a half mean radii) if this is larger.
         platen_friction: coefficient of friction between platens and disc [-]; 0 for smooth platens, for which the
             factor holds. Strips of bonded spheres are smooth.
-        density: density of the material [kg/m³], or a `bd.Material`; results do not depend on it.
+        density: density of the material [kg/m³], or a `bd.Material`; results do not depend on it. None for 2000.
         contact: contact law of fragments and platens, for bonded spheres; None for the stiffness of the median bond
             and a friction of 0.4 between fragments.
         traverses: number of passes of sound along the diameter before the expected peak [-]; more is slower. None for

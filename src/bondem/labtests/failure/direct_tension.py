@@ -40,7 +40,7 @@ def direct_tension(
         law: cell law, bond law, or laws by region, or the non-local law.
         failure: for cells `bd.Rankine` or another criterion of the stress, or `bd.MohrCoulomb` with a fracture
             energy; for bonded spheres a criterion of bonds such as `bd.PeripheralStress`; or criteria by region.
-        density: density of the material [kg/m³], or a `bd.Material`; results do not depend on it.
+        density: density of the material [kg/m³], or a `bd.Material`; results do not depend on it. None for 2000.
         contact: contact law of fragments, for bonded spheres; None for the stiffness of the median bond and a
             friction of 0.4.
         traverses: number of passes of sound along the specimen before the expected peak [-]; more is slower. None for
@@ -49,7 +49,7 @@ def direct_tension(
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
-        InputError: a criterion without a tensile strength, no criterion, or a shape without flat ends.
+        InputError: a criterion without a tensile strength, no criterion, no flat ends, or a value out of range.
         UnstableRunError: the run became unstable or lost its energy balance.
         RunInterrupted: Ctrl-C was pressed. The `.result` of the error has the test so far, None for a short run.
 

@@ -64,7 +64,7 @@ def punch_specimen(
         depth: depth of the borings [m].
 
     Raises:
-        InputError: the borings do not fit into the cylinder.
+        InputError: a size is not positive, or the borings do not fit into the cylinder.
 
     Reference: Celigueta, Latorre, Arrufat and Oñate (2020), §4.3.
     """
@@ -111,7 +111,7 @@ def shear(
         law: cell law, bond law, or laws by region, or the non-local law; of cells the first one is the matrix.
         failure: for cells `bd.MohrCoulomb` with a fracture energy, or another criterion with a tensile strength; for
             bonded spheres a criterion of bonds such as `bd.PeripheralStress`; or criteria by region.
-        density: density of the material [kg/m³], or a `bd.Material`; results do not depend on it.
+        density: density of the material [kg/m³], or a `bd.Material`; results do not depend on it. None for 2000.
         contact: contact law of fragments, piston and plate, for bonded spheres; None for the stiffness of the median
             bond and a friction of 0.4 between fragments.
         traverses: number of passes of sound along the diameter before the expected peak [-]; more is slower. None for

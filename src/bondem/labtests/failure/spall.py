@@ -61,11 +61,11 @@ class ThinBar:
 
     @property
     def velocity(self) -> float:
-        """Largest velocity of the free end, 2 p / ρ c [m/s]."""
+        """Largest velocity of the free end, 2 p / ρ c [m/s], for the peak pressure p."""
         return 2.0 * self.pressure / (self.rho * self.celerity)
 
     def pull_back(self, tension: float) -> float:
-        """Return the pull-back velocity of the free end for a tensile strength [Pa], 2 f_t / ρ c [m/s]."""
+        """Return the pull-back velocity of the free end 2 f_t / ρ c [m/s] for a tensile strength f_t [Pa]."""
         return 2.0 * tension / (self.rho * self.celerity)
 
     def strength(self, pull_back: float) -> float:

@@ -70,12 +70,12 @@ class SphereCrushing(OfOneRun):
 
     @property
     def peak(self) -> float:
-        """Nominal tensile strength 2.8 F / (π D²) of Hiramatsu and Oka (1966) [Pa]."""
+        """Nominal tensile strength 2.8 F / (π D²) of Hiramatsu and Oka (1966) [Pa], for the largest force F."""
         return TENSION * self.jaeger
 
     @property
     def jaeger(self) -> float:
-        """Strength measure F / D² of Jaeger (1967) [Pa]."""
+        """Strength measure F / D² of Jaeger (1967) [Pa], for the largest force F and the diameter D."""
         return self.force / self.diameter**2
 
     @property
@@ -118,8 +118,8 @@ def sphere_crushing(
         friction: friction coefficient of the plates [-]; 0 is smooth.
         contact: contact law of fragments and plates; None for the stiffness of the median bond and a friction of 0.4
             between fragments.
-        density: density of the elements, or of the material of cells [kg/m³], or a `bd.Material`; results do not
-            depend on it until fragments fly off.
+        density: density of the elements, or of the material of cells [kg/m³], or a `bd.Material`; None for 2000.
+            Results do not depend on it until fragments fly off.
         traverses: number of passes of sound along the diameter before the expected peak [-]; more is slower.
         ending: share of the peak load at which the test ends [-].
         fine: upper size limit of fines, as a share of the ball's diameter [-].

@@ -104,14 +104,14 @@ def sphere_impact(
         contact: contact law of fragments and plane; None for the stiffness of the median bond and a friction of 0.4
             between fragments.
         duration: duration of the run [s]; None to end once the plane has had no contact for three diameters over the
-            speed of sound. It is at most eight contact times of a ball on a single element, plus approach and pause.
+            speed of sound, or after eight contact times of a ball on a single element, plus approach and pause.
         fine: upper size limit of fines, as a share of the ball's diameter [-].
         out: run file (HDF5) from which the same call resumes a test or evaluates a complete one; None for no file.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
-        InputError: a shape other than a ball, a plane inside the ball or more than a diameter away, a velocity away
-            from the plane, or a value out of range.
+        InputError: a shape other than a ball, a plane that moves, lies inside the ball or is more than a diameter
+            away, a velocity away from the plane, or a value out of range.
         UnstableRunError: the run became unstable or lost its energy balance.
         RunInterrupted: Ctrl-C was pressed. The `.result` of the error has the test so far, None for a short run.
     """

@@ -83,7 +83,7 @@ class BendingTest(PlottedState):
 
     @property
     def table(self) -> dict[str, Floats]:
-        """Notch opening if it was measured, load, deflection, strain and stress of the curve, by name and unit."""
+        """Notch opening if measured, load, deflection, deflection over span and stress, by name and unit."""
         mouth = {} if self.cmod is None else {"CMOD [m]": self.cmod}
         others = {"load [N]": self.load, "deflection over span [-]": self.curve[:, 0]}
         deflection = {"deflection [m]": self.deflection}
@@ -143,7 +143,12 @@ def three_point_bending(
         gauges: for cells pairs of regions whose relative displacement is recorded in `path.gauge`, by name, such as
             {"CTOD": (bd.Within(left), bd.Within(right))}; `cmod`, the opening of the notch mouth, needs none.
         roller_friction: coefficient of friction of the rollers on bonded spheres [-]; 0 for smooth ones.
-        density, contact, traverses, out: options of the run of bonded spheres, as in `uniaxial_compression`.
+        density: density of bonded spheres [kg/m³], or a `bd.Material`; None for 2000.
+        contact: contact law of bonded spheres and rollers; None for the stiffness of the median bond and a friction
+            of 0.4 between fragments.
+        traverses: number of passes of sound along the beam before the expected peak, for bonded spheres [-]; None for
+            50, and 100 or 200 if the forces of both sides do not balance.
+        out: run file (HDF5) of bonded spheres from which the same call resumes; None for no file.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
@@ -153,7 +158,8 @@ def three_point_bending(
         RunInterrupted: Ctrl-C was pressed. The `.result` of the error has the test so far, None for a short run.
 
     Warns:
-        NotQuasistaticWarning, StrengthWarning: conditions of `uniaxial_compression`, for bonded spheres.
+        NotQuasistaticWarning: the forces of both sides of bonded spheres differ by more than 0.02 of the peak.
+        StrengthWarning: the load of bonded spheres rises at the limit of the motion, or no facet of cells fails.
     """
     if not is_cells(body, law):
         if strip is not None or gauges:

@@ -66,7 +66,7 @@ def triaxial(
         pressure: confining pressure on the sides, positive [Pa].
         platen_friction: coefficient of friction between platens and body [-]; 0 for smooth platens, as with grease or
             brushes, which leave the ends free to expand.
-        density: density of the material [kg/m³], or a `bd.Material`; results do not depend on it.
+        density: density of the material [kg/m³], or a `bd.Material`; results do not depend on it. None for 2000.
         contact: contact law of fragments and walls, for bonded spheres; None for the stiffness of the median bond and
             a friction of 0.4 between fragments.
         traverses: number of passes of sound along the specimen before the expected peak [-]; more is slower. None as
@@ -76,8 +76,8 @@ def triaxial(
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
-        InputError: a pressure that is not positive, a criterion without yielding of cells, no criterion, or a shape
-            that walls cannot confine.
+        InputError: a pressure that is not positive, a criterion by which cells do not yield, no criterion, a shape
+            that walls cannot confine, or a value out of range.
         UnstableRunError: the run became unstable or lost its energy balance.
         RunInterrupted: Ctrl-C was pressed. The `.result` of the error has the test so far, None for a short run.
 

@@ -48,7 +48,7 @@ def uniaxial_compression(
         pressure: confining pressure on the sides [Pa]; 0 for uniaxial compression.
         platen_friction: coefficient of friction between platens and body [-]; 0 for smooth platens, as with grease or
             brushes, which leave the ends free to expand.
-        density: density of the material [kg/m³], or a `bd.Material`; results do not depend on it.
+        density: density of the material [kg/m³], or a `bd.Material`; results do not depend on it. None for 2000.
         contact: contact law of fragments and platens, for bonded spheres; None for the stiffness of the median bond
             and a friction of 0.4 between fragments.
         traverses: number of passes of sound along the specimen before the expected peak [-]; more is slower. None for
@@ -61,7 +61,7 @@ def uniaxial_compression(
         Result with a positive `.peak`; stress and peak are those of the platens, σ1 of rock mechanics.
 
     Raises:
-        InputError: a criterion without yielding of cells, no criterion, or a shape without flat ends.
+        InputError: a criterion by which cells do not yield, no criterion, no flat ends, or a value out of range.
         UnstableRunError: the run became unstable or lost its energy balance.
         RunInterrupted: Ctrl-C was pressed. The `.result` of the error has the test so far, None for a short run.
 

@@ -83,7 +83,7 @@ def _without_means(right: Floats, ends: Pairs) -> Floats:
 def _preconditioner(ends: Pairs, weight: PerBond, diagonal: Floats) -> LinearOperator:
     """Return the preconditioner: the inverse of `diagonal`, (n,), plus that of a Laplacian of groups of cells.
 
-    The Laplacian has the `weight` |b|² / 3 of each facet [m³], (m,).
+    The Laplacian has a `weight` per facet, a third of its squared branch vector of unit m^1.5 [m³], (m,).
     """
     n = len(diagonal)
     inverse = np.divide(1.0, diagonal, out=np.zeros(n), where=diagonal > 0.0)[:, None]

@@ -38,7 +38,7 @@ class Shares(NamedTuple):
     """Shares of all inner facets in the dilatation of their cells, and the error that they leave.
 
     Attributes:
-        i, j: shares s of each facet in the dilatations of cells i and j [m²], shape (m, 3): V θ is Σ s·δ.
+        i, j: shares s of each facet in the dilatations θ of cells i and j [m²], (m, 3): V θ is Σ s·δ with jumps δ.
         remainder: error of θ of each cell under a unit strain [-], shape (n,).
     """
 

@@ -52,7 +52,7 @@ class Tessellation:
 
     Attributes:
         centres: centres and radii of the elements, sorted into boxes.
-        faces: polygons of the whole cells; between two elements only that of the element of lower number.
+        faces: polygons of whole cells, on walls or towards other whole cells, with one for each pair of cells.
         whole: elements whose cells are whole, shape (w,).
         whole_bulk: volumes and moments of the whole cells.
         cut: pieces of all other cells, inside the shape.

@@ -140,7 +140,7 @@ def free_facets(shape: Shape, position: PerElement3, width: float, polygons: Pol
 
 
 def _faces(shape: Shape, centroid: Floats, normal: Floats, inside: float) -> Ints:
-    """Return the index of the face of each point on a wall: a near face whose depth grows along the inward normal.
+    """Return the face index of points on walls, (p,): that of a near face whose depth grows along the inward normal.
 
     Walls of a notch or of a re-entrant corner may belong to no face of the shape; their index is -1.
     """

@@ -50,8 +50,8 @@ class Facets:
         centroid: centroids, in the periodic image next to centre i [m], shape (m, 3).
         moment: second moments of area about the centroid, ∫ r⊗r dA [m⁴], shape (m, 3, 3).
         depth_i, depth_j: distances of centres i and j from the plane, positive on their own sides [m], shape (m,).
-        share_i, share_j: shares of the facet in the dilatation of cells i and j [m²], shape (m, 3): V θ is Σ share·δ
-            over the facets of a cell. See `bondem.specimen.tessellation.balanced_shares`.
+        share_i, share_j: shares of the facet in the dilatation θ of cells i and j [m²], (m, 3). V θ is Σ share·δ
+            over the facets of a cell, with δ the jumps across them (`bondem.specimen.tessellation.balanced_shares`).
     """
 
     area: PerBond

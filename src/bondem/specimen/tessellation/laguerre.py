@@ -102,7 +102,7 @@ def _bounds(radius: Floats, box: Ints, count: Ints, width: Vector) -> Floats:
 
 
 def new_cell_request(chosen: Ints, half: Floats) -> CellRequest:
-    """Return a request for the cells of chosen elements (k,), in boxes of half widths (k,) [m], without cells."""
+    """Return a request for the cells of chosen elements (k,), in boxes of half widths (k,) [m]; none is made yet."""
     return CellRequest(chosen, half, *_lists(256), np.zeros(len(chosen) + 1, np.int64), np.zeros(2, np.int64))
 
 

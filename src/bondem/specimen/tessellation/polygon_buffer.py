@@ -47,5 +47,5 @@ def new_buffer(polygons: int, corners: int) -> PolygonBuffer:
 
 
 def polygon_buffer() -> Floats:
-    """Return a work array for the corners of one polygon, shape (MOST_CORNERS, 3)."""
+    """Return a work array for the corners of one polygon, shape (512, 3)."""
     return np.empty((MOST_CORNERS, 3))

@@ -46,7 +46,7 @@ class Loaded:
         opened: size of the pulling part of `opening`, |F⁺| / A [Pa], (c,).
         turned: mask of the halves of cracked facets that have to be closed or opened now, (c, 2).
         wall: force of the walls on the facets that they fix [N], (g, 3).
-        stress: λ θ of each cell [Pa], (n,).
+        stress: dilatation stress λ θ of each cell [Pa], (n,).
     """
 
     traction: Floats
@@ -76,7 +76,7 @@ class DamagedBody:
         across: unit vector of the only direction in which each facet softens, zero if it softens in all, (m, 3).
         area: areas of the facets [m²], (m,).
         system: the whole body and its supports.
-        given: V θ of cells with all elements at rest, by moved walls and by tractions on free facets [m³], (n,).
+        given: volume change of cells at rest, from moved walls and tractions on free facets [m³], (n,).
         load: forces and torques on cells at rest, without those of the dilatation `given` [N, N·m], (6 n,).
         motion: displacements and rotations of driven elements, not of walls [m, rad], (6 n,).
     """
@@ -87,7 +87,7 @@ class DamagedBody:
         Args:
             model: model of cells.
             system: matrix and supports of the body.
-            root: S of each element, by which the matrix is scaled, (n, 6, 6).
+            root: matrix S of each element that scales its unknowns, (n, 6, 6).
         """
         layout, order = model.layout, model.layout.order
         self.model, self.constants = model, model.cell_law.constants
@@ -147,7 +147,7 @@ class DamagedBody:
         return self.matrix.force(self.motion) if self.motion.any() else self.motion
 
     def potential(self, motion: Floats) -> float:
-        """Return the energy of the body less the work of its loads, up to a constant that no facet changes [J]."""
+        """Return the energy at a motion (6 n,) less the work of loads, up to a constant that no facet changes [J]."""
         stored = 0.5 * float(motion @ self.matrix.force(motion))
         stored += 0.5 * float(self.system.matrix.weight @ self.given**2)
         return stored - float(self.right @ motion)
@@ -202,7 +202,7 @@ class DamagedBody:
         return CrackedHalves(k, c.k[k], part, c.normal[k], self.across[k], self.left[k], factor * np.stack(force))
 
     def weaken(self, facets: Ints, integrity: ArrayLike, closed: ArrayLike, across: ArrayLike | None = None) -> None:
-        """Set the integrity of some facets, at least `_NONE`, and their halves in compression.
+        """Set the integrity of some facets, at least 1e-7, and their halves in compression.
 
         Args:
             facets: internal numbers, each once, (c,).
@@ -251,7 +251,7 @@ class DamagedBody:
         return np.where(self.in_one[facets, None], self.across[facets], self.weakened.normal[facets])
 
     def _apart(self, facets: Ints) -> Floats:
-        """Return the share of lost stiffness regained along `_along`, (2, c): 1 if closed, less 1 if `in_one`."""
+        """Return the stiffness of halves along `_along` less that across it, over k (1 - s), (2, c): 1, 0 or -1."""
         return (self.closed[facets] - self.in_one[facets, None].astype(float)).T
 
     def _weigh(self, facets: Ints, sign: float) -> None:
@@ -293,7 +293,7 @@ class DamagedBody:
 
 
 def _add_moments(moment: Floats, owner: Ints, arm: Floats, force: Floats) -> None:
-    """Add the symmetric parts of b⊗f, of arms b and forces f (c, 3), to V σ of the cells `owner`, (n, 6)."""
+    """Add the symmetric parts of b⊗f, of arms b and forces f (c, 3), to the sums V σ of cells `owner` [J], (n, 6)."""
     for column, (a, b) in enumerate(_XX):
         part = arm[:, a] * force[:, b] if a == b else 0.5 * (arm[:, a] * force[:, b] + arm[:, b] * force[:, a])
         moment[:, column] += np.bincount(owner, part, len(moment))

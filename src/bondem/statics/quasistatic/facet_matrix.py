@@ -13,7 +13,7 @@ from bondem.specimen.ordering import Layout
 class FacetMatrix:
     """Matrix K = B + Fᵀ W F of `Stiffness`, plain and scaled, in which single facets can change.
 
-    F u is V θ of the cells. The scaled matrix is Sᵀ K S with a block S per element. Changes apply to both.
+    F u are the volume changes V θ of the cells. The scaled matrix is Sᵀ K S, with a block S per element.
 
     Attributes:
         plain: K.
@@ -27,7 +27,7 @@ class FacetMatrix:
         Args:
             plain: matrix of the whole body, in internal order.
             layout: order of elements and bonds.
-            root: S of each element, (n, 6, 6).
+            root: scaling matrix S of each element, (n, 6, 6).
         """
         assert plain.forms is not None
         self.plain = replace(plain, weight=plain.weight.copy())
@@ -45,7 +45,7 @@ class FacetMatrix:
         return self._i, self._j
 
     def rescale(self, root: Floats) -> None:
-        """Scale the matrix by other blocks S, (n, 6, 6)."""
+        """Replace the scaling matrices S of the elements, (n, 6, 6), and scale the matrix anew."""
         self._root = root
         self.scaled = self.plain.scaled(root)
         assert self.scaled.forms is not None
@@ -58,7 +58,7 @@ class FacetMatrix:
         return np.asarray(self.plain.bonds @ motion, dtype=float) + self.swelling_force(weighted)
 
     def swelling_force(self, stress: Floats) -> Floats:
-        """Return forces and torques [N, N·m], (6 n,), of the stresses λ θ of cells [Pa], (n,)."""
+        """Return forces and torques [N, N·m], (6 n,), of the dilatation stresses λ θ of cells [Pa], (n,)."""
         return np.asarray(self._plain_columns @ stress, dtype=float)
 
     def add(self, facets: Ints, block: Floats, form_i: Floats, form_j: Floats) -> None:
@@ -67,7 +67,7 @@ class FacetMatrix:
         Args:
             facets: internal numbers, each once, (c,).
             block: additions to the stiffness of their two cells, (c, 12, 12).
-            form_i, form_j: additions to V θ of each cell, (c, 12).
+            form_i, form_j: additions to the volume change of each cell, (c, 12).
         """
         turn = np.zeros((len(facets), 12, 12))
         turn[:, :6, :6], turn[:, 6:, 6:] = self._root[self._i[facets]], self._root[self._j[facets]]
@@ -90,7 +90,7 @@ class FacetMatrix:
 
 
 def _by_rows(matrix: Stiffness) -> csr_array:
-    """Return F as a matrix of single rows that shares the memory of its blocks."""
+    """Return the matrix F of `FacetMatrix` by single rows, in the memory of its blocks."""
     assert matrix.forms is not None
     forms = matrix.forms
     columns = (6 * forms.indices[:, None] + np.arange(6, dtype=forms.indices.dtype)).ravel()
@@ -100,16 +100,16 @@ def _by_rows(matrix: Stiffness) -> csr_array:
 def facet_stiffness(
     arms: tuple[Floats, Floats], D: Floats, H: Floats, shares: tuple[Floats, Floats]
 ) -> tuple[Floats, Floats, Floats]:
-    """Return the stiffness of facets, and their part in V θ, for motions (u, φ) of their two cells.
+    """Return the stiffness of facets, and their part in volume changes, for motions (u, φ) of their two cells.
 
     Args:
         arms: arms from the centre of either cell to the facets [m], (c, 3).
         D: force over the gap [N/m], (c, 3, 3).
         H: moment over the relative rotation [N·m], (c, 3, 3).
-        shares: V θ of either cell over the gap [m²], (c, 3).
+        shares: volume change of either cell over the gap [m²], (c, 3).
 
     Returns:
-        Stiffness, (c, 12, 12), and V θ of either cell under unit motions, (c, 12) each.
+        Stiffness, (c, 12, 12), and the volume change of either cell under unit motions, (c, 12) each.
     """
     gap = np.zeros((len(D), 3, 12))
     gap[:, :, :3], gap[:, :, 6:9] = -np.eye(3), np.eye(3)

@@ -33,14 +33,14 @@ class OpenedFacets:
         self._load = bound_pass(calls.load_weakened_facets(facets, self.motions, self.loading))
 
     def swelling(self, displacement: Floats, rotation: Floats, given: Floats) -> Floats:
-        """Return V θ of the cells under motions [m, rad], (n, 3) each, added to `given` [m³], (n,)."""
+        """Return the volume changes of cells by motions [m, rad], (n, 3) each, plus those `given` [m³], (n,)."""
         self.motions.displacement[:], self.motions.rotation[:] = displacement, rotation
         self.motions.swelling[:] = given
         self._open()
         return self.motions.swelling.copy()
 
     def load(self, stress: Floats, moment: Floats) -> FacetLoading:
-        """Return the loads of facets at stresses λ θ of cells [Pa], (n,); facets add to V σ in `moment`, (n, 6)."""
+        """Return loads of facets at dilatation stresses of cells [Pa], (n,), and the sums V σ + `moment`, (n, 6)."""
         self.loading.stress[:], self.loading.moment[:] = stress, moment
         self._load()
         return FacetLoading._make(part.copy() for part in self.loading)

@@ -43,7 +43,7 @@ class GradientSolver:
 
     Attributes:
         rounds: number of rounds of the last solution.
-        first: r·z of the guess of the last solution, about twice the energy of its error.
+        first: residual times preconditioned residual of the last guess, about twice the energy of its error.
     """
 
     def __init__(self, body: FacetMatrix, iteration: Iteration) -> None:
@@ -70,7 +70,7 @@ class GradientSolver:
             right: right-hand side f in scaled unknowns, (6 n,).
             guess: initial x, (6 n,).
             stop: residual at which the iteration ends.
-            energy: about twice the energy of the error at which it ends.
+            energy: r·z at which it ends, residual times preconditioned residual, about twice the energy of the error.
         """
         search = self._search
         search.limits[:] = stop, energy

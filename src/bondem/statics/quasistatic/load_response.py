@@ -113,7 +113,7 @@ class PointGauges:
         self._matrix = csr_array(vstack(rows))
 
     def read(self, motion: Floats) -> dict[str, Floats]:
-        """Return the displacement of the second from the first region of each gauge at small rotations [m], (3,)."""
+        """Return by gauge the displacement of its second region from its first at small rotations [m], (3,)."""
         return dict(zip(self._names, (self._matrix @ motion).reshape(-1, 3), strict=True))
 
 

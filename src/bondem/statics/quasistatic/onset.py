@@ -98,9 +98,9 @@ class TractionOnset:
 class StressOnset:
     """Onset of facets by the stress of their cells, and of those of material planes by their own traction.
 
-    A facet of the material begins to crack if three conditions hold (`bd.Rankine`): σ1(σ*) reaches the strength, the
-    facet is in tension or shear, and its opening along a principal direction is enough for softening. A facet under
-    a pressure along its crack softens in one direction alone, so that the pressure remains (`pressed_cracks`).
+    A facet of the material begins to crack if σ1 of the stress σ* of `bd.Rankine` reaches the strength, the facet is
+    in tension or shear, and its opening along a principal direction is enough for softening. A facet under a pressure
+    along its crack softens in one direction alone, so that the pressure remains (`pressed_cracks`).
     """
 
     def __init__(self, body: DamagedBody, table: SofteningTable) -> None:

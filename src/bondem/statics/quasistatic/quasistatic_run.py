@@ -66,10 +66,10 @@ class QuasistaticResult(PlottedState):
         event: event of the failure, (f,).
         position: centroid of the facet in the reference [m], (f, 3).
         bond_integrity: integrity of all facets at the end, user's order, (m,).
-        end: reason for the end: "unloaded", "parted", "strong", "loose", "folded", "events" or "interrupted".
-            "strong": nothing fails at any load. "loose": parts are connected so weakly that no equilibrium is found.
-            "folded": before the next event a tenth of the elements would rotate by more than 0.1 rad, so that motions
-            are no longer small.
+        end: reason for the end. "unloaded": the load is below `until`. "parted": the body is in parts. "strong":
+            nothing fails at any load. "loose": parts are connected so weakly that no equilibrium is found. "folded":
+            before the next event a tenth of the elements would rotate by more than 0.1 rad, so that motions are no
+            longer small. "events": `most` events occurred. "interrupted": Ctrl-C was pressed.
         motion: displacements of the elements at the last event [m], (n, 3).
         state: equilibrium at the last event, before its facets fail; for a body that has parted, with the integrities
             after the event. For `bd.fragments`, `bd.cracks` and figures, and to continue in `bd.solve_explicit`.
@@ -103,7 +103,7 @@ class QuasistaticResult(PlottedState):
 
     @property
     def table(self) -> dict[str, Floats]:
-        """Load, displacement, energies and gauges at each event by name and unit, (e,) each."""
+        """Displacement, load, factor, energies and gauges at each event, by name and unit, (e,) each."""
         found = {
             "displacement [m]": self.displacement, "load [N]": self.load, "factor [-]": self.factor,
             "work [J]": self.work, "stored [J]": self.stored, "dissipated [J]": self.energy,
@@ -145,15 +145,15 @@ def solve_quasistatic(
         until: share of the peak load at which the path ends. All of the last twentieth of the events, at least
             2 / `ripple`, must stay below it, because single events occur at much lower loads than others.
         most: largest number of events.
-        gauges: pairs of regions whose relative displacement is recorded, by name.
+        gauges: pairs of regions whose relative displacement is recorded, by name, or None.
         progress: function called with the completed share, 0 … 1, which never falls: how far the highest load of the
             last events is below the peak.
 
     Raises:
-        InputError: The model has no cells, another criterion, cells that yield, contacts or prestress, or nothing is
-            driven at `drive`.
+        InputError: The model has no cells, another criterion, cells that yield, planes with cohesion, contacts,
+            eigenstrains or body forces; nothing is driven at `drive`; or an option is out of range.
         ConvergenceError: The body does not resist the load, for example without sufficient supports.
-        RunInterrupted: Ctrl-C was pressed; its `.result` is the path so far.
+        RunInterrupted: Ctrl-C was pressed. The `.result` of the error is the path so far.
 
     Warns:
         FractureEnergyWarning: The pressure along cracks that began without it grows to a fifth of the strength.
@@ -181,7 +181,7 @@ def _followed(
     model: Model, drive: Region, pairs: Mapping[str, tuple[Region, Region]], limits: tuple[float, float, float, int],
     progress: Callable[[float], None] | None, halt: Halt,
 ) -> QuasistaticResult:  # fmt: skip
-    """Follow a path to its end, or until an interrupt; `limits` are ripple, together, until and most."""
+    """Follow a path to its end or an interrupt; `limits`: `ripple`, `together`, `until`, `most` of the caller."""
     band, close, share, limit = limits
     body, equilibrium, onset = _begin(model)
     reading, gauge = Reading(body, drive), PointGauges(model, pairs)
@@ -241,7 +241,7 @@ def _followed(
 
 
 def _balance(body: DamagedBody, equilibrium: Equilibrium, motion: Floats, size: float) -> tuple[Floats, Loaded]:
-    """Return the equilibrium, with facets in compression closed, and loads; `size` is the last `body.size` or 0."""
+    """Return motion, (6 n,), and loads in equilibrium, once no crack opens or closes; `size`: last `body.size`."""
     def rest() -> tuple[Floats, Loaded]:
         found = body.motion + equilibrium.solve(body.right - body.pull, motion - body.motion, size)
         return found, body.loaded(found)

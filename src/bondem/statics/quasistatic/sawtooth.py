@@ -14,7 +14,7 @@ from bondem._types import Floats
 class SofteningLine:
     """Traction of a softening facet: the larger of two straight lines in its opening (`core/laws/softening.hpp`).
 
-    T = |F⁺| / A is the traction that the facet would have with full integrity, which is proportional to its gap. The
+    T is the size of the traction that the facet would have with full integrity, which is proportional to its gap. The
     facet of integrity s carries s T.
 
     Attributes:
@@ -34,8 +34,8 @@ class SofteningLine:
 class Teeth:
     """Softening steps of a facet from its onset on, as a sawtooth.
 
-    Between two events a facet is elastic with its integrity. At an event it loses some of its integrity and
-    dissipates T² Δs, in units of A / 2k.
+    Between two events a facet of integrity s carries s T, with T the traction at full integrity. An event that
+    reduces its integrity by Δs dissipates T² Δs, in units of A / 2k for area A and stiffness k.
 
     Attributes:
         integrity: integrity after events 1 … t, 0 after the last [-], (t,).
@@ -52,15 +52,15 @@ class Teeth:
         """Return the softening steps for a curve; a brittle facet has one.
 
         The first event is at the onset. Later events occur where the traction exceeds the curve by the share
-        `ripple`, but stay a little below the onset. Each drops the traction by as much below the curve. If T exceeds
-        the onset when a facet begins, the traction falls to the curve there. The last event is placed so that all
+        `ripple`, but stay a little below the onset. Each drops the traction by as much below the curve. If `now`
+        exceeds the onset, the traction first falls to the curve. The last event is placed so that all
         events together dissipate the energy under the curve. The band is cut off at the onset, and the last event
         compensates this energy. The beginning of the curve, which determines the peak load, stays unchanged.
 
         Args:
             line: curve of the material.
             ripple: half-width of the band as a share, in (0, 1).
-            now: value of T at the beginning, if it exceeds the onset [Pa].
+            now: traction at full integrity at the beginning, if it exceeds the onset [Pa].
         """
         room = 64
         while True:

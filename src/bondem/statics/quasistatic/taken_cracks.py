@@ -35,7 +35,7 @@ class CrackedHalves:
 
 
 def taken_cracks(table: SofteningTable, halves: CrackedHalves, opened: SofteningSearch) -> Floats:
-    """Return the rows of cracks (`bondem.damage.crack_columns`, (c, CRACK_COLUMNS)) with equal forces in a run.
+    """Return the table of cracks of a run, (c, CRACK_COLUMNS), that begins with the forces of an equilibrium.
 
     A crack keeps its integrity s along its first axis and in its grip, and has 1 along the other two. Its first axis
     is the direction in which it softens next. If a half is in compression, or not in tension along that direction,
@@ -63,7 +63,7 @@ def taken_cracks(table: SofteningTable, halves: CrackedHalves, opened: Softening
 
 
 def _rates(halves: CrackedHalves, axes: Floats, grip: Floats) -> Floats:
-    """Return the energy released per lost integrity, -∂U/∂s, of three axes and of the grip [J], (c, 4)."""
+    """Return the energy U released per lost integrity s, -∂U/∂s, of three axes and of the grip [J], (c, 4)."""
     share = np.stack([halves.part, 1.0 - halves.part])[:, :, None] / (2.0 * halves.k[:, None])
     along = np.einsum("hcx,cdx->hcd", halves.force, axes)
     pull, press = (share * np.maximum(sign * along, 0.0) ** 2 for sign in (1.0, -1.0))
