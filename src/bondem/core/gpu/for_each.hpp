@@ -1,5 +1,5 @@
-// Calls of a pass that computes one index, such as one bond, for all indices: by threads of a GPU, or by a loop on
-// the CPU that simulates a GPU in tests.
+// Calls of a pass for all indices, such as all bonds, one call per index: by threads of a GPU, or by a loop on the
+// CPU that simulates a GPU in tests.
 #pragma once
 #include "../steps.hpp"
 

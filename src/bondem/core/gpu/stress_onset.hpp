@@ -2,9 +2,9 @@
 // thread per cell, facet or candidate.
 //
 // Candidates are facets in tension beside a cell whose stress is near the criterion. Their order in the list is
-// arbitrary. The function is evaluated to find candidates that fail; the facet number of the others is set to -1. For
-// candidates that fail, the function is evaluated again, with the mean stress of both cells, to find the strength in
-// the direction of their cracks. A user's function is evaluated on the CPU between two passes.
+// arbitrary. The function is evaluated to find candidates that fail; the facet number of candidates that do not fail
+// is set to -1. For candidates that fail, the function is evaluated again, with the mean stress of both cells, to
+// find the strength in the direction of their cracks. A user's function is evaluated on the CPU between two passes.
 #pragma once
 #include "../laws/criteria/cone.hpp"
 #include "../laws/criteria/mean_stress.hpp"

@@ -2,10 +2,11 @@
 //
 // A facet of stiffness k has a half in each cell p. The half has the part w_p of the compliance, so its own stiffness
 // is k / w_p. A crack has an orthonormal frame e_1, e_2, e_3 that turns with cell i, with e_1 as its normal. Along
-// e_d half p keeps the share s⁺_d of a force that pulls, and s⁻_d of one that presses. With s one of these shares,
-// springs s / (1 - s) k / w_p in series with the half represent the loss. Their opening u_p is eliminated. D is the
-// gap of the two faces, ξ their slip, and σ_p = λ θ the stress of cell p. g_p is the vector of the facet in
-// V_p θ_p = Σ g_p·D of an intact cell (R_p s_p in `cell.hpp`). With δ = D - ξ, and ⟨x⟩ = x where positive, else 0,
+// e_d half p keeps the fraction s⁺_d of a force that pulls, and s⁻_d of a force that presses. With s one of these
+// fractions, springs of the stiffness s / (1 - s) k / w_p in series with the half represent the loss, and open by
+// u_p. D is the gap of the two faces, ξ their slip, and σ_p = λ θ the stress of cell p. g_p is the vector of the
+// facet in V_p θ_p = Σ g_p·D of an intact cell (R_p s_p in `cell.hpp`). With δ = D - ξ, and ⟨x⟩ = x where positive,
+// else 0,
 //
 //     F_p = k δ + σ_p g_p / w_p                                                force of the intact half
 //     L_p = Σ_d [(1 - s⁺_d) ⟨F_p·e_d⟩ + (1 - s⁻_d) min(F_p·e_d, 0)] e_d        lost part of this force

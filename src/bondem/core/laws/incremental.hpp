@@ -1,7 +1,7 @@
 // A beam of the incremental formulation: rates of force and moment, integrated step by step, and stored per bond.
 //
-// With v the velocity of j against i at the contact point, ω the angular velocity of j against i, n the unit vector
-// from i to j, and Ω the spin of the bond (that of n, and about n the mean of both elements),
+// v is the velocity of j against i at the contact point, ω the angular velocity of j against i, and n the unit vector
+// from i to j. Ω is the spin of the bond: the spin of n plus the mean of both angular velocities along n. With these
 //
 //     F' = Ω × F + kn (v·n) n + ks (v - (v·n) n)
 //     M' = Ω × M + kt (ω·n) n + kb (ω - (ω·n) n)

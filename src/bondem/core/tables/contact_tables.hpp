@@ -1,7 +1,7 @@
 // Tables of the passes over contacts of elements and walls.
 //
 // Each pair is listed once, sorted by the larger number of its two elements and then by the smaller one, as bonds
-// are. A portion of elements is a range of consecutive numbers. It has the pairs whose larger number is in the range.
+// are. A portion of elements is a range of consecutive numbers, with the pairs whose larger number is in the range.
 #pragma once
 #include "damage_tables.hpp"
 #include "packing_tables.hpp"

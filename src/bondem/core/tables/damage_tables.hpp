@@ -1,5 +1,5 @@
-// Tables of the damage pipeline (`passes/damage/pipeline.hpp`). "Bonds" are beams, facets of cells or pairs of the
-// non-local law: the m interactions of one kind that may fail.
+// Tables of the damage pipeline (`passes/damage/pipeline.hpp`). "Bonds" are the m interactions of one kind that may
+// fail: beams, facets of cells, or bonds of the non-local law.
 #pragma once
 #include "step_tables.hpp"
 

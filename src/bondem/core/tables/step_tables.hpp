@@ -1,7 +1,7 @@
 // Tables of the passes of a step.
 //
-// Rows of eight numbers are one cache line: pose (x, y, z, a spare number, quaternion w x y z), motion (velocity,
-// 1/m, angular velocity, 1/I) and sums (force, 0, torque, 0), with m the mass and I the moment of inertia.
+// Rows of eight numbers are one cache line: pose (x, y, z, stress of a cell or unused, quaternion w x y z), motion
+// (velocity, 1/m, angular velocity, 1/I) and sums (force, 0, torque, 0), with m the mass and I the moment of inertia.
 #pragma once
 #include "../array.hpp"
 

@@ -1,5 +1,5 @@
-// Neighbours of spheres by a grid of cells, for packing, for shear bands and for searches of a contact model.
-// Contacts in a run have lists of their own (`passes/contacts/candidates.cpp`), by the same grid.
+// Neighbours of spheres by a grid of cells, for packing, shear bands and contact models. Contacts in a run have lists
+// of their own (`passes/contacts/candidates.cpp`), by the same grid.
 //
 // Each pair is in the lists of both spheres, so that a force can be summed sphere by sphere in a fixed order, which
 // does not depend on the number of threads.
