@@ -1,4 +1,4 @@
-// Rows of the tables of walls. Python reads the names and columns of their numbers from this file
+// Rows of the tables of walls. Python views them as structured arrays with the names of these fields
 // (`bondem/boundary/wall_rows.py`).
 #pragma once
 #include "../laws/rotations.hpp"
