@@ -13,8 +13,8 @@
 //     A = ks a² + k'      B = ks a b - k'      C = ks b² + k'
 //
 // Laws differ in these stiffnesses and in the contact point (Chen et al. 2022, eqs (21) to (26), Tables 1 and 9). The
-// following values are for Young's modulus E, Poisson's ratio ν, G = E / (2 (1 + ν)) and a circular section of radius
-// r, with the area S = π r², I = π r⁴ / 4 and J = 2 I. R is the radius of an element, and κ = kn / ks.
+// following values are for a circular section of radius r, with the area S = π r², I = π r⁴ / 4 and J = 2 I. E is
+// Young's modulus, ν Poisson's ratio, G = E / (2 (1 + ν)), R the radius of an element, and κ = kn / ks.
 //
 //                        kn        ks                     kb            kt            a
 //     Euler–Bernoulli    E S / L   12 E I / L³            E I / L       G J / L       L / 2

@@ -20,8 +20,8 @@
 //
 // v is the vector part of the relative rotation q_i* q_j, a quaternion, and S the second moment of the facet about
 // its centroid, a tensor. 2 v · H v is exactly (2 G / L) tr((1 - R_iᵀ R_j) S), the energy of a facet whose points
-// open differently, and ½ ρ · H ρ for a small rotation ρ. λ_p is smaller than λ because free facets open until their
-// traction vanishes. `bondem/interactions/cells/cell_constants.py` computes the constants once.
+// open differently. For a small rotation ρ this energy is ½ ρ · H ρ. λ_p is smaller than λ because free facets open
+// until their traction vanishes. `bondem/interactions/cells/cell_constants.py` computes the constants once.
 //
 // With the stress σ = λ_p θ_p of a cell and g = σ R s, the loads on both cells, minus the gradient of U, are
 //

@@ -15,9 +15,9 @@
 // Plasticity and rate laws need this formulation.
 //
 // The sources do not say at which instant of a step the rates are taken. Here it is the middle, the instant of the
-// velocities. Half of the rate is added, the stored vector is turned by the Cayley transform of Ω dt, which keeps its
-// length (Hughes and Winget 1980), and the other half is added. In a rigid rotation a stored vector then turns with
-// the bond, to second order in the step. A step of duration 0 changes nothing.
+// velocities. Half of the rate is added. The stored vector is then turned by the Cayley transform of Ω dt, which
+// keeps its length (Hughes and Winget 1980), and the other half is added. In a rigid rotation a stored vector then
+// turns with the bond, to second order in the step. A step of duration 0 changes nothing.
 //
 // Energy: the stored vectors over their stiffnesses,
 //

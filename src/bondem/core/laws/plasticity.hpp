@@ -8,15 +8,15 @@
 //     F = ½ (σ_1 - σ_3) + ½ (σ_1 + σ_3) sin φ - r c cos φ       Δε = ½ Δγ [(1 + sin ψ) e_1⊗e_1 - (1 - sin ψ) e_3⊗e_3]
 //     H = G + (λ + G) sin φ sin ψ                               r = ⟨1 - γ B c / 2 G_II⟩
 //
-// By Drucker and Prager, for a compressive mean stress, F has the deviator s, I1 = tr σ, J2 = ½ s : s, constants α, β
-// and k, and k for c in r:
+// By Drucker and Prager, F has constants α, β and k, and k for c in r. s is the deviator, I1 = tr σ and J2 = ½ s : s.
+// For a compressive mean stress,
 //
 //     F = √J2 + α I1 - r k        H = G + 9 K α β               Δε = Δγ [s / 2 √J2 + β 1]
 //
 // so that both laws dissipate τ Δγ in pure shear τ. F falls by H Δγ if all cells slip by Δγ at constant total strain.
 // G, λ and K are the elastic constants. γ is the mean slip of the cells at a distance of about B/2 from a cell, with
-// the width B of a shear band (`damage/shear_bands.py`). If the faces of a band thinner than B/2 are displaced by u,
-// γ is u / B for any profile of the band, and the band dissipates the fracture energy G_II per area.
+// the width B of a shear band (`damage/shear_bands.py`). Let the faces of a band thinner than B/2 be displaced by u.
+// Then γ is u / B for any profile of the band, and the band dissipates the fracture energy G_II per area.
 //
 // The slip of step n follows from values of F after the previous steps:
 //

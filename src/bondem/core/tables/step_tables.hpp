@@ -1,7 +1,8 @@
 // Tables of the passes of a step.
 //
-// Rows of eight numbers are one cache line: pose (x, y, z, stress of a cell or unused, quaternion w x y z), motion
-// (velocity, 1/m, angular velocity, 1/I) and sums (force, 0, torque, 0), with m the mass and I the moment of inertia.
+// Rows of eight numbers are one cache line. A pose is x, y, z, the stress of a cell (else unused) and the quaternion
+// w x y z. A motion is velocity, 1/m, angular velocity and 1/I, with the mass m and the moment of inertia I. A sum is
+// force, 0, torque, 0.
 #pragma once
 #include "../array.hpp"
 

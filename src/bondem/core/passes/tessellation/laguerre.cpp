@@ -6,7 +6,7 @@
 //
 // ρ is the distance of the farthest corner of a cell from its centre, and R_max the largest radius. A neighbour at
 // distance L cuts only if ½ (L - (R_max² - R²) / L) < ρ. The search ends at the first L that is too large, or earlier
-// by a bound B of each element: no sphere at distance L from the element has a radius above B + κ L, with κ = ½.
+// by a bound B of each element. No sphere at distance L from the element has a radius above B + κ L, with κ = ½.
 #include "../../registered.hpp"
 #include "../../tables/tessellation_tables.hpp"
 #include "pile.hpp"
