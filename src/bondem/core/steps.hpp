@@ -54,8 +54,8 @@ struct Range {
 enum PassKind : Index {
     of_rows,  // rows of a table, in the order of the table
     of_cracks,  // cracks or their cells, of which threads may share portions
-    of_events,  // what begins, changes or ends in the step, in order
-    single,  // numbers that a body has once, such as those of a record
+    of_events,  // events of the step, such as failures, in their order
+    single,  // single numbers, such as those of a record
     bonds_of_blocks,  // bonds of a block
     elements_of_blocks,  // elements of a block, then shared ones
     parts_of_shared,  // elements that domains share

@@ -9,7 +9,7 @@ namespace bondem {
 struct WallRow {
     Vector displacement;  // of the point about which it turns [m]
     double growth;  // of its radius [m]
-    Vector velocity;  // of that point [m/s]
+    Vector velocity;  // of the point about which it turns [m/s]
     double growth_rate;  // velocity of its growth [m/s]
     Vector force;  // force of the elements on the wall [N]
     double growth_force;  // of the elements on its radius [N]

@@ -117,7 +117,7 @@ void wake_cracks(const Range &range, const Moving &all, const ElasticFacets &fac
 }
 BONDEM_PASS(wake_cracks, of_cracks, "ends pose; adds CellDilatation.weight base half outdated")
 
-// Lowers the integrities of cracks, and finds those that go to rest.
+// Lowers the integrities of cracks, and finds cracks that become resting.
 void soften_cracks(const Range &range, const Moving &all, const ElasticFacets &facets,
                    const FacetStrengths &strengths, const StressesOfCells &stresses, const CohesiveCracks &cracks,
                    const CrackLists &lists) {
