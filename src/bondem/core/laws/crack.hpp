@@ -31,9 +31,9 @@
 // cell i follows from the balance of angular momentum. The torques on both cells, without those of f and -f at the
 // levers, add up to D × f.
 //
-// The dissipation of a crack in a step is -∂U/∂s times the loss of each integrity. This rate is the geometric mean of
-// -∂U/∂s before and after the step, which is exact where the opening keeps its direction: the work by the trapezoidal
-// rule then equals the change of energy and the dissipation.
+// The dissipation of a crack in a step is the loss of each integrity times the geometric mean of -∂U/∂s before and
+// after the step. This mean is exact where the opening keeps its direction: the work by the trapezoidal rule then
+// equals the change of energy and the dissipation.
 #pragma once
 #include "../select.hpp"
 #include "cell.hpp"

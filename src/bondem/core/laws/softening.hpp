@@ -12,10 +12,10 @@
 // b = ⟨T_b - max_d ⟨-σ_dd⟩⟩ opens the facet, with σ the mean stress of its two cells.
 //
 // An integrity follows the softening curve, and never rises. With T = T_d, the product s T falls from the strength
-// t_0 = r f_t c_d to 0 as the opening u = (1 - s) A T / k grows to the last opening. The last opening is 2 G_f / r
-// f_t for a straight line, and the same for all facets. Every facet therefore begins to soften at σ_1 = f_t, and
-// dissipates G_f A c_d, which is G_f per area projected on the crack. T_l is k u / A at the last opening. The curve
-// is the larger of two straight lines of s T over (1 - s) T:
+// t_0 = r f_t c_d to 0 as the opening u = (1 - s) A T / k grows to the last opening. The last opening is
+// 2 G_f / (r f_t) for a straight line, and the same for all facets. Every facet therefore begins to soften at
+// σ_1 = f_t, and dissipates G_f A c_d, which is G_f per area projected on the crack. T_l is k u / A at the last
+// opening. The curve is the larger of two straight lines of s T over (1 - s) T:
 //
 //     s = t_0 (1 - T / m T_l) / T (1 - t_0 / m T_l)
 //     s = g (1 - T / T_l) / T (1 - g / T_l)        g = κ t_0 / (1 - (1 - κ) m)
