@@ -1,8 +1,8 @@
 // A beam of the incremental formulation: rates of force and moment, integrated step by step, and stored per bond.
 //
 // v is the velocity of j against i at the contact point, ω the angular velocity of j against i, and n the unit vector
-// from i to j. Ω is the spin of the bond: the spin of n plus the mean of both angular velocities along n. With these
-// quantities,
+// from i to j. Ω is the spin of the bond: the spin of n plus the mean of both angular velocities along n. The rates
+// are
 //
 //     F' = Ω × F + kn (v·n) n + ks (v - (v·n) n)
 //     M' = Ω × M + kt (ω·n) n + kb (ω - (ω·n) n)
