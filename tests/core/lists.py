@@ -47,8 +47,8 @@ def _text_of_criteria() -> str:
     lines = [
         "// Lists of criteria on single bonds, which `python -m tests.core.tables` writes from the headers here.",
         "//",
-        "// A list expands DO(with, name, Criterion) for each criterion. `name` is that of the header. It ends names",
-        "// of passes, as in `judge_beams_by_mohr_coulomb`, by which Python finds the passes (`BondCriterion.kind`).",
+        "// A list expands DO(with, name, Criterion) for each criterion, with the name of its header. The names of",
+        "// passes end in that name, as in `judge_beams_by_mohr_coulomb`, by which Python finds the passes.",
         "#pragma once", *(f'#include "{name}.hpp"' for name, _ in _criteria()["BEAM"]), "",
     ]  # fmt: skip
     for title, found in _criteria().items():
@@ -59,8 +59,8 @@ def _text_of_criteria() -> str:
 
 def _text_of_index_passes() -> str:
     lines = [
-        "// List of the passes for a GPU, each of which computes one index, such as one bond, in a thread.",
-        "// Written by `python -m tests.core.tables` from the headers beside it. The macro applies X to each pass.",
+        "// List of the passes for a GPU, in each of which a thread computes a single bond, element or other index.",
+        "// Written by `python -m tests.core.tables` from the other headers here. The macro applies X to each pass.",
         "#pragma once", *(f'#include "{path.name}"' for path in _beside(INDEX_PASSES)), "",
         "#define BONDEM_INDEX_PASSES(X) \\",
     ]  # fmt: skip

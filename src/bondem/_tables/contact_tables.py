@@ -41,7 +41,7 @@ class ContactPairs(NamedTuple):
     #: (pairs, 8)
     memory: Floats
     touch: Bytes  #: `TouchState`, (pairs,)
-    bond: Ints  #: the bond of each pair, or -1; while it joins them they do not touch, (pairs,)
+    bond: Ints  #: bond of each pair, or -1; a pair does not touch while its bond joins it, (pairs,)
     joined: Floats  #: above 0 for bonds that join their elements, which then do not touch, (*,)
     of_bond: Ints  #: the pair of each bond, or -1, (*,)
     period: Floats  #: edges of the periodic cell and their inverses, zero where there is none, (6,)
@@ -57,7 +57,7 @@ class NearPairs(NamedTuple):
     output: Floats
     counts: Ints  #: numbers of near and of close pairs of each portion of elements, (element_portions, 2)
     width: float  #: motion of an element after which distances are measured again [m]
-    beyond: float  #: gap up to which pairs that do not touch act [m]
+    beyond: float  #: largest gap at which pairs act on each other without touching [m]
 
 
 class AdheringPairs(NamedTuple):
@@ -98,7 +98,7 @@ class FacePairs(NamedTuple):
     faced: Bytes  #: 1 for cells with such a facet, 2 in the step in which it parts, (n,)
     outer: Floats  #: distance within which two cells touch by faces, as a sum of both [m], (n,)
     earlier_start: Ints  #: start of the pairs whose earlier element each element is, (n + 1,)
-    earlier: Uint32s  #: these pairs, (pairs,)
+    earlier: Uint32s  #: numbers of the pairs, by their earlier elements, (pairs,)
     chosen: Floats  #: the two faces by which each pair touches as one number, 0 for none, (pairs,)
     whole: Floats  #: reach of the pair as spheres [m], (pairs,)
     #: pairs that touch by faces or did a step ago, ascending, each portion from its first pair; on devices 1 or 0,
@@ -181,11 +181,11 @@ class PairSources(NamedTuple):
     bond_first: Uint32s  #: earlier elements of the bonds, (m,)
     wanted: Bytes  #: 1 for bonds whose pair is listed at any distance, (m,)
     rest_start: Ints  #: start of the pairs of each later element that overlap in the reference, (n + 1,)
-    rest_first: Uint32s  #: earlier elements of these pairs, (rest,)
-    rest_gap: Floats  #: gaps of these pairs in the reference [m], (rest,)
+    rest_first: Uint32s  #: earlier elements of pairs that overlap in the reference, (rest,)
+    rest_gap: Floats  #: gaps of pairs that overlap in the reference [m], (rest,)
     touching_start: Ints  #: start of the pairs of each later element that touch, (n + 1,)
-    touching_first: Uint32s  #: earlier elements of these pairs, (touching,)
-    touching_memory: Floats  #: memories of these pairs, as in `ContactPairs`, (touching, 8)
+    touching_first: Uint32s  #: earlier elements of pairs that touch, (touching,)
+    touching_memory: Floats  #: memories of pairs that touch, as in `ContactPairs`, (touching, 8)
 
 
 class FoundPairs(NamedTuple):
@@ -205,11 +205,11 @@ class WallSources(NamedTuple):
 
     radius: Floats  #: radii of the elements [m], (n,)
     rest_start: Ints  #: start of the contacts of each element that overlap in the reference, (n + 1,)
-    rest_wall: Uint32s  #: walls of these contacts, (rest,)
-    rest_gap: Floats  #: gaps of these contacts in the reference [m], (rest,)
+    rest_wall: Uint32s  #: walls of contacts that overlap in the reference, (rest,)
+    rest_gap: Floats  #: gaps of contacts that overlap in the reference [m], (rest,)
     touching_start: Ints  #: start of the contacts of each element that touch, (n + 1,)
-    touching_wall: Uint32s  #: walls of these contacts, (touching,)
-    touching_memory: Floats  #: memories of these contacts, as in `WallContacts`, (touching, 6)
+    touching_wall: Uint32s  #: walls of contacts that touch, (touching,)
+    touching_memory: Floats  #: memories of contacts that touch, as in `WallContacts`, (touching, 6)
     skin: float  #: largest gap [m]
     start: Ints  #: start of the found contacts of each element, (n + 1,)
 

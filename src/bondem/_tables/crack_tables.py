@@ -6,7 +6,7 @@ from bondem._types import Bytes, Floats, Int32s, Ints, Uint32s
 
 
 class StressesOfCells(NamedTuple):
-    """Mean stresses of n cells, and Σ b⊗f of their cracks."""
+    """Mean stresses of n cells, and Σ b⊗f of their cracks, with the forces f at the levers b."""
 
     volume: Floats  #: [m³], (n,)
     tensor: Floats  #: stress in the last step, xx … yz [Pa], Σ T_b² [Pa²], size [Pa], (n, 8)

@@ -24,9 +24,9 @@ class Candidates(NamedTuple):
     """Bonds that are near to failure, and then those of them that fail, in the order of the bonds."""
 
     begin: Ints  #: first bond of each block, (blocks + 1,)
-    marked: Ints  #: numbers of these bonds; those of a block from begin[block] on, (bonds,)
+    marked: Ints  #: numbers of the bonds; those of a block from begin[block] on, (bonds,)
     mode: Ints  #: modes of bonds that fail, (bonds,)
-    count: Ints  #: number of these bonds in each block, (blocks,)
+    count: Ints  #: number of bonds in `marked` of each block, (blocks,)
     any: Ints  #: 1 where a bond fails in this step, (1,)
 
 
@@ -34,10 +34,10 @@ class Postponed(NamedTuple):
     """Postponed elements, which close a step with all bonds and open the next one without failed bonds."""
 
     flag: Bytes  #: not 0 for elements that are postponed, (n,)
-    element: Uint32s  #: lists of these elements, (n,)
-    row: Uint32s  #: rows of their sums, (n,)
+    element: Uint32s  #: lists of postponed elements, (n,)
+    row: Uint32s  #: rows of the sums of the elements in the lists, (n,)
     first_row: int  #: first of the rows of `StepBlocks.sums` that keep sums of postponed elements, one per element
-    sum: Floats  #: these rows: sums of postponed elements until they resume, (n, 8)
+    sum: Floats  #: sums of postponed elements until they resume, in the rows from `first_row` on, (n, 8)
 
 
 class EventLog(NamedTuple):

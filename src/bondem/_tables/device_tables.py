@@ -35,7 +35,7 @@ class BondMarks(NamedTuple):
 
     mark: Bytes  #: 1 for bonds near to failure, 2 for those that fail, (bonds,)
     failing: Uint32s  #: bonds that fail in a step, in any order, (bonds,)
-    mode: Bytes  #: `failure_mode` of these bonds, (bonds,)
+    mode: Bytes  #: `failure_mode` of the bonds in `failing`, (bonds,)
 
 
 class BondsOfElements(NamedTuple):
@@ -50,21 +50,21 @@ class EarlierPairs(NamedTuple):
     """Contact pairs of each element as the earlier one of the pair, ascending."""
 
     start: Int32s  #: start of the pairs of each element, (n + 1,)
-    pair: Uint32s  #: numbers of these pairs, (pairs,)
+    pair: Uint32s  #: numbers of the pairs, element by element, (pairs,)
 
 
 class RowOrder(NamedTuple):
     """Loads, walls or contacts that act on each row, cell or wall, in their order."""
 
-    start: Ints  #: start of the loads of each row, cell or wall, (*,)
-    load: Ints  #: numbers of these loads, (*,)
+    start: Ints  #: start of the entries of each row, cell or wall in `load`, (*,)
+    load: Ints  #: numbers of the loads, walls or contacts, (*,)
 
 
 class FallenCracks(NamedTuple):
     """Cracks that break in a step."""
 
     fallen: Ints  #: facets, in any order until they are logged, (*,)
-    number: Ints  #: number of these facets, (1,)
+    number: Ints  #: number of facets in `fallen`, (1,)
 
 
 class FacetArms(NamedTuple):
@@ -77,5 +77,5 @@ class GaugeParts(NamedTuple):
     """Sums of gauges, and largest values of their parts."""
 
     each: int  #: parts of each gauge
-    sums: Ints  #: exact sums of their components, zero between records, (*, 68)
+    sums: Ints  #: exact sums of the components of gauges, zero between records, (*, 68)
     largest: Floats  #: largest absolute values of each part, (*, 3)

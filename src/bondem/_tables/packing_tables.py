@@ -26,8 +26,8 @@ class PackingWalls(NamedTuple):
     weight: Floats
     radius: float  #: radius of the round wall [m], infinite without one
     corner: Floats  #: first node of the grid [m], (3,)
-    spacing: float  #: distance of its nodes [m]
-    depth: Floats  #: depth at its nodes [m], empty without a grid, (grid_x, grid_y, grid_z)
+    spacing: float  #: distance of the nodes of the grid [m]
+    depth: Floats  #: depth at the nodes [m], empty without a grid, (grid_x, grid_y, grid_z)
 
 
 class Near(NamedTuple):
@@ -75,7 +75,7 @@ class SphereGrid(NamedTuple):
 
     sphere: Floats  #: centres and radii [m], (n, 4)
     lower: Floats  #: corner of the grid [m], (3,)
-    edge: Floats  #: edges of its cells [m], (3,)
+    edge: Floats  #: edges of the cells of the grid [m], (3,)
     period: Floats  #: periodic edge lengths [m], 0 where there is none, (3,)
     cells: Ints  #: along each axis, (3,)
     skin: float  #: largest gap of neighbours [m]

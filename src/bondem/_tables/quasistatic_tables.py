@@ -72,7 +72,7 @@ class ClumpCorrection(NamedTuple):
 class ConjugateGradients(NamedTuple):
     """State of conjugate gradients in 6 n unknowns."""
 
-    limits: Floats  #: |r| and r·z at which they end, (2,)
+    limits: Floats  #: |r| and r·z at which the search ends, (2,)
     most: int  #: largest number of rounds
     residual: Floats  #: right-hand side before, residual afterwards, (x,)
     found: Floats  #: guess before, solution afterwards, (x,)

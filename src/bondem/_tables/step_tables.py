@@ -80,7 +80,7 @@ class Dashpots(NamedTuple):
 
 
 class StepBlocks(NamedTuple):
-    """Division of a step in the form of the core (attributes of `Blocks`), and the sums that it adds to."""
+    """Division of a step in the form of the core (attributes of `Blocks`), and the sums of elements."""
 
     domain: Ints  #: (domains + 1,)
     bond: Ints  #: (blocks + 1,)
@@ -147,7 +147,7 @@ class RowLoads(NamedTuple):
     row: Ints  #: (loads,)
     schedule: Ints  #: (loads,)
     value: Floats  #: [N, N·m], (loads, 6)
-    turns: Ints  #: element with which each turns, or -1, (loads,)
+    turns: Ints  #: element with which each load turns, or -1, (loads,)
 
 
 class CoupleTable(NamedTuple):
@@ -229,7 +229,7 @@ class StepPasses(NamedTuple):
 
     present: Ints  #: bring boundary conditions to the time of the clock, (*, 8)
     opening: Ints  #: elements open a step after a pause, (*, 8)
-    travel: Ints  #: walls move, and it is checked whether the list of contacts is valid, (*, 8)
+    travel: Ints  #: walls move; check whether the list of contacts is valid, (*, 8)
     forces: Ints  #: forces, and the motion of elements by them, (*, 8)
     resume: Ints  #: postponed elements find their acceleration without failed bonds, (*, 8)
     reopening: Ints  #: postponed elements open the next step, (*, 8)
@@ -244,7 +244,7 @@ class StepSpan(NamedTuple):
     steps: int  #: number of steps to take
     every: int  #: steps between records, 0 for none
     records_present: int  #: 1 to record the present state without a step
-    stale: int  #: 1 if forces have to be found before that
+    stale: int  #: 1 if forces have to be found before the present state is recorded
     moved: int  #: 1 if elements and walls have moved already in the first step, whose list was out of date
     n: int  #: number of elements
     m: int  #: number of bonds, without those that fill a group

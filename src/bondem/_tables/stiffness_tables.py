@@ -59,6 +59,6 @@ class BondTangents(NamedTuple):
 
 
 class DilatationRows(NamedTuple):
-    """Forms whose sum is the dilatation of each cell, in the same rows."""
+    """Rows of the matrix by which V θ of cells follows from motions, with the blocks of `BlockRows`."""
 
     forms: Floats  #: V θ under unit motions [m², m³], (blocks, 1, 6)

@@ -68,6 +68,6 @@ class SofteningTeeth(NamedTuple):
     ripple: float  #: half-width of the band, as a share
     now: float  #: T at the beginning, if it exceeds the onset [Pa]
     left: Floats  #: integrity after each event but the last, after which it is zero, (teeth,)
-    limit: Floats  #: T of the event after it [Pa], (teeth,)
+    limit: Floats  #: T of the event that follows `left` [Pa], (teeth,)
     beyond: Floats  #: `limit` over the T at which the curve itself softens the facet further [-], (teeth,)
     number: Ints  #: number of steps; only as many are written as there is room, (1,)

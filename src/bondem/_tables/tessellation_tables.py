@@ -10,8 +10,8 @@ class Bins(NamedTuple):
 
     position: Floats  #: centres [m], (n, 3)
     radius: Floats  #: radii [m], (n,)
-    lower: Floats  #: the box around all cells [m], (3,)
-    upper: Floats  #: the box around all cells [m], (3,)
+    lower: Floats  #: lower corner of the box around all cells [m], (3,)
+    upper: Floats  #: upper corner of the box around all cells [m], (3,)
     period: Floats  #: edge lengths of the periodic cell, or 0 [m], (3,)
     boxes: Ints  #: number of boxes along each axis, (3,)
     start: Ints  #: start of the members of each box, (boxes + 1,)
@@ -51,8 +51,8 @@ class CellRequest(NamedTuple):
     chosen: Ints  #: elements, (cells,)
     half: Floats  #: half the edges of the boxes from which their cells are cut [m], (cells,)
     found: Ints  #: elements listed, (room,)
-    offset: Floats  #: vector from the centre to each of them, and distance [m], (room, 4)
-    order: Ints  #: places of these elements in the list, the nearest first, (room,)
+    offset: Floats  #: vector from the centre to each listed element, and distance [m], (room, 4)
+    order: Ints  #: places in `found`, the nearest element first, (room,)
     end: Ints  #: number of polygons up to the end of each cell, (cells + 1,)
     done: Ints  #: number of cells made, and the element at which the pass ended, (2,)
 

@@ -1,7 +1,7 @@
 // An array in memory that Python owns: its address and the lengths of its axes. The core allocates no memory.
 //
-// Arrays are contiguous, with the last axis fastest. As `_core.py` fills a table (a struct of arrays and numbers), it
-// checks type and lengths of each array once. The debug build (BONDEM_CHECKED) also checks every access.
+// Arrays are contiguous, with the last axis fastest. `_core.py` checks type and lengths of each array once, as a
+// table (a struct of arrays and numbers) is filled. The debug build (BONDEM_CHECKED) also checks indices.
 #pragma once
 #include "scalars.hpp"
 

@@ -1,5 +1,5 @@
 // Descriptions of tables, the structs of arrays and numbers that passes take. `_core.py` reads names, types, shapes
-// and offsets of their fields from the library, and checks its own tables against these.
+// and offsets of their fields from the library, and compares them with the tables of Python.
 #pragma once
 #include "array.hpp"
 #include "laws/rotations.hpp"

@@ -1,9 +1,9 @@
 // Sums without rounding: a sum of doubles has the same bits in any order of its terms, and on any number of threads.
 //
-// A sum is an integer multiple of 2^-1074, the smallest double, in 67 digits of 32 bits (limbs). Their range exceeds
-// that of doubles by a factor of 2^46. Each limb is stored in a signed word of 64 bits. A term changes three words
-// without carries, so that 2^31 terms fit. Carries are made when the sum is read. Reading rounds once, to the nearest
-// double with ties to even, as `math.fsum` of Python does. Terms that are not finite are stored separately, as flags.
+// A sum is an integer multiple of 2^-1074, the smallest positive double, in 67 digits of 32 bits (limbs), which
+// exceed the range of doubles by a factor 2^46. Each limb is stored in a signed word of 64 bits. A term changes three
+// words without carries, so that 2^31 terms fit. Carries are made when the sum is read. Reading rounds once, to the
+// nearest double with ties to even, as `math.fsum` does. Terms that are not finite are stored separately, as flags.
 #pragma once
 #include "array.hpp"
 #include "scalars.hpp"

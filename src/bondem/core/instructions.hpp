@@ -1,4 +1,4 @@
-// Level of instructions of a CPU: a microarchitecture level of x86-64 (psABI) by cpuid and xgetbv, 0 for other CPUs.
+// Level of the instruction set of a CPU: a microarchitecture level of x86-64 (psABI), or 0 for other CPUs.
 #pragma once
 #include "scalars.hpp"
 

@@ -1,7 +1,7 @@
 // Vector registers of several numbers (lanes), as the number type of the laws in passes over many bonds or elements.
 //
 // The templates of `laws/` use `Lanes` as a number with + - * /, negation, square root and rounding. Each lane has
-// the bits of the scalar result. Rows of eight numbers, one per lane, are transposed to eight `Lanes`, and back.
+// the bits of the scalar result. Functions read and write rows of eight numbers, one row per lane, as eight `Lanes`.
 #pragma once
 #include "scalars.hpp"
 

@@ -1,4 +1,4 @@
-// Exact sums of the energy balance of a run, to which passes add, for a row of the history or a check of the run.
+// Exact sums to which passes add energies and counts: for a row of the history of a run, or for a check of the run.
 #pragma once
 #include "exact_sum.hpp"
 #include "tables/step_tables.hpp"

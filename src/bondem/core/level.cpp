@@ -1,5 +1,5 @@
-// Function that returns the highest level of instructions of this CPU. This file is part of every library, and is
-// also compiled by itself to a small library that any CPU can load.
+// Function that returns the highest level of instructions of this CPU (`instructions.hpp`). This file is part of
+// every library, and is also compiled by itself to a small library that any CPU can load.
 #include "exported.hpp"
 #include "instructions.hpp"
 

@@ -1,5 +1,5 @@
 // Loops on the CPU that call a pass of a GPU for all indices, where one thread of a GPU computes one index. With
-// these loops the CPU simulates a GPU in tests. The libraries of wheels do not contain them.
+// these loops the CPU simulates a GPU in tests. The libraries of wheels do not contain these loops.
 #include "exported.hpp"
 #include "gpu/for_each.hpp"
 #include "gpu/index_passes.hpp"

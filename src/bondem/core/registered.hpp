@@ -1,7 +1,7 @@
 // Registration of passes where they are defined. The names of their tables follow from the types of the functions.
 //
-//     BONDEM_PASS(stress_cells, elements_of_blocks, "own swelling; writes pose.stress")    after a pass of a step
-//     BONDEM_CALL(relax_spheres, "converged loose")    after a pass that Python calls: names of its outcomes, or ""
+//     BONDEM_PASS(add_beam_loads, bonds_of_blocks, "ends pose; adds sums")    after a pass of a step
+//     BONDEM_CALL(conjugate_gradients, "converged stuck")    after a pass that Python calls: names of outcomes, or ""
 //
 // A pass of a step states the parts of the step that it runs over (`PassKind`), and the columns of elements that it
 // reads and writes (docs/decisions/0065-columns-that-passes-read-and-write.md). Each pass adds a node to a list as

@@ -41,8 +41,8 @@ inline double absolute(double a) { return __builtin_fabs(a); }
 inline double arc_tangent(double y, double x) { return __builtin_atan2(y, x); }
 #endif
 
-// Access to numbers that several threads write: a value that is the same from all, a sum, bits, a count, and the largest
-// of numbers that are not negative, whose bits have their order.
+// Access to numbers that several threads write: a value that is the same from all, a sum, bits, a count, and the
+// largest of numbers that are not negative, whose bits have their order.
 #if defined(__CUDACC_RTC__)
 template <class T> inline void put_shared(T &place, T value) { *const_cast<volatile T *>(&place) = value; }
 template <class T> inline T get_shared(const T &place) { return *const_cast<const volatile T *>(&place); }

@@ -1,4 +1,4 @@
-// Choice between two numbers without branches: a comparison gives a mask, by which `select` chooses one of the
+// Choice between two numbers without branches. A comparison gives a mask, by which `select` chooses one of both
 // numbers in each lane of a vector register.
 #pragma once
 #include "lanes.hpp"

@@ -6,12 +6,12 @@
 //
 // A block is a range of consecutive bonds, with the elements whose last bond is in the block. A domain is a range of
 // blocks that one thread processes. Successive passes are called block by block, so that the data of a block remain
-// in the cache. A pass over bonds that follows a pass over elements begins after that has processed all elements.
+// in the cache. A pass over bonds that follows a pass over elements begins after all elements are processed.
 //
 // An element opens a step by the first change of its velocity and the change of its position. The second change of
 // its velocity closes the step (`passes/motion/moving.hpp`). Elements whose bonds fail are postponed: they close the
 // step with the others, but do not open the next one. At the end of the step a pass lists all postponed elements.
-// Passes over elements then find their accelerations, with a time step of 0, and further passes open their next step.
+// Further passes then find the accelerations of these elements, with a time step of 0, and open their next step.
 #pragma once
 #include "tables/columns.hpp"
 #include "tables/step_tables.hpp"
@@ -54,8 +54,8 @@ struct Range {
 enum PassKind : Index {
     of_rows,  // rows of a table, in the order of the table
     of_cracks,  // cracks or their cells, of which threads may share portions
-    of_events,  // what begins, changes or ends in the step, in order
-    single,  // numbers that a body has once, such as those of a record
+    of_events,  // events of the step, such as failures, in their order
+    single,  // single numbers, such as those of a record
     bonds_of_blocks,  // bonds of a block
     elements_of_blocks,  // elements of a block, then shared ones
     parts_of_shared,  // elements that domains share

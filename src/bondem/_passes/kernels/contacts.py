@@ -22,7 +22,7 @@ from bondem._tables.step_tables import Gauges, HistoryRows, Ledger, Moving, Step
 def add_contact_load(
     device_span: DeviceSpan, moving: Moving, step_blocks: StepBlocks, contact_sums: ContactSums
 ) -> Kernel:
-    """Adds forces and losses of contacts to those of the elements, and sets the former to zero.
+    """Adds forces and losses of contacts to those of the elements, and sets those of contacts to zero.
 
     Over one index.
     """

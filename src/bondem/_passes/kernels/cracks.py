@@ -168,7 +168,7 @@ def soften_crack(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, facet_strengths: FacetStrengths,
     stresses_of_cells: StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> Kernel:
-    """Lowers the integrities of cracks, and finds those that go to rest.
+    """Lowers the integrities of cracks, and finds cracks that become resting.
 
     Over one index.
     """

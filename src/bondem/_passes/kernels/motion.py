@@ -21,8 +21,7 @@ def add_body_force(
 def add_work_of_body(
     device_span: DeviceSpan, moving: Moving, step_blocks: StepBlocks, body_forces: BodyForces
 ) -> Kernel:
-    """Adds the work of body forces over the half of the step that begins, after elements have opened it; none at a
-    pause.
+    """Adds the work of body forces over the half of the step that begins, by its velocities; none at a pause.
 
     Over one index.
     """

@@ -99,7 +99,7 @@ def stretch_wall_of_step(cell_strains: CellStrains, wall_constraints: WallConstr
 def sum_strain_portion(
     device_span: DeviceSpan, moving: Moving, cell_strains: CellStrains, elastic_facets: ElasticFacets
 ) -> Kernel:
-    """Sums ∂U/∂factor of the facets of a portion, where it is needed.
+    """Sums ∂U/∂factor of the facets of a portion, in steps that need this sum.
 
     Over one index.
     """

@@ -49,8 +49,8 @@ from bondem._passes.steps.yielding import *
 KINDS = (
     "rows of a table, in the order of the table",
     "cracks or their cells, of which threads may share portions",
-    "what begins, changes or ends in the step, in order",
-    "numbers that a body has once, such as those of a record",
+    "events of the step, such as failures, in their order",
+    "single numbers, such as those of a record",
     "bonds of a block",
     "elements of a block, then shared ones",
     "elements that domains share",

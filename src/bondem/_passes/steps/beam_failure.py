@@ -14,7 +14,7 @@ def break_beams(
 ) -> StepEntry:
     """Removes the beams that fail.
 
-    Over what begins, changes or ends in the step, in order. Reads `pose` at both ends, of elements that are
+    Over events of the step, such as failures, in their order. Reads `pose` at both ends, of elements that are
     postponed; adds `sum` to elements.
     """
     return StepEntry("break_beams", (moving, beams, beam_integrity, candidates, postponed, event_log))
@@ -65,7 +65,7 @@ def withdraw_dashpots(
 ) -> StepEntry:
     """Subtracts dashpots of failed beams from the kept sums of their ends, before the beams are removed.
 
-    Over what begins, changes or ends in the step, in order. Reads `motion` at both ends; reads `pose` at both
+    Over events of the step, such as failures, in their order. Reads `motion` at both ends; reads `pose` at both
     ends, of elements that are postponed; adds `sum`, `sums` to elements.
     """
     return StepEntry("withdraw_dashpots", (moving, beams, dashpots, candidates, postponed))

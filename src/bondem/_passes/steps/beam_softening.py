@@ -15,7 +15,7 @@ def begin_softening(
 ) -> StepEntry:
     """Writes the rows of beams that have begun to soften in this step, and adds up their dissipation.
 
-    Over what begins, changes or ends in the step, in order.
+    Over events of the step, such as failures, in their order.
     """
     return StepEntry("begin_softening", (candidates, softening_bounds, softening_beams, event_log))
 
@@ -25,7 +25,7 @@ def log_softened_beams(
 ) -> StepEntry:
     """Adds up the dissipation of all portions, and logs broken beams.
 
-    Over what begins, changes or ends in the step, in order. Reads `pose` at both ends.
+    Over events of the step, such as failures, in their order. Reads `pose` at both ends.
     """
     return StepEntry("log_softened_beams", (moving, beams, softening_beams, event_log))
 

@@ -17,8 +17,7 @@ def add_body_forces(moving: Moving, step_blocks: StepBlocks, body_forces: BodyFo
 
 
 def add_body_work(moving: Moving, body_forces: BodyForces) -> StepEntry:
-    """Adds the work of body forces over the half of the step that begins, after elements have opened it; none at a
-    pause.
+    """Adds the work of body forces over the half of the step that begins, by its velocities; none at a pause.
 
     Over elements of a block, then shared ones. Reads `motion` of an element; changes `work` of an element.
     """

@@ -40,7 +40,7 @@ def follow_cell_strains(
 
 
 def sum_strain_powers(moving: Moving, cell_strains: CellStrains, elastic_facets: ElasticFacets) -> StepEntry:
-    """Sums ∂U/∂factor of the facets of a portion, where it is needed.
+    """Sums ∂U/∂factor of the facets of a portion, in steps that need this sum.
 
     Over bonds, in portions. Reads `pose`, `pose.stress` at both ends.
     """

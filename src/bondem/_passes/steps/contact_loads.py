@@ -9,7 +9,7 @@ from bondem._tables.step_tables import Ledger, Moving, StepBlocks
 
 
 def add_contact_loads(moving: Moving, step_blocks: StepBlocks, contact_sums: ContactSums) -> StepEntry:
-    """Adds forces and losses of contacts to those of the elements, and sets the former to zero.
+    """Adds forces and losses of contacts to those of the elements, and sets those of contacts to zero.
 
     Over elements of a block, then shared ones. Changes `ContactSums.sums`, `StepBlocks.sums`, `loss` of an
     element.

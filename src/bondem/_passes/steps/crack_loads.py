@@ -38,7 +38,7 @@ def log_cracks(
 ) -> StepEntry:
     """Adds up the dissipation of cracks, and logs cracks that have lost all integrity in this step.
 
-    Over what begins, changes or ends in the step, in order. Reads `pose` at both ends.
+    Over events of the step, such as failures, in their order. Reads `pose` at both ends.
     """
     return StepEntry("log_cracks", (moving, elastic_facets, cohesive_cracks, crack_lists, event_log))
 

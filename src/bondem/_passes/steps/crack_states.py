@@ -38,7 +38,7 @@ def soften_cracks(
     moving: Moving, elastic_facets: ElasticFacets, facet_strengths: FacetStrengths, stresses_of_cells:
     StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> StepEntry:
-    """Lowers the integrities of cracks, and finds those that go to rest.
+    """Lowers the integrities of cracks, and finds cracks that become resting.
 
     Over cracks or their cells, of which threads may share portions. Reads `pose`, `pose.stress`, `tensor` at
     both ends; adds `half` to elements.

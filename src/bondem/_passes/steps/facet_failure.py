@@ -15,7 +15,7 @@ def break_facets(
 ) -> StepEntry:
     """Removes the facets that fail, and updates the stresses of their cells.
 
-    Over what begins, changes or ends in the step, in order. Reads `arm`, `given`, `wall`, `weight` at both
+    Over events of the step, such as failures, in their order. Reads `arm`, `given`, `wall`, `weight` at both
     ends; reads `pose` at both ends and at their neighbours; adds `pose.stress`, `weight` to elements.
     """
     return StepEntry("break_facets", (moving, elastic_facets, wall_constraints, facet_release, candidates, event_log))
@@ -28,7 +28,7 @@ def judge_facets_by_mohr_coulomb(
     """Evaluates marked facets by a criterion at the present stresses; postpones cells that lose facets, and their
     neighbours.
 
-    Over what begins, changes or ends in the step, in order. Reads `pose`, `pose.stress` at both ends; adds
+    Over events of the step, such as failures, in their order. Reads `pose`, `pose.stress` at both ends; adds
     `flag` to elements.
     """
     return StepEntry("judge_facets_by_mohr_coulomb", (
@@ -50,7 +50,7 @@ def restore_facets(
 ) -> StepEntry:
     """Adds the loads of the remaining facets and of walls to the kept sums.
 
-    Over what begins, changes or ends in the step, in order. Reads `arm`, `base`, `wall` of an element; reads
+    Over events of the step, such as failures, in their order. Reads `arm`, `base`, `wall` of an element; reads
     `flag`, `pose.stress` at both ends; reads `pose` at both ends, of elements that are postponed; adds `sum`,
     `load` to elements.
     """
@@ -65,7 +65,7 @@ def withdraw_facets(
 ) -> StepEntry:
     """Lists the cells whose loads change, and subtracts the loads of their facets and walls from the kept sums.
 
-    Over what begins, changes or ends in the step, in order. Reads `load` of an element; reads `flag`,
+    Over events of the step, such as failures, in their order. Reads `load` of an element; reads `flag`,
     `pose.stress` at both ends; reads `pose` at both ends, of elements that are postponed; adds `flag`, `sum` to
     elements.
     """

@@ -17,7 +17,7 @@ def begin_contacts(
 ) -> StepEntry:
     """Begins contact where beams have broken in this step, on the sums that are kept for their ends.
 
-    Over what begins, changes or ends in the step, in order. Reads `motion` at both ends; reads `pose` at both
+    Over events of the step, such as failures, in their order. Reads `motion` at both ends; reads `pose` at both
     ends, of elements that are postponed; adds `sum` to elements.
     """
     return StepEntry("begin_contacts", (moving, contact_constants, contact_pairs, near_pairs, event_log, postponed))
@@ -29,7 +29,7 @@ def begin_face_contacts(
 ) -> StepEntry:
     """Begins the contact of faces that part in this step.
 
-    Over what begins, changes or ends in the step, in order.
+    Over events of the step, such as failures, in their order.
     """
     return StepEntry("begin_face_contacts", (moving, contact_pairs, near_pairs, face_pairs, crack_lists, event_log))
 
@@ -40,8 +40,8 @@ def begin_softened_contacts(
 ) -> StepEntry:
     """Begins contact where softening beams have broken at the beginning of this step.
 
-    Over what begins, changes or ends in the step, in order. Reads `motion`, `pose` at both ends; adds `sums` to
-    elements.
+    Over events of the step, such as failures, in their order. Reads `motion`, `pose` at both ends; adds `sums`
+    to elements.
     """
     return StepEntry("begin_softened_contacts", (
         moving, contact_constants, contact_pairs, near_pairs, event_log, contact_sums
@@ -51,7 +51,7 @@ def begin_softened_contacts(
 def release_pressure(event_log: EventLog, softening_bounds: SofteningBounds) -> StepEntry:
     """Ends the pressure on softening beams that have broken at the beginning of this step.
 
-    Over what begins, changes or ends in the step, in order.
+    Over events of the step, such as failures, in their order.
     """
     return StepEntry("release_pressure", (event_log, softening_bounds))
 
@@ -62,7 +62,7 @@ def touch_parted_faces(
 ) -> StepEntry:
     """Begins to evaluate the pairs of cells whose cracks have parted in this step.
 
-    Over what begins, changes or ends in the step, in order. Reads `pose` at both ends.
+    Over events of the step, such as failures, in their order. Reads `pose` at both ends.
     """
     return StepEntry("touch_parted_faces", (
         moving, contact_pairs, near_pairs, cohesive_cracks, crack_lists, parted_reach

@@ -15,7 +15,7 @@ def begin_cracks(
 ) -> StepEntry:
     """Begins the cracks of facets that are marked.
 
-    Over what begins, changes or ends in the step, in order. Adds `cracked` to elements.
+    Over events of the step, such as failures, in their order. Adds `cracked` to elements.
     """
     return StepEntry("begin_cracks", (elastic_facets, facet_forces, facet_strengths, crack_onset, cohesive_cracks))
 

@@ -15,7 +15,7 @@ def break_pairs(
 ) -> StepEntry:
     """Removes the bonds that fail: their force from the kept sums, and the energy of their springs.
 
-    Over what begins, changes or ends in the step, in order. Reads `pose` at both ends, of elements that are
+    Over events of the step, such as failures, in their order. Reads `pose` at both ends, of elements that are
     postponed; adds `sum` to elements.
     """
     return StepEntry("break_pairs", (moving, beams, non_local_bonds, candidates, postponed, event_log))
@@ -49,7 +49,7 @@ def relieve_pairs(
     """Subtracts failed bonds from the stresses of their elements, and sets their integrity to 0; after
     `break_pairs`.
 
-    Over what begins, changes or ends in the step, in order. Reads `pose` of an element; adds `stress` to
+    Over events of the step, such as failures, in their order. Reads `pose` of an element; adds `stress` to
     elements.
     """
     return StepEntry("relieve_pairs", (moving, beams, non_local_bonds, lagged_stresses, beam_integrity, candidates))

@@ -43,6 +43,6 @@ def postpone_elements(step_blocks: StepBlocks, candidates: Candidates, postponed
 def write_released(event_log: EventLog, history_rows: HistoryRows) -> StepEntry:
     """Writes the energy released into a record.
 
-    Over numbers that a body has once, such as those of a record.
+    Over single numbers, such as those of a record.
     """
     return StepEntry("write_released", (event_log, history_rows))

@@ -10,7 +10,7 @@ from bondem._tables.step_tables import Gauges, HistoryRows, Ledger, Moving, Rows
 def judge_energy(rows: Rows, ledger: Ledger) -> StepEntry:
     """Finds whether a number is not finite, or the kinetic energy is far above all energy supplied.
 
-    Over numbers that a body has once, such as those of a record.
+    Over single numbers, such as those of a record.
     """
     return StepEntry("judge_energy", (rows, ledger))
 
@@ -34,6 +34,6 @@ def sum_element_energies(moving: Moving, ledger: Ledger) -> StepEntry:
 def write_ledger(rows: Rows, ledger: Ledger, history_rows: HistoryRows) -> StepEntry:
     """Writes time and the entries of the energy balance.
 
-    Over numbers that a body has once, such as those of a record.
+    Over single numbers, such as those of a record.
     """
     return StepEntry("write_ledger", (rows, ledger, history_rows))

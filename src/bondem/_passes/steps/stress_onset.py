@@ -73,7 +73,7 @@ def mark_failing_facets(
 ) -> StepEntry:
     """Marks candidates that fail, and replaces their stresses by those whose index gives their strength.
 
-    Over what begins, changes or ends in the step, in order. Reads `pose`, `tensor` at both ends.
+    Over events of the step, such as failures, in their order. Reads `pose`, `tensor` at both ends.
     """
     return StepEntry("mark_failing_facets", (
         moving, elastic_facets, facet_forces, stresses_of_cells, crack_onset, candidate_facets

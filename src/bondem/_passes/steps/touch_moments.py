@@ -16,7 +16,7 @@ def add_new_contacts(
     """Adds new contacts to the stresses of the ends of bonds that have failed in this step, after these contacts
     have begun.
 
-    Over what begins, changes or ends in the step, in order. Reads `motion` at both ends; reads `pose` at both
+    Over events of the step, such as failures, in their order. Reads `motion` at both ends; reads `pose` at both
     ends, of elements that are postponed; adds `stress` to elements.
     """
     return StepEntry("add_new_contacts", (moving, contact_constants, contact_pairs, lagged_stresses, event_log))

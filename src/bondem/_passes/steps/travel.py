@@ -11,7 +11,7 @@ from bondem._tables.step_tables import Ledger, Moving
 def check_travel(travel: Travel, walls: Walls, ledger: Ledger) -> StepEntry:
     """Marks the list of contacts as out of date if it may miss a contact, or if a centre is not finite.
 
-    Over numbers that a body has once, such as those of a record.
+    Over single numbers, such as those of a record.
     """
     return StepEntry("check_travel", (travel, walls, ledger))
 
@@ -19,7 +19,7 @@ def check_travel(travel: Travel, walls: Walls, ledger: Ledger) -> StepEntry:
 def keep_measures(near_pairs: NearPairs, travel: Travel) -> StepEntry:
     """Stores the largest motion since the list was made, in a step that measures distances.
 
-    Over numbers that a body has once, such as those of a record.
+    Over single numbers, such as those of a record.
     """
     return StepEntry("keep_measures", (near_pairs, travel))
 

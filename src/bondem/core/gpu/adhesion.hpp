@@ -1,5 +1,5 @@
 // Adhesion of spheres on a GPU. Passes with one thread per pair compute the force of the pair. Passes with one thread
-// per element add the forces of all pairs of the element, and compute those of walls.
+// per element add the forces of all its pairs, and compute the forces of walls on the element.
 #pragma once
 #include "../passes/contacts/adhesion.hpp"
 #include "contacts.hpp"

@@ -1,4 +1,4 @@
-// Beams on a GPU. The thread of a beam writes the loads on its ends, or those of its dashpot, to `LoadsOfBonds`.
+// Beams on a GPU. The thread of a beam writes the loads of the beam or of its dashpot to the table `LoadsOfBonds`.
 #pragma once
 #include "../passes/beams/beam_passes.hpp"
 #include "../passes/damage/beam_removal.hpp"

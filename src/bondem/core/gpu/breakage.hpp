@@ -1,10 +1,10 @@
-// Failure of beams on a GPU, in the stages of the CPU (`passes/damage/pipeline.hpp`). Facets and pairs of the
-// non-local law share some of these functions.
+// Failure of beams on a GPU, in the same stages as on the CPU (`passes/damage/pipeline.hpp`). Facets and bonds of the
+// non-local law use some of these functions.
 //
-// The thread of a beam computes the loads of the beam. For a beam near failure, a thread evaluates the criterion.
-// Beams that fail are listed in any order; passes with one thread per failed beam sort the list and remove the beams.
-// The two elements of a failed beam start the next step later than the others. The thread of such an element
-// subtracts the loads of its failed beams, in the order of beams. A single thread adds up released energies.
+// The thread of a beam computes the loads of the beam, and evaluates the criterion if the beam is near failure. Beams
+// that fail are listed in any order; passes with one thread per failed beam sort the list and remove the beams. The
+// two elements of a failed beam start the next step later than the others. The thread of such an element subtracts
+// the loads of its failed beams, in the order of beams. A single thread adds up released energies.
 #pragma once
 #include "../passes/damage/beam_verdicts.hpp"
 #include "../passes/damage/pipeline.hpp"

@@ -1,5 +1,5 @@
 // Bodies of cells on a GPU. Passes have one thread per facet, cell, wall or traction on free facets, or per range of
-// these. Where the facets of a cell that walls fix or support add to sums of the cell, they share one thread.
+// facets or cells. The facets of a cell that walls fix or support share one thread where they add to the same sums.
 #pragma once
 #include "../passes/cells/accumulation.hpp"
 #include "../passes/cells/cell_passes.hpp"

@@ -1,5 +1,5 @@
 // Contacts on a GPU. Passes with one thread per listed pair compute the force of the pair. Passes with one thread per
-// element add the forces of all pairs of the element, and compute those of walls.
+// element add the forces of all its pairs, and compute the forces of walls on the element.
 //
 // Each step examines every pair of the list. The list is valid until an element or a wall has moved by a given
 // distance, the reach of the list. Then the run halts: later passes do nothing until the CPU has made a new list.

@@ -1,5 +1,5 @@
 // Stresses of cells, and facets that begin to crack, on a GPU. Passes have one thread per facet or per cell. The
-// thread of a cell adds up the forces on its facets.
+// thread of a cell adds up the moments of the forces on its facets.
 #pragma once
 #include "../passes/cells/cell_passes.hpp"
 #include "../passes/cracks/onset_of_facets.hpp"

@@ -1,4 +1,4 @@
-// Energies of bodies with cracks on a GPU. Each thread adds up the energies of a range of facets or cells.
+// Energies of bodies with cracks on a GPU, also of crushing, added up by one thread per range of facets or cells.
 #pragma once
 #include "crack_onset.hpp"
 #include "record.hpp"

@@ -1,10 +1,10 @@
 // Cracks on a GPU. Passes have one thread per facet, which computes its crack, or one per cell, which adds up the
-// cracks of its facets. The number of a facet is also the row of its crack. An active crack is evaluated in every
-// step. A resting one is treated as a facet of reduced stiffness. A cracked facet has two halves, one per cell
-// (`laws/crack.hpp`). The thread of a cell links the halves of its active cracks in a list.
+// loads of the cracks of its facets. The number of a facet is also the row of its crack in tables. An active crack is
+// evaluated in every step. A resting crack is treated as a facet of reduced stiffness. A cracked facet has two
+// halves, one per cell (`laws/crack.hpp`). The thread of a cell links the halves of its active cracks in a list.
 //
-// Flags of a facet state how its crack changes in a step: `flag` for an active crack, `waking` for a resting one. The
-// thread of a cell adds the changes in the same order as the CPU.
+// Flags of a facet state how its crack changes in a step: `flag` for an active crack, `waking` for a resting crack.
+// The thread of a cell adds the changes in the same order as the CPU.
 #pragma once
 #include "../passes/contacts/face_contacts.hpp"
 #include "../passes/contacts/handover.hpp"

@@ -1,10 +1,10 @@
-// Failure of facets of cells on a GPU, in the stages of the CPU (`passes/cells/facet_failure.cpp`). Passes with one
-// thread per facet mark facets near failure, evaluate marked facets, and record events. Passes with one thread per
-// cell remove failed facets, and change the loads of cells that lose facets and of their neighbours.
+// Failure of facets of cells on a GPU, in the same stages as on the CPU (`passes/cells/facet_failure.cpp`). Passes
+// with one thread per facet mark facets near failure, evaluate marked facets, and record events. Passes with one
+// thread per cell remove failed facets, and change the loads of cells that lose facets and of their neighbours.
 //
-// These cells start the next step later than the others. Where the CPU has lists of such cells, a flag of each cell
-// states the reason. Facets of one step count as failing one after the other: the energy of a facet is that without
-// the facets of smaller numbers that fail in this step.
+// Cells that lose facets and their neighbours start the next step later than the others. A flag marks such a cell;
+// the CPU has lists of such cells instead. Facets that fail in the same step are removed in the order of their
+// numbers. The energy that a facet releases is therefore computed without the facets removed before.
 #pragma once
 #include "../passes/cells/cell_passes.hpp"
 #include "../passes/cells/facet_removal.hpp"

@@ -1,5 +1,4 @@
-// Calls of a pass that computes one index, such as one bond, for all indices: by threads of a GPU, or by a loop on
-// the CPU that simulates a GPU in tests.
+// Calls of a pass for each index, such as each bond, by threads of a GPU. In tests loops on the CPU simulate the GPU.
 #pragma once
 #include "../steps.hpp"
 

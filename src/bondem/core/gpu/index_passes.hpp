@@ -1,5 +1,5 @@
-// List of the passes for a GPU, each of which computes one index, such as one bond, in a thread.
-// Written by `python -m tests.core.tables` from the headers beside it. The macro applies X to each pass.
+// List of the passes for a GPU, in each of which a thread computes a single bond, element or other index.
+// Written by `python -m tests.core.tables` from the other headers here. The macro applies X to each pass.
 #pragma once
 #include "adhesion.hpp"
 #include "beams.hpp"

@@ -1,5 +1,5 @@
-// Contacts on a GPU that begin in a step, where bonds or facets have failed (`passes/contacts/handover.hpp`). The
-// thread of a contact begins it. The thread of an element then adds the forces of its new contacts.
+// Contacts on a GPU that begin where bonds fail or cracks part in a step (`passes/contacts/handover.hpp`). One thread
+// per failed bond begins the contact of its two elements. One thread per element adds the forces of new contacts.
 #pragma once
 #include "../passes/contacts/handover.hpp"
 #include "breakage.hpp"

@@ -1,8 +1,8 @@
-// Bonds of the non-local law on a GPU. The thread of a bond computes its force, and the thread of an element the
-// stress. The thread of a bond then evaluates the failure criterion by the stresses of both elements. Further passes
-// remove failed bonds, and subtract their forces from the stresses of their elements.
+// Bonds of the non-local law on a GPU. The thread of a bond computes its force, and the thread of an element computes
+// its stress. The thread of a bond then evaluates the failure criterion by the stresses of both elements. Further
+// passes remove failed bonds, and subtract their forces from the stresses of their elements.
 //
-// The stress of an element is the sum over its bonds and contacts in the order of the CPU.
+// The contributions of bonds and contacts to the stress of an element are added in the same order as on the CPU.
 #pragma once
 #include "../passes/non_local/non_local_passes.hpp"
 #include "../passes/non_local/own_stress.hpp"

@@ -1,4 +1,4 @@
-// Passes of the CPU as passes of a GPU, called by each thread for one element, or for a range of elements or bonds.
+// Passes of the CPU that a GPU runs unchanged: one call in all, or one per element or range of elements or bonds.
 #pragma once
 #include "../steps.hpp"
 #include "../tables/device_tables.hpp"

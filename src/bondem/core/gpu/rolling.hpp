@@ -1,5 +1,5 @@
 // Resistance of spheres to rolling on a GPU. Passes with one thread per pair compute the moments of the pair. Passes
-// with one thread per element add the moments of all pairs of the element, and compute those of walls.
+// with one thread per element add the moments of all its pairs, and compute the moments at walls.
 #pragma once
 #include "../passes/contacts/rolling.hpp"
 #include "contacts.hpp"

@@ -1,9 +1,9 @@
-// Beams that soften, on a GPU, in the stages of the CPU (`passes/damage/beam_softening.cpp`).
+// Beams that soften, on a GPU, in the same stages as on the CPU (`passes/damage/beam_softening.cpp`).
 //
 // Softening beams are in lists, one per range of bonds. The thread of a listed beam lowers its integrity and adds its
 // dissipation to an exact sum. The thread of a list moves broken beams to its end. The thread of any beam computes
 // its loads, and starts to soften a beam that has reached its criterion, before loads are added to elements. A single
-// thread logs broken beams, and adds beams that have started to soften to the lists, in the order of the CPU.
+// thread logs broken beams, and adds beams that have started to soften to the lists, in the same order as the CPU.
 #pragma once
 #include "../passes/contacts/handover.hpp"
 #include "../passes/damage/softening_beam.hpp"

@@ -1,10 +1,10 @@
 // Facets that begin to crack by a failure criterion that is a function of the stress, on a GPU. Passes have one
 // thread per cell, facet or candidate.
 //
-// Candidates are facets in tension beside a cell whose stress is near the criterion. Their order in the list is
-// arbitrary. The function is evaluated to find candidates that fail; the facet number of the others is set to -1. For
-// candidates that fail, the function is evaluated again, with the mean stress of both cells, to find the strength in
-// the direction of their cracks. A user's function is evaluated on the CPU between two passes.
+// Candidates are facets in tension beside a cell whose stress is near the criterion. Candidates are listed in any
+// order. The function is evaluated to find candidates that fail; the facet number of candidates that do not fail is
+// set to -1. For candidates that fail, the function is evaluated again, with the mean stress of both cells, to find
+// the strength in the direction of their cracks. A user's function is evaluated on the CPU between two passes.
 #pragma once
 #include "../laws/criteria/cone.hpp"
 #include "../laws/criteria/mean_stress.hpp"

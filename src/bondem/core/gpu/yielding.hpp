@@ -1,5 +1,6 @@
 // Yielding of cells on a GPU, and its effect on the vectors (levers) from the centre of a cell to facets, walls and
-// cracks. Also the work of strains at loaded free facets and cracks. Passes have one thread per cell, facet or wall.
+// cracks. Also the work of loads on free facets as cells yield, and of stress-free strains at cracks. Passes have one
+// thread per cell, facet or wall.
 #pragma once
 #include "../passes/cracks/strained_cracks.hpp"
 #include "../passes/cracks/yielding_cells.hpp"

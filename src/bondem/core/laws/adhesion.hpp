@@ -3,10 +3,10 @@
 //     F = F_c            g < 0        U = F_c (g - D / 2)
 //     F = F_c (1 - g/D)  0 <= g < D   U = -F_c (D - g)² / 2 D      F_c = σ A,  A = π min(R_i, R_j)², at a wall π R²
 //
-// g is the gap [m], negative for an overlap, D the range [m], F_c the pull-off force [N], σ the strength [Pa], R a
-// radius [m] and U the energy [J]. F opposes the spring and the dashpot of the contact. F is a continuous function
-// of the gap alone, so that adhesion dissipates no energy. Friction is limited by the force of the spring, which at
-// rest exceeds the external compression by F_c. Source: linear adhesion within a range, as in the adhesive rolling
+// g is the gap [m], negative for an overlap, D the range [m] and F_c the pull-off force [N]. σ is the adhesive
+// strength [Pa], R the radius of a sphere [m] and U the energy [J]. F opposes the spring and the dashpot of the
+// contact. F is a continuous function of the gap alone, so that adhesion dissipates no energy. Friction is limited by
+// the repulsive force alone, which at rest exceeds the external compression by F_c. Source: the adhesive rolling
 // resistance linear model of PFC (pull-off force F_0, range D_0); σ A as in the cohesive law of Yade.
 #pragma once
 #include "linear_contact.hpp"

@@ -1,4 +1,4 @@
-// Stress σ* for criteria on a facet of two cells: their mean stress σ, corrected to agree with the traction t,
+// Stress σ* for criteria on a facet: the mean stress σ of its two cells, corrected to agree with its traction t,
 //
 //     σ* = σ + r⊗n + n⊗r - (r·n) n⊗n        r = t - σ n
 //

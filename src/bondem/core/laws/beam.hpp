@@ -1,4 +1,4 @@
-// A beam between two elements: one energy for every linear bond law, its gradient, and its parts.
+// A beam between two elements i and j: one energy U for every linear bond law, its gradient, and its parts.
 //
 // In the reference configuration every orientation is the identity. X0 is the direction from i to j there, and L the
 // distance of the centres. X is the present direction, ℓ the present distance, and q the quaternion of an element. X1
@@ -12,16 +12,16 @@
 //     U = ½ kn (ℓ - L)² + ½ A (1 - c1²) + B (X1 · X2 - c1 c2) + ½ C (1 - c2²) + 2 kt (1 - w²)
 //     A = ks a² + k'      B = ks a b - k'      C = ks b² + k'
 //
-// Laws differ in these four and in the contact point (Chen et al. 2022, eqs (21) to (26), Tables 1 and 9). For a
-// circular section of radius r, with the area A = π r², I = π r⁴ / 4, J = 2 I, G = E / (2 (1 + ν)), the radius R of
-// an element, and κ = kn / ks, they are
+// Laws differ in these stiffnesses and in the contact point (Chen et al. 2022, eqs (21) to (26), Tables 1 and 9). The
+// following values are for a circular section of radius r, with the area S = π r², I = π r⁴ / 4 and J = 2 I. E is
+// Young's modulus, ν Poisson's ratio, G = E / (2 (1 + ν)), R the radius of an element, and κ = kn / ks.
 //
 //                        kn        ks                     kb            kt            a
-//     Euler–Bernoulli    E A / L   12 E I / L³            E I / L       G J / L       L / 2
-//     Timoshenko         E A / L   12 E I / (L³ (1 + Φ))  E I / L       G J / L       L / 2
-//     parallel bond      E A / L   kn / κ                 kn r² / 4     ks r² / 2     (L + R_i - R_j) / 2
+//     Euler–Bernoulli    E S / L   12 E I / L³            E I / L       G J / L       L / 2
+//     Timoshenko         E S / L   12 E I / (L³ (1 + Φ))  E I / L       G J / L       L / 2
+//     parallel bond      E S / L   kn / κ                 kn r² / 4     ks r² / 2     (L + R_i - R_j) / 2
 //
-// with Φ = 20 r² (1 + ν) / (3 L²). `interactions/beams/` computes them, once per bond.
+// with Φ = 20 r² (1 + ν) / (3 L²). `interactions/beams/` computes these values, once per bond.
 //
 // Signs: tension is positive. The force acts on j, and its opposite on i.
 //

@@ -9,16 +9,16 @@
 //
 //     Y = -∂U/∂s = U0 - ½ kn ⟨L - ℓ⟩² ≥ 0
 //
-// per unit of lost integrity. The root λ = √Y is the opening: it grows along any straight path from rest. Integrity
-// falls where λ exceeds its previous maximum. The product s λ, proportional to the force, then falls on a line from
-// λ0, where the criterion is reached, to λf, where it is zero. Below the previous maximum the beam unloads to its
-// origin:
+// per unit of lost integrity. The opening λ = √Y grows along any straight path from rest. Integrity falls where λ
+// exceeds its previous maximum. The product s λ, proportional to the force, then falls on a line from λ0, where the
+// criterion is reached, to λf, where it is zero. Below the previous maximum the beam unloads to its origin:
 //
 //     s = λ0 (λf - λ) / (λ (λf - λ0))        ∫ Y (-ds) = λ0 λf = G A
 //
 // on every path along which λ grows, with A the area of the section. The trapezoidal rule counts the same work, also
-// for a beam that opens in few steps. G follows from the shares of Y where softening begins: I by opening (elongation
-// and bending), II by sliding (shear and twisting). G_f and G_II,c are the fracture energies of the two modes. With
+// for a beam that opens in few steps. The fracture energy G follows from two shares of Y where softening begins:
+// share_I of opening (elongation and bending) and share_II of sliding (shear and twisting). G_f and G_II,c are the
+// fracture energies of the two modes. With
 //
 //     G = 1 / (share_I / G_f + share_II / G_II,c)
 //

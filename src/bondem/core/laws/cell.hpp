@@ -7,8 +7,8 @@
 //
 //     s_p = A w_p m_p      w_p = d_p / L      s_i + s_j = A n, with the normal n of cell i
 //
-// d_p is the distance from the generator of the cell to the plane of the facet, L = d_i + d_j, and m_p is n on
-// average. Balanced shares make every uniform stress exact in every cell
+// d_p is the distance of the plane of the facet from the generator of the cell, the centre of its sphere. L is
+// d_i + d_j, and m_p a vector that equals n on average. Balanced shares make every uniform stress exact in every cell
 // (`bondem/specimen/tessellation/balanced_shares.py`). Then
 //
 //     δ = x_j + R_j b_j - x_i - R_i b_i                     gap of the two faces; needs no frame of reference
@@ -18,10 +18,10 @@
 //     k = 2 G A / L      H = (2 G / L) (tr S 1 - S)      λ_p = λ / (1 + c_p λ / 2 G)
 //     G = E / (2 (1 + ν))      λ = E ν / ((1 + ν) (1 - 2 ν))      c_p = 1/V_p Σ A d |m|²   over free facets
 //
-// v is the vector part of the relative rotation q_i* q_j and S the second moment of the facet about its centroid.
-// 2 v · H v is exactly (2 G / L) tr((1 - R_iᵀ R_j) S), the energy of a facet whose points open differently, and
-// ½ ρ · H ρ for a small rotation ρ. λ_p is smaller than λ because free facets open until their traction vanishes.
-// `bondem/interactions/cells/cell_constants.py` computes the constants once.
+// v is the vector part of the relative rotation q_i* q_j, a quaternion, and S the second moment of the facet about
+// its centroid, a tensor. 2 v · H v is exactly (2 G / L) tr((1 - R_iᵀ R_j) S), the energy of a facet whose points
+// open differently. For a small rotation ρ this energy is ½ ρ · H ρ. λ_p is smaller than λ because free facets open
+// until their traction vanishes. `bondem/interactions/cells/cell_constants.py` computes the constants once.
 //
 // With the stress σ = λ_p θ_p of a cell and g = σ R s, the loads on both cells, minus the gradient of U, are
 //
@@ -29,7 +29,7 @@
 //     F_i = f     T_i = (R_i b_i) × f + δ × g_i
 //     F_j = -f    T_j = -(R_j b_j) × f + δ × g_j        ± the moment of 2 v · H v, + on i (`bending_moment`)
 //
-// where δ × g comes from normals that turn with their cells. Cells need two passes: dilatation, then forces.
+// where δ × g comes from normals that turn with their cells. Cells need passes for dilatation and then for forces.
 //
 // Signs: tension is positive. `BeamLoads` has the force on j, as beams do, and its opposite acts on i.
 //
@@ -37,7 +37,7 @@
 // alone are the lattice of Bolander and Saito (1998), whose ν is 0. With m = n the law is that of Mariotti (2007) and
 // of Monasse and Mariotti (2012).
 //
-// Limits: relative rotations stay moderate, as for beams (`laws/beam.hpp`). θ is linear in δ, so strains stay small.
+// Limits: relative rotations are moderate, as for beams (`laws/beam.hpp`), and strains small: θ is linear in δ.
 #pragma once
 #include "../symmetric3.hpp"
 #include "ends.hpp"

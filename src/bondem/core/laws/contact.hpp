@@ -1,4 +1,4 @@
-// Contact of two bodies: a spring and a dashpot along the normal, both again in the tangential plane, and friction.
+// Contact of two bodies: a spring and a dashpot along the normal, a spring and a dashpot across it, and friction.
 //
 //     F_n = max(F(u) + ½ ks'(u) ξ² + cn du/dt, 0)        |F_t| <= μ F_n,   F_t = ks ξ + cs dξ/dt while it sticks
 //
@@ -8,11 +8,11 @@
 //
 //     cn = 2 β √(kn m̄)      cs = 2 β √(ks m̄)      kn = dF/du,   1/m̄ = 1/m_i + 1/m_j
 //
-// Energy: U = ∫ F du + ½ ks ξ². Forces are the gradient of U also where ks depends on the overlap. A contact that
-// does not slide therefore stores all work, and returns to its place after any cycle of load
-// (docs/decisions/0053-tangential-potential-and-rolling.md). Work on the tangential spring that it does not store is
-// friction. Losses follow from the trapezoidal rule, of second order like the step. F_n depends on F_t = ks ξ by
-// F_n = N + F_t² h, with h = ks' / 2 ks² and N the part without ξ. At the limit F_t = μ F_n therefore
+// Energy: U = ∫ F du + ½ ks ξ². Forces are the gradient of U also where ks depends on the overlap. Springs that do
+// not slide therefore store all work on them, and return to their places after any cycle of load
+// (docs/decisions/0053-tangential-potential-and-rolling.md). Work on the tangential spring that is not stored is lost
+// to friction. Losses follow from the trapezoidal rule, of second order in the time step. F_n depends on F_t = ks ξ
+// by F_n = N + F_t² h, with h = ks' / 2 ks² and N the part without ξ. At the limit F_t = μ F_n therefore
 //
 //     F_t = 2 μ N / (1 + √(1 - 4 μ² N h))
 //

@@ -2,10 +2,11 @@
 //
 // A facet of stiffness k has a half in each cell p. The half has the part w_p of the compliance, so its own stiffness
 // is k / w_p. A crack has an orthonormal frame e_1, e_2, e_3 that turns with cell i, with e_1 as its normal. Along
-// e_d half p keeps the share s⁺_d of a force that pulls, and s⁻_d of one that presses. With s one of these shares,
-// springs s / (1 - s) k / w_p in series with the half represent the loss. Their opening u_p is eliminated. D is the
-// gap of the two faces, ξ their slip, and σ_p = λ θ the stress of cell p. g_p is the vector of the facet in
-// V_p θ_p = Σ g_p·D of an intact cell (R_p s_p in `cell.hpp`). With δ = D - ξ, and ⟨x⟩ = x where positive, else 0,
+// e_d half p keeps the fraction s⁺_d of a force that pulls, and s⁻_d of a force that presses. With s one of these
+// fractions, springs of the stiffness s / (1 - s) k / w_p in series with the half represent the loss, and open by
+// u_p. D is the gap of the two faces, ξ their slip, and σ_p = λ θ the stress of cell p with the dilatation θ. g_p is
+// the vector of the facet in V_p θ_p = Σ g_p·D of an intact cell (R_p s_p in `cell.hpp`). With δ = D - ξ, and ⟨x⟩ = x
+// where positive, else 0,
 //
 //     F_p = k δ + σ_p g_p / w_p                                                force of the intact half
 //     L_p = Σ_d [(1 - s⁺_d) ⟨F_p·e_d⟩ + (1 - s⁻_d) min(F_p·e_d, 0)] e_d        lost part of this force
@@ -19,20 +20,20 @@
 // along the crack is 1 until its faces are far apart. A facet of a material plane, or of a cell without cohesion, has
 // e_1 = n and a single integrity: s_1 = γ = s and s_2 = s_3 = 1. Such a facet loses all but the pressure across it.
 //
-// Friction q = (1 - γ) k (D - ξ)_t, with the part t normal to e_1, acts on the broken part of such a facet, and on a
-// crack of the material once γ = 0. With this friction, δ is D - (ξ·e_1) e_1, and q has the slip along the crack. |q|
-// is at most μ (1 - γ) Σ w_p ⟨-F_p·e_1⟩, so that an open crack has no friction (Alfano and Sacco 2006).
+// Friction q = (1 - γ) k (D - ξ)_t, with the part t normal to e_1, acts on the broken part of such a facet. Cracks of
+// the material have this friction at γ = 0. With this friction, δ is D - (ξ·e_1) e_1, and q has the slip along the
+// crack. |q| is at most μ (1 - γ) Σ w_p ⟨-F_p·e_1⟩, so that an open crack has no friction (Alfano and Sacco 2006).
 //
 // Energy U: halves store ½ k / w |w δ - u|², and their springs ½ s (1 - s) w (F·e_d)² / k for s⁺ or s⁻. Friction
 // stores ½ |q|² / (1 - γ) k, and bending s 2 v·H v as in `cell.hpp`, with s the least of s_1, s_2, s_3.
 //
 // Signs: f acts on cell i, -f on j; D is from i to j, so tension is positive. The couple of the frame that turns with
-// cell i follows from the balance of angular momentum: the torques on both cells, without those of f and -f at the
+// cell i follows from the balance of angular momentum. The torques on both cells, without those of f and -f at the
 // levers, add up to D × f.
 //
-// The dissipation of a crack in a step is -∂U/∂s times the loss of each integrity, with the geometric mean of the
-// rates -∂U/∂s before and after the step. This mean is exact where the opening keeps its direction: the work by the
-// trapezoidal rule then equals the change of energy and the dissipation.
+// The dissipation of a crack in a step is the loss of each integrity times the geometric mean of -∂U/∂s before and
+// after the step. This mean is exact where the opening keeps its direction: the work by the trapezoidal rule then
+// equals the change of energy and the dissipation.
 #pragma once
 #include "../select.hpp"
 #include "cell.hpp"

@@ -1,8 +1,8 @@
 // Damping of the motion of elements, and of the bonds between them.
 //
 // Local damping adds -γ |F| sign(v) to each component F of force and torque, with v the component of the velocity
-// (Chen et al. 2022, eqs (11) and (12), which print F U / U in place of F). This opposes the motion, and vanishes in
-// equilibrium.
+// (Chen et al. 2022, eqs (11) and (12), which print F U / U in place of F). The added force opposes the motion, and
+// vanishes in equilibrium.
 //
 // A bond has a dashpot parallel to each of its springs, against the relative motion of its ends at the contact point.
 // The distances of this point from the centres add up to the present length, so that there is no net moment, and no

@@ -2,15 +2,15 @@
 //
 //     u = ½ g·(n_b - n_a)      A_ab = w A_0 (1 - g²/R²)²      A_0 = 2 A_a A_b / (A_a + A_b),  R² = 3 (A_a + A_b) / 2π
 //
-// u is the overlap, g the vector from the centroid of face a to that of face b, n an outward normal, A the area of a
-// face, and w the weight of the pair. Faces whose centroids are further apart than R do not overlap. The integral of
-// A_ab over all lateral positions is A_a A_b for w = 1, as for the true polygons: two sets of faces that each cover a
-// plane have the area of the plane on average.
+// u is the overlap, and g the vector from the centroid of face a to that of face b. n is an outward normal, A the
+// area of a face, and w the weight of the pair. Faces whose centroids are further apart than R do not overlap. The
+// integral of A_ab over all lateral positions is A_a A_b for w = 1, as for the true polygons. The A_ab of two sets of
+// faces that each cover a plane therefore add up to the area of the plane, on average.
 //
-// Energy: U = ½ κ A_ab (u - u0)², with u0 the overlap at which the contact began, and κ = 2 κ_a κ_b / (κ_a + κ_b)
-// from the stiffnesses per area of the facets of both faces. Forces and torques are its exact gradient:
-// F (n_a - n_b) / 2 along the normals, with F = κ A_ab (u - u0), and 4 U (1 - g²/R²)⁻¹ g / R² where faces slide out
-// of each other. They have neither a net force nor a net moment.
+// Energy: U = ½ κ A_ab (u - u0)², with the overlap u0 at which the contact began. κ = 2 κ_a κ_b / (κ_a + κ_b) follows
+// from the stiffnesses per area of the facets of both faces. Forces and torques are its exact gradient: F
+// (n_a - n_b) / 2 along the normals, with F = κ A_ab (u - u0), and 4 U (1 - g²/R²)⁻¹ g / R² where faces slide out of
+// each other. Forces and torques on both cells have neither a resultant force nor a resultant moment.
 //
 // Signs: forces act on cell b. Limits: faces are assumed to be compact, and rotations within a step to be small.
 #pragma once

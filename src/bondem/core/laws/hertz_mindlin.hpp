@@ -3,11 +3,11 @@
 //     F = 4/3 E* √R* u^(3/2)      kn = dF/du = 2 E* √(R* u)      ks = 8 G* √(R* u)
 //     E* = E / (2 (1 - ν²))       G* = G / (2 (2 - ν))           1/R* = 1/R_i + 1/R_j
 //
-// with the normal force F, the overlap u, the radii R, the tangential stiffness ks, and the elastic constants of both
-// spheres. At a rigid wall E* and G* are doubled, and R* = R. Energy: ∫ F du = 2/5 F u. A stretch ξ of the tangential
-// spring adds ½ dks/du ξ² to F (`contact.hpp`). The dashpots have √(5/6) of the share β of the critical damping that
-// a linear spring would have. The overlap to the power 5/4 then oscillates like the overlap of a linear spring, and
-// the restitution is the same at every speed (Antypov and Elliott, EPL 94, 2011).
+// with the normal force F, the overlap u, the radii R, the tangential stiffness ks, and the elastic constants E, G
+// and ν of both spheres. At a rigid wall E* and G* are doubled, and R* = R. Energy: ∫ F du = 2/5 F u. A stretch ξ of
+// the tangential spring adds ½ dks/du ξ² to F (`contact.hpp`). The dashpots have √(5/6) of the share β of the
+// critical damping that a linear spring would have. The overlap to the power 5/4 then oscillates like the overlap of
+// a linear spring, and the restitution is the same at every speed (Antypov and Elliott, EPL 94, 2011).
 //
 // Limits: overlaps up to a tenth of the smaller radius. Sources: Mindlin and Deresiewicz, J. Appl. Mech. 20 (1953);
 // Tsuji, Tanaka and Ishida, Powder Technology 71 (1992) 239–250.

@@ -1,7 +1,8 @@
 // A beam of the incremental formulation: rates of force and moment, integrated step by step, and stored per bond.
 //
-// With v the velocity of j against i at the contact point, ω the angular velocity of j against i, n the unit vector
-// from i to j, and Ω the spin of the bond (that of n, and about n the mean of both elements),
+// v is the velocity of j against i at the contact point, ω the angular velocity of j against i, and n the unit vector
+// from i to j. Ω is the spin of the bond: the spin of n plus the mean of both angular velocities along n. The rates
+// are
 //
 //     F' = Ω × F + kn (v·n) n + ks (v - (v·n) n)
 //     M' = Ω × M + kt (ω·n) n + kb (ω - (ω·n) n)
@@ -15,9 +16,9 @@
 // Plasticity and rate laws need this formulation.
 //
 // The sources do not say at which instant of a step the rates are taken. Here it is the middle, the instant of the
-// velocities. Half of the rate is added, the stored vector is turned by the Cayley transform of Ω dt, which keeps its
-// length (Hughes and Winget 1980), and the other half is added. In a rigid rotation a stored vector then turns with
-// the bond, to second order in the step. A step of duration 0 changes nothing.
+// velocities. Half of the rate is added. The stored vector is then turned by the Cayley transform of Ω dt, which
+// keeps its length (Hughes and Winget 1980), and the other half is added. In a rigid rotation a stored vector then
+// turns with the bond, to second order in the step. A step of duration 0 changes nothing.
 //
 // Energy: the stored vectors over their stiffnesses,
 //

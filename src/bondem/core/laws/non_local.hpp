@@ -1,9 +1,9 @@
 // The non-local law of Celigueta, Oñate et al. (2020): a bond follows the mean stress of its two elements.
 //
-// A bond of area A joins two elements whose centres are L apart. It has a face on each element, at the levers b_i and
-// b_j, which turn with the elements. The gap of the faces is δ, with δ_n along the normal n and δ_t across it. σ is
-// the mean stress of both elements by the forces of the step before. With kn = A E / L and kt = A G / L, tension
-// positive,
+// A bond of area A joins two elements whose centres are L apart. The bond has a face on each element, at the levers
+// b_i and b_j, which turn with the elements. The gap of the faces is δ, with δ_n along the normal n and δ_t across
+// it. σ is the mean stress of both elements by the forces of the step before. With kn = A E / L and kt = A G / L,
+// tension positive,
 //
 //     F = kn δ_n n + kt δ_t + e                                             eqs (2), (3), (6)
 //     e = A ν (tr σ - n·σ n) n + t - kt δ_t⁻      t = A (σ n - (n·σ n) n)
@@ -15,16 +15,16 @@
 //
 //     σ = (1/V) Σ b ⊗ F                                                     eq (1)
 //
-// n is along the mean of the two normals of the reference that turn with i and with j. A bond stores δ and e in the
-// frame of its element i, and an element stores its stress in its own frame. A rotation of the whole body changes
-// neither.
+// n is along the mean of two vectors: the normal of the reference turned with i, and turned with j. A bond stores δ
+// and e in the frame of its element i, and an element stores its stress in its own frame. A rotation of the whole
+// body does not change these values.
 //
 // Energy: ½ kn δ_n² + ½ kt δ_t² in the springs. The law has no potential. The work of e is an entry of its own in the
 // energy balance, by the trapezoidal rule in the frame of i.
 //
-// Limits: the stress lags a step behind, which adds energy without damping. The highest frequency of the springs is
-// no bound for the time step. With `limited`, the length of t - kt δ_t⁻ is at most |t|. The text of the paper does
-// not print a limiter, but without it only the lag of the stress resists the rotation of an element.
+// Limits: the stress lags a step behind, which adds energy without damping. The highest frequency of the springs does
+// not bound the time step. With `limited`, the length of t - kt δ_t⁻ is at most |t|. The text of the paper does not
+// print a limiter, but without it only the lag of the stress resists the rotation of an element.
 #pragma once
 #include "stress.hpp"
 

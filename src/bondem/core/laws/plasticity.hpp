@@ -1,21 +1,22 @@
-// Cells that yield under their stress tensor, the average over the cell. The cohesion falls with plastic slip, and the
-// friction is constant.
+// Cells that yield under their stress tensor, the average over the cell. The cohesion falls with plastic slip, and
+// the friction is constant.
 //
-// The yield function F by Mohr and Coulomb has the largest and the least principal stress σ_1 and σ_3, the cohesion
-// c, the angle of friction φ and that of dilatancy ψ. Δε is the plastic strain of a step, Δγ its slip, r the share of
-// the cohesion that is left, and ⟨x⟩ is x where positive, else 0:
+// The yield function F by Mohr and Coulomb has the largest principal stress σ_1 (along e_1) and the least σ_3 (along
+// e_3). c is the cohesion, φ the angle of friction and ψ that of dilatancy. Δε is the plastic strain of a step, Δγ
+// its slip, r the share of the cohesion that is left, and ⟨x⟩ is x where positive, else 0:
 //
 //     F = ½ (σ_1 - σ_3) + ½ (σ_1 + σ_3) sin φ - r c cos φ       Δε = ½ Δγ [(1 + sin ψ) e_1⊗e_1 - (1 - sin ψ) e_3⊗e_3]
 //     H = G + (λ + G) sin φ sin ψ                               r = ⟨1 - γ B c / 2 G_II⟩
 //
-// By Drucker and Prager, for a compressive mean stress, with the deviator s, constants α, β and k, and k for c in r:
+// By Drucker and Prager, F has constants α, β and k, and k for c in r. s is the deviator, I1 = tr σ and J2 = ½ s : s.
+// For a compressive mean stress,
 //
 //     F = √J2 + α I1 - r k        H = G + 9 K α β               Δε = Δγ [s / 2 √J2 + β 1]
 //
-// so that in pure shear τ both dissipate τ Δγ, and F falls by H Δγ if all cells slip by Δγ at constant total strain.
-// G, λ and K are the elastic constants. γ is the mean slip of the cells at a distance of about B/2, with the width B
-// of a shear band (`damage/shear_bands.py`). If the faces of a band thinner than B/2 are displaced by u, γ is u / B
-// for any profile of the band, and the band dissipates the fracture energy G_II per area.
+// so that both laws dissipate τ Δγ in pure shear τ. F falls by H Δγ if all cells slip by Δγ at constant total strain.
+// G, λ and K are the elastic constants. γ is the mean slip of the cells at a distance of about B/2 from a cell, with
+// the width B of a shear band (`damage/shear_bands.py`). Let the faces of a band thinner than B/2 be displaced by u.
+// Then γ is u / B for any profile of the band, and the band dissipates the fracture energy G_II per area.
 //
 // The slip of step n follows from values of F after the previous steps:
 //
@@ -24,8 +25,9 @@
 // For strains that raise F by a constant amount per step, F then tends to zero as n z^n, without a lag. Elastic modes
 // are stable at 0.9 of the critical time step, because z = 2·0.9 - 1 (docs/decisions/0048-shear-bands.md).
 //
-// The plastic strain is an eigenstrain of the cell: its levers are P b with P ← (1 + Δε) P in the frame of the cell.
-// The dissipation is therefore exactly V σ:Δε, also at large strain, with V the volume of the cell.
+// The plastic strain is an eigenstrain of the cell. A lever b from its centre to a facet becomes P b, and a step
+// changes P to (1 + Δε) P, in the frame of the cell. The dissipation is therefore exactly V σ:Δε, also at large
+// strain, with the volume V.
 //
 // Signs: tension is positive. Limits: a cell without cohesion under tension does not flow, its facets crack.
 #pragma once

@@ -1,21 +1,21 @@
 // Facets that lose their integrity: the integrity under given loads, by strength and fracture energy.
 //
-// Let t be the traction that a facet of the material would have if it were intact, and n its normal. Its crack has
-// fixed axes e_1, e_2, e_3 (`laws/crack.hpp`). Each axis has its own criterion and its own integrity s_d. With the
-// strength f_t of the facet, and ⟨x⟩ as x where positive, else 0,
+// Let t be the traction that a facet of the material would have if it were intact, and n its normal. The crack of the
+// facet has the axes e_1, e_2, e_3 (`laws/crack.hpp`). Each axis has its own criterion and its own integrity s_d.
+// With the strength f_t of the facet, and ⟨x⟩ as x where positive, else 0,
 //
 //     T_d² = p_d² + b_d²        p_d = ⟨t·e_d⟩        b_d = b |n·e_d| / max |n·e|
 //     strength r f_t c_d        c_d = max(|n·e_d|, 0.2)        r = T_d / (p_d + b_d)
 //
 // Bending opens one edge of a facet more than the other. U_b is the bending energy of the intact facet, k its
 // stiffness, A its area, and T_b = √(2 k U_b) / A the rms of the tractions by bending. The part
-// b = ⟨T_b - max ⟨-σ_dd⟩⟩ opens the facet, with σ the mean stress of its two cells.
+// b = ⟨T_b - max_d ⟨-σ_dd⟩⟩ opens the facet, with σ the mean stress of its two cells.
 //
 // An integrity follows the softening curve, and never rises. With T = T_d, the product s T falls from the strength
-// t_0 = r f_t c_d to 0 as the opening u = (1 - s) A T / k grows to the last opening. This is 2 G_f / r f_t for a
-// straight line, and the same for all facets. Every facet so begins to soften at σ_1 = f_t, and dissipates G_f A c_d,
-// which is G_f per area projected on the crack. T_l = k u / A at the last opening. The curve is the larger of two
-// straight lines of s T over (1 - s) T:
+// t_0 = r f_t c_d to 0 as the opening u = (1 - s) A T / k grows to the last opening. The last opening is
+// 2 G_f / (r f_t) for a straight line, and the same for all facets. Every facet therefore begins to soften at
+// σ_1 = f_t, and dissipates G_f A c_d, which is G_f per area projected on the crack. T_l is k u / A at the last
+// opening. The curve is the larger of two straight lines of s T over (1 - s) T:
 //
 //     s = t_0 (1 - T / m T_l) / T (1 - t_0 / m T_l)
 //     s = g (1 - T / T_l) / T (1 - g / T_l)        g = κ t_0 / (1 - (1 - κ) m)
@@ -24,12 +24,13 @@
 // opening. With κ = 0 and m = 1 the curve is one straight line.
 //
 // `passes/cracks/crack_axes.hpp` chooses the axes of a crack. While the integrities along e_2 and e_3 are 1, these
-// axes turn in the plane of the crack into the principal directions there.
+// axes turn in the plane of the crack into the principal directions there. In a step, slip of the faces adds to p_d,
+// and p_d of an intact axis has no part by shear of σ (`passes/cracks/softening_cracks.hpp`).
 //
-// A facet of a material plane (interface, joint, bedding) fails by its own traction: √(⟨t·n⟩² + b²) beyond its
-// strength, with b = ⟨T_b - ⟨-t·n⟩⟩, or |t_s| + t_n tan φ beyond its cohesion. t_n and t_s are the normal and the
-// shear part of t. Its fracture energies count per area of the facet. In an inclined direction, where |t|² = q T²,
-// its last opening is therefore smaller by the factor q.
+// A facet of a material plane (interface, joint, bedding) fails by its own traction. Either √(⟨t·n⟩² + b²) exceeds
+// its strength, with b = ⟨T_b - ⟨-t·n⟩⟩, or |t_s| + t_n tan φ exceeds its cohesion. t_n and t_s are the normal and
+// the shear part of t, and φ is the angle of friction. The fracture energies of such a facet count per area of the
+// facet. In an inclined direction, where |t|² = q T², the last opening is therefore smaller by the factor q.
 //
 // Sources: 0019, 0028 and 0045 of docs/decisions. Cracks that keep their directions, several at a point at right
 // angles, are those of the fixed smeared crack models (de Borst and Nauta 1985); Jirásek and Zimmermann (1998)

@@ -3,9 +3,9 @@
 //     σ1 = p + 2 √(J2 / 3) cos(arccos(r) / 3)      r = ½ det(s) / (√(J2 / 3))³
 //     σ3 = p - 2 √(J2 / 3) cos(arccos(-r) / 3)
 //
-// with the mean p, the deviator s = σ - p 1, and J2 = ½ s : s. 2 cos(arccos(r) / 3) is computed by a polynomial of
-// √((1 + r) / 2), interpolated at Chebyshev's points, with an error of 4e-7. The bounds are wider by a margin for
-// this error and for rounding: a criterion that the bounds do not reach is not reached by the stress.
+// with the mean stress p, the deviator s = σ - p 1, and J2 = ½ s : s. 2 cos(arccos(r) / 3) is computed by a
+// polynomial of √((1 + r) / 2), interpolated at Chebyshev's points, with an error of 4e-7. The bounds are wider by a
+// margin for this error and for rounding: a criterion that the bounds do not reach is not reached by the stress.
 #pragma once
 #include "../select.hpp"
 #include "../symmetric3.hpp"

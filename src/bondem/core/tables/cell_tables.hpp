@@ -1,6 +1,6 @@
 // Tables of the passes over facets and cells.
 //
-// Column `stress_column` of a pose has the stress λ θ of its cell [Pa], so that passes read both from one cache line.
+// Column `stress_column` of a pose has the stress of its cell [Pa], so that passes read both from one cache line.
 #pragma once
 #include "../array.hpp"
 

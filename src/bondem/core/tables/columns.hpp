@@ -1,5 +1,5 @@
-// Constants that the core and Python share: sizes of portions of work, columns of tables, and enumerations.
-// `python -m tests.core.tables` writes them into `bondem/_tables/columns.py`.
+// Constants that the core and Python share: sizes of portions, columns of tables, and enumerations.
+// `python -m tests.core.tables` writes these constants into `bondem/_tables/columns.py`.
 #pragma once
 #include "../scalars.hpp"
 

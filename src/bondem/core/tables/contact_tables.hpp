@@ -1,7 +1,7 @@
 // Tables of the passes over contacts of elements and walls.
 //
 // Each pair is listed once, sorted by the larger number of its two elements and then by the smaller one, as bonds
-// are. A portion of elements is a range of consecutive numbers. It has the pairs whose larger number is in the range.
+// are. A portion of elements is a range of consecutive numbers, with the pairs whose larger number is in the range.
 #pragma once
 #include "damage_tables.hpp"
 #include "packing_tables.hpp"
@@ -42,7 +42,7 @@ struct ContactPairs {
     // tangential stretch [m] and force of the dashpots [N]; of faces the overlap u0 [m] and kn a step ago [N/m]
     Array<double, 2> memory;  // (pairs, 8)
     Array<Byte, 1> touch;  // `TouchState`, (pairs,)
-    Array<const Index, 1> bond;  // the bond of each pair, or -1; while it joins them they do not touch, (pairs,)
+    Array<const Index, 1> bond;  // bond of each pair, or -1; a pair does not touch while its bond joins it, (pairs,)
     Array<double, 1> joined;  // above 0 for bonds that join their elements, which then do not touch, (*,)
     Array<const Index, 1> of_bond;  // the pair of each bond, or -1, (*,)
     Array<const double, 1> period;  // edges of the periodic cell and their inverses, zero where there is none, (6,)
@@ -55,7 +55,7 @@ struct NearPairs {
     Array<double, 2> output;  // (pairs, 8)
     Array<Index, 2> counts;  // numbers of near and of close pairs of each portion of elements, (element_portions, 2)
     double width;  // motion of an element after which distances are measured again [m]
-    double beyond;  // gap up to which pairs that do not touch act [m]
+    double beyond;  // largest gap at which pairs act on each other without touching [m]
 };
 // Adhesion of near pairs.
 struct AdheringPairs {
@@ -88,7 +88,7 @@ struct FacePairs {
     Array<Byte, 1> faced;  // 1 for cells with such a facet, 2 in the step in which it parts, (n,)
     Array<const double, 1> outer;  // distance within which two cells touch by faces, as a sum of both [m], (n,)
     Array<const Index, 1> earlier_start;  // start of the pairs whose earlier element each element is, (n + 1,)
-    Array<const Short, 1> earlier;  // these pairs, (pairs,)
+    Array<const Short, 1> earlier;  // numbers of the pairs, by their earlier elements, (pairs,)
     Array<double, 1> chosen;  // the two faces by which each pair touches as one number, 0 for none, (pairs,)
     Array<double, 1> whole;  // reach of the pair as spheres [m], (pairs,)
     // pairs that touch by faces or did a step ago, ascending, each portion from its first pair; on devices 1 or 0
@@ -162,11 +162,11 @@ struct PairSources {
     Array<const Byte, 1> wanted;  // 1 for bonds whose pair is listed at any distance, (m,)
     // start of the pairs of each later element that overlap in the reference
     Array<const Index, 1> rest_start;  // (n + 1,)
-    Array<const Short, 1> rest_first;  // earlier elements of these pairs, (rest,)
-    Array<const double, 1> rest_gap;  // gaps of these pairs in the reference [m], (rest,)
+    Array<const Short, 1> rest_first;  // earlier elements of pairs that overlap in the reference, (rest,)
+    Array<const double, 1> rest_gap;  // gaps of pairs that overlap in the reference [m], (rest,)
     Array<const Index, 1> touching_start;  // start of the pairs of each later element that touch, (n + 1,)
-    Array<const Short, 1> touching_first;  // earlier elements of these pairs, (touching,)
-    Array<const double, 2> touching_memory;  // memories of these pairs, as in `ContactPairs`, (touching, 8)
+    Array<const Short, 1> touching_first;  // earlier elements of pairs that touch, (touching,)
+    Array<const double, 2> touching_memory;  // memories of pairs that touch, as in `ContactPairs`, (touching, 8)
 };
 // The list of pairs, sorted by the later element, then by the earlier one.
 struct FoundPairs {
@@ -182,11 +182,11 @@ struct FoundPairs {
 struct WallSources {
     Array<const double, 1> radius;  // radii of the elements [m], (n,)
     Array<const Index, 1> rest_start;  // start of the contacts of each element that overlap in the reference, (n + 1,)
-    Array<const Short, 1> rest_wall;  // walls of these contacts, (rest,)
-    Array<const double, 1> rest_gap;  // gaps of these contacts in the reference [m], (rest,)
+    Array<const Short, 1> rest_wall;  // walls of contacts that overlap in the reference, (rest,)
+    Array<const double, 1> rest_gap;  // gaps of contacts that overlap in the reference [m], (rest,)
     Array<const Index, 1> touching_start;  // start of the contacts of each element that touch, (n + 1,)
-    Array<const Short, 1> touching_wall;  // walls of these contacts, (touching,)
-    Array<const double, 2> touching_memory;  // memories of these contacts, as in `WallContacts`, (touching, 6)
+    Array<const Short, 1> touching_wall;  // walls of contacts that touch, (touching,)
+    Array<const double, 2> touching_memory;  // memories of contacts that touch, as in `WallContacts`, (touching, 6)
     double skin;  // largest gap [m]
     Array<Index, 1> start;  // start of the found contacts of each element, (n + 1,)
 };

@@ -1,4 +1,4 @@
-// Tables of passes that evaluate laws of cracks and yielding for m samples: a row per quantity, a column per sample.
+// Tables of passes that evaluate laws of cracks and yielding for m samples, with a row per quantity.
 #pragma once
 #include "../array.hpp"
 

@@ -4,7 +4,7 @@
 
 namespace bondem {
 
-// Mean stresses of n cells, and Σ b⊗f of their cracks.
+// Mean stresses of n cells, and Σ b⊗f of their cracks, with the forces f at the levers b.
 struct StressesOfCells {
     Array<const double, 1> volume;  // [m³], (n,)
     Array<double, 2> tensor;  // stress in the last step, xx … yz [Pa], Σ T_b² [Pa²], size [Pa], (n, 8)

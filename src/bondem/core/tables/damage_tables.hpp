@@ -1,5 +1,5 @@
-// Tables of the damage pipeline (`passes/damage/pipeline.hpp`). "Bonds" are beams, facets of cells or pairs of the
-// non-local law: the m interactions of one kind that may fail.
+// Tables of the damage pipeline (`passes/damage/pipeline.hpp`). "Bonds" are the m interactions of one kind that may
+// fail: beams, facets of cells, or bonds of the non-local law.
 #pragma once
 #include "step_tables.hpp"
 
@@ -20,18 +20,18 @@ struct Strengths {
 // Bonds that are near to failure, and then those of them that fail, in the order of the bonds.
 struct Candidates {
     Array<const Index, 1> begin;  // first bond of each block, (blocks + 1,)
-    Array<Index, 1> marked;  // numbers of these bonds; those of a block from begin[block] on, (bonds,)
+    Array<Index, 1> marked;  // numbers of the bonds; those of a block from begin[block] on, (bonds,)
     Array<Index, 1> mode;  // modes of bonds that fail, (bonds,)
-    Array<Index, 1> count;  // number of these bonds in each block, (blocks,)
+    Array<Index, 1> count;  // number of bonds in `marked` of each block, (blocks,)
     Array<Index, 1> any;  // 1 where a bond fails in this step, (1,)
 };
 // Postponed elements, which close a step with all bonds and open the next one without failed bonds.
 struct Postponed {
     Array<Byte, 1> flag;  // not 0 for elements that are postponed, (n,)
-    Array<Short, 1> element;  // lists of these elements, (n,)
-    Array<Short, 1> row;  // rows of their sums, (n,)
+    Array<Short, 1> element;  // lists of postponed elements, (n,)
+    Array<Short, 1> row;  // rows of the sums of the elements in the lists, (n,)
     Index first_row;  // first of the rows of `StepBlocks.sums` that keep sums of postponed elements, one per element
-    Array<double, 2> sum;  // these rows: sums of postponed elements until they resume, (n, 8)
+    Array<double, 2> sum;  // sums of postponed elements until they resume, in the rows from `first_row` on, (n, 8)
 };
 // Failures of one call of the core, in the order of time.
 struct EventLog {

@@ -29,7 +29,7 @@ struct LoadsOfBonds {
 struct BondMarks {
     Array<Byte, 1> mark;  // 1 for bonds near to failure, 2 for those that fail, (bonds,)
     Array<Short, 1> failing;  // bonds that fail in a step, in any order, (bonds,)
-    Array<Byte, 1> mode;  // `failure_mode` of these bonds, (bonds,)
+    Array<Byte, 1> mode;  // `failure_mode` of the bonds in `failing`, (bonds,)
 };
 // Bonds of each element, both lists ascending.
 struct BondsOfElements {
@@ -40,17 +40,17 @@ struct BondsOfElements {
 // Contact pairs of each element as the earlier one of the pair, ascending.
 struct EarlierPairs {
     Array<const int32_t, 1> start;  // start of the pairs of each element, (n + 1,)
-    Array<const Short, 1> pair;  // numbers of these pairs, (pairs,)
+    Array<const Short, 1> pair;  // numbers of the pairs, element by element, (pairs,)
 };
 // Loads, walls or contacts that act on each row, cell or wall, in their order.
 struct RowOrder {
-    Array<const Index, 1> start;  // start of the loads of each row, cell or wall, (*,)
-    Array<const Index, 1> load;  // numbers of these loads, (*,)
+    Array<const Index, 1> start;  // start of the entries of each row, cell or wall in `load`, (*,)
+    Array<const Index, 1> load;  // numbers of the loads, walls or contacts, (*,)
 };
 // Cracks that break in a step.
 struct FallenCracks {
     Array<Index, 1> fallen;  // facets, in any order until they are logged, (*,)
-    Array<Index, 1> number;  // number of these facets, (1,)
+    Array<Index, 1> number;  // number of facets in `fallen`, (1,)
 };
 // Levers of the cells of each facet in space, and the square of T_b.
 struct FacetArms {
@@ -59,7 +59,7 @@ struct FacetArms {
 // Sums of gauges, and largest values of their parts.
 struct GaugeParts {
     Index each;  // parts of each gauge
-    Array<Index, 2> sums;  // exact sums of their components, zero between records, (*, exact_word::count)
+    Array<Index, 2> sums;  // exact sums of the components of gauges, zero between records, (*, exact_word::count)
     Array<double, 2> largest;  // largest absolute values of each part, (*, 3)
 };
 

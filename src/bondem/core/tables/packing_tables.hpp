@@ -22,8 +22,8 @@ struct PackingWalls {
     Array<const double, 1> weight;  // (3,)
     double radius;  // radius of the round wall [m], infinite without one
     Array<const double, 1> corner;  // first node of the grid [m], (3,)
-    double spacing;  // distance of its nodes [m]
-    Array<const double, 3> depth;  // depth at its nodes [m], empty without a grid, (grid_x, grid_y, grid_z)
+    double spacing;  // distance of the nodes of the grid [m]
+    Array<const double, 3> depth;  // depth at the nodes [m], empty without a grid, (grid_x, grid_y, grid_z)
 };
 
 // Neighbour lists, and the motion for which they are valid.
@@ -66,7 +66,7 @@ struct Flight {
 struct SphereGrid {
     Array<const double, 2> sphere;  // centres and radii [m], (n, 4)
     Array<const double, 1> lower;  // corner of the grid [m], (3,)
-    Array<const double, 1> edge;  // edges of its cells [m], (3,)
+    Array<const double, 1> edge;  // edges of the cells of the grid [m], (3,)
     Array<const double, 1> period;  // periodic edge lengths [m], 0 where there is none, (3,)
     Array<const Index, 1> cells;  // along each axis, (3,)
     double skin;  // largest gap of neighbours [m]

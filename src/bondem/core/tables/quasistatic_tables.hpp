@@ -60,7 +60,7 @@ struct ClumpCorrection {
 };
 // State of conjugate gradients in 6 n unknowns.
 struct ConjugateGradients {
-    Array<const double, 1> limits;  // |r| and r·z at which they end, (2,)
+    Array<const double, 1> limits;  // |r| and r·z at which the search ends, (2,)
     Index most;  // largest number of rounds
     Array<double, 1> residual;  // right-hand side before, residual afterwards, (x,)
     Array<double, 1> found;  // guess before, solution afterwards, (x,)

@@ -1,7 +1,8 @@
 // Tables of the passes of a step.
 //
-// Rows of eight numbers are one cache line: pose (x, y, z, a spare number, quaternion w x y z), motion (velocity,
-// 1/m, angular velocity, 1/I) and sums (force, 0, torque, 0), with m the mass and I the moment of inertia.
+// Rows of eight numbers are one cache line. A pose is x, y, z, the stress of a cell (else unused) and the quaternion
+// w x y z. A motion is velocity, 1/m, angular velocity and 1/I, with the mass m and the moment of inertia I. A sum is
+// force, 0, torque, 0.
 #pragma once
 #include "../array.hpp"
 
@@ -69,7 +70,7 @@ struct Dashpots {
     Array<double, 2> sums;  // forces on each element, in rows as `StepBlocks.sums`, (*, 8)
 };
 
-// Division of a step in the form of the core (attributes of `Blocks`), and the sums that it adds to.
+// Division of a step in the form of the core (attributes of `Blocks`), and the sums of elements.
 struct StepBlocks {
     Array<const Index, 1> domain;  // (domains + 1,)
     Array<const Index, 1> bond;  // (blocks + 1,)
@@ -126,7 +127,7 @@ struct RowLoads {
     Array<const Index, 1> row;  // (loads,)
     Array<const Index, 1> schedule;  // (loads,)
     Array<const double, 2> value;  // [N, N·m], (loads, 6)
-    Array<const Index, 1> turns;  // element with which each turns, or -1, (loads,)
+    Array<const Index, 1> turns;  // element with which each load turns, or -1, (loads,)
 };
 // Moments of loads on points of elements.
 struct CoupleTable {
@@ -194,7 +195,7 @@ struct HistoryRows {
 struct StepPasses {
     Array<const Index, 2> present;  // bring boundary conditions to the time of the clock, (*, 8)
     Array<const Index, 2> opening;  // elements open a step after a pause, (*, 8)
-    Array<const Index, 2> travel;  // walls move, and it is checked whether the list of contacts is valid, (*, 8)
+    Array<const Index, 2> travel;  // walls move; check whether the list of contacts is valid, (*, 8)
     Array<const Index, 2> forces;  // forces, and the motion of elements by them, (*, 8)
     Array<const Index, 2> resume;  // postponed elements find their acceleration without failed bonds, (*, 8)
     Array<const Index, 2> reopening;  // postponed elements open the next step, (*, 8)
@@ -207,7 +208,7 @@ struct StepSpan {
     Index steps;  // number of steps to take
     Index every;  // steps between records, 0 for none
     Index records_present;  // 1 to record the present state without a step
-    Index stale;  // 1 if forces have to be found before that
+    Index stale;  // 1 if forces have to be found before the present state is recorded
     Index moved;  // 1 if elements and walls have moved already in the first step, whose list was out of date
     Index n;  // number of elements
     Index m;  // number of bonds, without those that fill a group

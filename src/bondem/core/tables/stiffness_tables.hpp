@@ -51,7 +51,7 @@ struct BondTangents {
     Array<double, 3> tangent;  // [N/m, N, N·m], (12, 12, m)
 };
 
-// Forms whose sum is the dilatation of each cell, in the same rows.
+// Rows of the matrix by which V θ of cells follows from motions, with the blocks of `BlockRows`.
 struct DilatationRows {
     Array<double, 3> forms;  // V θ under unit motions [m², m³], (blocks, 1, 6)
 };

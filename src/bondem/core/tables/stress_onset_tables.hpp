@@ -57,7 +57,7 @@ struct SofteningTeeth {
     double ripple;  // half-width of the band, as a share
     double now;  // T at the beginning, if it exceeds the onset [Pa]
     Array<double, 1> left;  // integrity after each event but the last, after which it is zero, (teeth,)
-    Array<double, 1> limit;  // T of the event after it [Pa], (teeth,)
+    Array<double, 1> limit;  // T of the event that follows `left` [Pa], (teeth,)
     Array<double, 1> beyond;  // `limit` over the T at which the curve itself softens the facet further [-], (teeth,)
     Array<Index, 1> number;  // number of steps; only as many are written as there is room, (1,)
 };

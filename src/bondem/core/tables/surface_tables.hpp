@@ -1,4 +1,4 @@
-// Tables of the search of the nearest triangle.
+// Tables of the search for the triangle that is nearest to a point.
 #pragma once
 #include "../array.hpp"
 

@@ -8,8 +8,8 @@ namespace bondem {
 struct Bins {
     Array<const double, 2> position;  // centres [m], (n, 3)
     Array<const double, 1> radius;  // radii [m], (n,)
-    Array<const double, 1> lower;  // the box around all cells [m], (3,)
-    Array<const double, 1> upper;  // the box around all cells [m], (3,)
+    Array<const double, 1> lower;  // lower corner of the box around all cells [m], (3,)
+    Array<const double, 1> upper;  // upper corner of the box around all cells [m], (3,)
     Array<const double, 1> period;  // edge lengths of the periodic cell, or 0 [m], (3,)
     Array<const Index, 1> boxes;  // number of boxes along each axis, (3,)
     Array<const Index, 1> start;  // start of the members of each box, (boxes + 1,)
@@ -45,8 +45,8 @@ struct CellRequest {
     Array<const Index, 1> chosen;  // elements, (cells,)
     Array<const double, 1> half;  // half the edges of the boxes from which their cells are cut [m], (cells,)
     Array<Index, 1> found;  // elements listed, (room,)
-    Array<double, 2> offset;  // vector from the centre to each of them, and distance [m], (room, 4)
-    Array<Index, 1> order;  // places of these elements in the list, the nearest first, (room,)
+    Array<double, 2> offset;  // vector from the centre to each listed element, and distance [m], (room, 4)
+    Array<Index, 1> order;  // places in `found`, the nearest element first, (room,)
     Array<Index, 1> end;  // number of polygons up to the end of each cell, (cells + 1,)
     Array<Index, 1> done;  // number of cells made, and the element at which the pass ended, (2,)
 };

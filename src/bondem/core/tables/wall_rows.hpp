@@ -1,4 +1,4 @@
-// Rows of the tables of walls. Python reads the names and columns of their numbers from this file
+// Rows of the tables of walls. Python views them as structured arrays with the names of these fields
 // (`bondem/boundary/wall_rows.py`).
 #pragma once
 #include "../laws/rotations.hpp"
@@ -9,7 +9,7 @@ namespace bondem {
 struct WallRow {
     Vector displacement;  // of the point about which it turns [m]
     double growth;  // of its radius [m]
-    Vector velocity;  // of that point [m/s]
+    Vector velocity;  // of the point about which it turns [m/s]
     double growth_rate;  // velocity of its growth [m/s]
     Vector force;  // force of the elements on the wall [N]
     double growth_force;  // of the elements on its radius [N]

@@ -1,7 +1,7 @@
 // Lists of criteria on single bonds, which `python -m tests.core.tables` writes from the headers here.
 //
-// A list expands DO(with, name, Criterion) for each criterion. `name` is that of the header. It ends names
-// of passes, as in `judge_beams_by_mohr_coulomb`, by which Python finds the passes (`BondCriterion.kind`).
+// A list expands DO(with, name, Criterion) for each criterion, with the name of its header. The names of
+// passes end in that name, as in `judge_beams_by_mohr_coulomb`, by which Python finds the passes.
 #pragma once
 #include "elliptic.hpp"
 #include "linear_sum.hpp"

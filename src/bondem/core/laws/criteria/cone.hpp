@@ -2,8 +2,8 @@
 //
 //     √J2 + α I1 ≥ k        J2 = ½ s : s of the deviator s,  I1 = σ1 + σ2 + σ3
 //
-// Tension is positive. The index (1 at failure) is the left side over k. Parameters: α [-], k [Pa], and a flag. The
-// flag is 1 if cells under pressure yield instead, so that the index is 0 for I1 ≤ 0. Else the flag is 0.
+// Tension is positive. The index (1 at failure) is the left side over k. Parameters: α [-], k [Pa], and a flag, which
+// is 1 if cells under pressure yield instead of failing, else 0. With the flag 1 the index is 0 for I1 ≤ 0.
 #pragma once
 #include "../stress.hpp"
 

@@ -2,8 +2,9 @@
 //
 //     (ε⁺ / ε_c)² + max(|θ_i|, |θ_j|) / θ_c ≥ 1
 //
-// ε⁺ is the strain of the beam in tension, else 0. θ_i and θ_j are the angles between the axis of the beam and two
-// axes that are fixed to its ends and agree with it at rest. Coefficients: a = 1 / ε_c, b = 1 / θ_c.
+// ε⁺ is the strain of the beam in tension, else 0. θ_i and θ_j are the angles of the axis of the beam to two other
+// axes. The two axes turn with the elements i and j, and agree with the axis of the beam at rest. Coefficients:
+// a = 1 / ε_c, b = 1 / θ_c.
 //
 // Carmona, Wittel, Kun and Herrmann (2008), eq. (5) of arXiv:0711.2993, where ε² also counts in compression.
 #pragma once

@@ -3,9 +3,9 @@
 //     N / N_max + |Q| / Q_max + |M| / M_max + |T| / T_max ≥ 1
 //
 // N is the axial force [N], positive in tension, so that compression strengthens. Q is the shear force [N], T the
-// torque [N·m], and M the bending moment [N·m]: the larger one of both ends of a beam, or that at the contact point.
-// The coefficients a, b, c and d are 1 / N_max, 1 / Q_max, 1 / M_max and 1 / T_max. The mode of failure is that of
-// the largest term, or of the first of several equal ones.
+// torque [N·m], and M the bending moment [N·m]. M is the larger of the moments at both ends of a beam, or the moment
+// at the contact point. The coefficients a, b, c and d are 1 / N_max, 1 / Q_max, 1 / M_max and 1 / T_max. The mode of
+// failure is that of the largest term, or of the first of several equal ones.
 //
 // Source: `bond_style bpm/rotational` of LAMMPS, after Wang (2009).
 #pragma once

@@ -1,8 +1,8 @@
 // Loads of a bond or facet, which a failure criterion evaluates, and the result of the criterion.
 //
-// A criterion is a function of these loads and of four coefficients, which Python computes from strengths, once per
-// bond (`bondem/damage/`). It returns an index and a mode of failure. The bond fails where the index reaches 1. The
-// index is proportional to the loads, or at least grows with them. The mode is that of the largest part of the index.
+// A criterion is a function of these loads and of four coefficients, which Python computes once per bond
+// (`bondem/damage/`). A criterion returns an index and a mode of failure. The bond fails where the index reaches 1.
+// The index is proportional to the loads, or at least grows with them; the mode is that of its largest part.
 #pragma once
 #include "../../lanes.hpp"
 #include "../../tables/columns.hpp"

@@ -2,9 +2,9 @@
 //
 //     t_n ≥ f_t    or    |t_s| + t_n tan φ ≥ C
 //
-// with the cohesion C, the angle of friction φ, t_n = N / A, positive in tension, and t_s = Q / A, of the normal
-// force N, the shear force Q and the area A. Moments have no influence. If f_t > C / tan φ, f_t is never reached.
-// Coefficients:
+// with the cohesion C and the angle of friction φ. t_n = N / A is the normal traction, positive in tension, and
+// t_s = Q / A the shear traction. N is the normal force, Q the shear force and A the area. Moments have no influence.
+// If f_t > C / tan φ, f_t is never reached. Coefficients:
 //
 //     a = 1 / (A f_t)    b = 1 / (A C)    c = tan φ
 #pragma once

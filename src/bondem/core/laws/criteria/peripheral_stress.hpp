@@ -3,9 +3,9 @@
 //
 //     σ = N / A + β |M| r / I ≥ f_t        τ = |Q| / A + |T| r / J ≥ f_s
 //
-// with A = π r², I = π r⁴ / 4 and J = 2 I for a circular section of radius r. M is the larger of the moments at both
-// ends of a beam, or that at the contact point, and β in [0, 1] the share of M that counts. Tension positive:
-// compression alone breaks no beam. Coefficients:
+// with A = π r², I = π r⁴ / 4 and J = 2 I for a circular section of radius r. N is the axial force, positive in
+// tension, Q the shear force and T the torque. M is the larger bending moment of both ends, or that at the contact
+// point, and β in [0, 1] the part of M that counts. Compression alone breaks no beam. Coefficients:
 //
 //     a = 1 / (A f_t)    b = β r / (I f_t)    c = 1 / (A f_s)    d = r / (J f_s)
 //

@@ -1,4 +1,4 @@
-// Derivatives of the loads of bonds by dual numbers: product of stiffness and motion, and tangent of each bond.
+// Derivatives of the loads of bonds by dual numbers: stiffness matrix times motions, and tangent matrix of each bond.
 #pragma once
 #include "../../tables/stiffness_tables.hpp"
 #include "../beams/bonds.hpp"

@@ -1,5 +1,5 @@
-// Stiffness matrix of the facets of cells at rest. Also, for each cell, the linear forms of the motion whose sum over
-// its facets is volume times dilatation.
+// Stiffness matrix of the facets of cells at rest. Also, for each cell, the row by which volume times dilatation of
+// the cell follows from the motions of the cell and its neighbours.
 #include "../../registered.hpp"
 #include "../../tables/stiffness_tables.hpp"
 #include "../../vector3.hpp"

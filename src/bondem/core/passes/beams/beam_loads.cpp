@@ -1,4 +1,4 @@
-// Forces and torques of beams, added to those on the elements in the order of the beams, and their derivatives.
+// Passes that add loads of beams and dashpots to elements, in the order of the beams, and mark beams near failure.
 #include "beam_passes.hpp"
 
 #include "../../laws/damping.hpp"

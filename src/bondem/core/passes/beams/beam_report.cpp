@@ -1,4 +1,4 @@
-// Energies of beams for the history of a run, and counts of beams that have turned too far for the check of the run.
+// Energies of beams for the history of a run, and counts of beams with large rotations for the check of the run.
 #include "beam_passes.hpp"
 
 #include "../../ledger.hpp"

@@ -1,4 +1,4 @@
-// Data of the bonds of a table: of one bond, or of as many as a vector register has lanes.
+// Access to the bonds of a table (ends, constants, loads): of one bond, or of as many as a vector register has lanes.
 #pragma once
 #include "../../laws/beam.hpp"
 #include "../motion/moved_poses.hpp"

@@ -1,9 +1,11 @@
-// Moments M on regions, as the smallest forces f on points of elements that have this moment about their centroid:
+// Moments M on regions, applied as forces f on points of elements. The moment of these forces about the centroid of
+// the points is M:
 //
 //     f = w ω × s      J ω = M      J = Σ w (s² 1 - s⊗s)
 //
-// w is the share of a point in the moment, s its present position from the centroid, and ω the solution of J ω = M.
-// The forces have no resultant. Torques supply the part of M that forces cannot, such as that about a row of points.
+// w is the weight of a point (Σ w = 1), s its present position from the centroid, and ω the solution of J ω = M. The
+// forces have no resultant. Torques supply the part of M that forces cannot, such as the moment about a line on which
+// all points lie.
 #include "../../registered.hpp"
 #include "following.hpp"
 

@@ -1,4 +1,4 @@
-// One load or one prescribed velocity of an element at the time of a step, in the row of the element in `Rows`.
+// One load or one prescribed velocity of an element at the time of a step, in its row of the table `Rows`.
 #pragma once
 #include "../motion/elements.hpp"
 #include "timeline.hpp"

@@ -2,7 +2,7 @@
 //
 // The work in a step is the mean of ∂U/∂factor before and after the step, times the change of the factor, with U the
 // elastic energy. ∂U/∂factor is therefore computed in each step in which a factor changes and in the step before. The
-// first step of a call of the core computes ∂U/∂factor too.
+// first step of each call from Python computes ∂U/∂factor too.
 #pragma once
 #include "../../exact_sum.hpp"
 #include "../../steps.hpp"

@@ -1,4 +1,4 @@
-// A beam with a stress-free strain ε* that changes in time: its rest length L (1 + ε*), and the work of the strain.
+// A beam with a stress-free strain ε* that changes in time: change of its length at rest, and work of the strain.
 #pragma once
 #include "../beams/bonds.hpp"
 #include "strain_factors.hpp"

@@ -1,4 +1,4 @@
-// Stress-free strains ε* of beams that change in time: rest lengths L (1 + ε*), and the work of the strains.
+// Stress-free strains ε* of beams that change in time: changes of lengths at rest, and work of the strains.
 #include "../../registered.hpp"
 #include "strained_beam.hpp"
 

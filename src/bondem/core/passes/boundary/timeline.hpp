@@ -1,4 +1,4 @@
-// Value and integral of a schedule: piecewise linear in time, constant beyond its ends, at a jump the later value.
+// Value and integral of a schedule, linear between its times and constant beyond. At a jump the later value counts.
 #pragma once
 #include "../../tables/step_tables.hpp"
 

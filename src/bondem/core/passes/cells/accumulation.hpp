@@ -1,4 +1,4 @@
-// Volume changes V θ of cells, summed over their facets, and stresses of the cells, in a step and in given poses.
+// Volume changes V θ of cells (volume times dilatation), added up over their facets, and the stresses of cells.
 #pragma once
 #include "facets.hpp"
 

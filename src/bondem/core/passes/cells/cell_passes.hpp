@@ -19,7 +19,7 @@ void sum_gradient_energies(const Range &range, const Moving &all, const CellDila
 // Subtracts the correction of the mass from the kinetic energies of a portion of cells.
 void subtract_dilatation_energies(const Range &range, const Moving &all, const ElasticFacets &facets,
                                   const WallConstraints &walls, const CorrectedMass &mass, const Ledger &ledger);
-// Sums ∂U/∂factor of the facets of a portion, where it is needed.
+// Sums ∂U/∂factor of the facets of a portion, in steps that need this sum.
 void sum_strain_powers(const Range &range, const Moving &all, const CellStrains &strains,
                        const ElasticFacets &facets);
 // Adds the work of strains that have changed, once the forces after the change are known.

@@ -1,7 +1,7 @@
 // Stress-free strains of cells that change in time: levers of facets and walls, and the work of the strains.
 //
-// A stress-free strain ε* makes the levers of a facet 1 + ε* times as long. With the energy U, the force f on cell i,
-// the levers b without ε*, and the rotations R,
+// A stress-free strain ε* makes the levers of a facet, from the centres of its cells i and j, 1 + ε* times as long.
+// With the energy U, the force f on cell i, the levers b without ε*, and the rotations R of the cells,
 //
 //     ∂U/∂ε* = f · (R_j b_j - R_i b_i)
 #include "cell_passes.hpp"

@@ -1,6 +1,6 @@
 // Stress σ of cells of volume V from the forces f of their facets. Passes compute the moment V σ = sym Σ b⊗f of each
-// cell, with the lever b from its centre to the facet. Levers and forces are those of the same instant, along fixed
-// axes. `facet_loads.cpp` sums b⊗f together with the forces.
+// cell, with the lever b from its centre to the facet and the symmetric part sym. Levers and forces are those of the
+// same instant, along fixed axes. `facet_loads.cpp` sums b⊗f together with the forces.
 #include "cell_passes.hpp"
 
 #include "../../registered.hpp"

@@ -1,4 +1,4 @@
-// Passes of the dispersion-corrected mass (`dilatation_rates.hpp`), between the sums of loads and the motion.
+// Passes that add the forces of the dispersion-corrected mass (`dilatation_rates.hpp`) before elements move.
 #include "../../ledger.hpp"
 #include "../../registered.hpp"
 #include "cell_passes.hpp"

@@ -1,4 +1,4 @@
-// The first of two passes over facets in a step: volume changes V θ of cells, and from them their stresses.
+// The first of two passes over facets in a step: volume times dilatation of cells, from which their stresses follow.
 #include "../../registered.hpp"
 #include "../../tables/cell_tables.hpp"
 #include "../../tables/damage_tables.hpp"

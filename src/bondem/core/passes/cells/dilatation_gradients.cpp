@@ -1,6 +1,6 @@
 // Passes for gradients of the dilatation (`gradients.hpp`): springs between the stresses of neighbouring cells, and
-// torques of bent layers one cell thick. Both are computed after the stresses of cells and before the loads of facets.
-// The torques are added to the sums of cells after these loads.
+// torques of bent layers one cell thick. These springs and torques are computed after the stresses of cells and
+// before the loads of facets. The torques are added to the sums of cells after these loads.
 #include "../../ledger.hpp"
 #include "../../registered.hpp"
 #include "cell_passes.hpp"

@@ -9,8 +9,8 @@
 //
 //     a = M⁻¹ (F + Θᵀ ρ V β Θ M⁻¹ F)
 //
-// which differs from M'⁻¹ F at fourth order in the wave number. Momentum is conserved, because the columns of Θᵀ sum
-// to zero.
+// which differs from M'⁻¹ F at fourth order in the wave number. Without walls, momentum is conserved, because the
+// forces in each column of Θᵀ sum to zero.
 #pragma once
 #include "walls.hpp"
 

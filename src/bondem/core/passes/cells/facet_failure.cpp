@@ -1,10 +1,10 @@
-// Facets that fail without softening. They become free facets of both cells, which lowers λ_p (`laws/cell.hpp`).
+// Facets that fail without softening, and become free facets of both cells, which lowers λ_p (`laws/cell.hpp`).
 //
 // The failure of a facet changes the stress of its two cells, and with it the force of all their other facets.
 // Therefore the motion of the neighbours of both cells is postponed too (`passes/damage/pipeline.hpp`). The sums of
-// forces kept for these cells are corrected in the order of facets: loads with the failed facets are subtracted,
-// loads without them are added. Facets are evaluated between the two passes over them, when stresses are known and no
-// cell has moved. The candidates are found with the stresses of the step before.
+// forces kept for these cells are corrected in the order of facets: loads before the failure are subtracted, and
+// loads after the failure are added. Facets are evaluated between the two passes over facets, when stresses are known
+// and no cell has moved. The candidates are found with the stresses of the step before.
 #include "cell_passes.hpp"
 
 #include "../../registered.hpp"

@@ -1,4 +1,4 @@
-// Facets, walls and neighbours of one cell, and the reasons for which its motion is postponed after a failure.
+// Facets, walls and neighbours of one cell, and reasons to postpone its motion (`passes/damage/pipeline.hpp`).
 #pragma once
 #include "../damage/pipeline.hpp"
 #include "facets.hpp"

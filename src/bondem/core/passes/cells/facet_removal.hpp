@@ -1,8 +1,8 @@
 // Changes by the failure of a facet: its own energy, and the stresses and energies of its two cells.
 //
 // At given poses the energy of dilatation of a cell depends on its unbroken facets. The energy that a failing facet
-// releases therefore follows from its two cells, and from the facets that have failed before it. `left(k)` is the
-// integrity of facet k after these failures.
+// releases therefore follows from its two cells, and from the facets that have failed before in the step. `left(k)`
+// is the integrity of facet k after these failures.
 #pragma once
 #include "../damage/integrity.hpp"
 #include "facet_neighbours.hpp"

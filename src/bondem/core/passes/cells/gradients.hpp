@@ -5,15 +5,15 @@
 //
 //     σ_p + λ_p / V_p Σ c (σ_p - σ_q)
 //
-// A layer one cell thick, of normal n, resists bending. A cell in it has the curvature V χ = Σ 2 v · (n × s), summed
-// over its facets within the layer, and the energy U = ½ J λ_p χ², with J its second moment along n. w and v are the
-// scalar and the vector part of the rotation of the neighbour relative to the cell. With τ = J λ_p χ / V, and
-// m = Σ τ n × s of both cells of a facet, the torque on cell p is
+// A layer one cell thick, with the normal n, resists bending. The curvature χ of a cell in the layer follows from V
+// χ = Σ 2 v · (n × s), summed over its facets within the layer. The energy of the cell is U = ½ J λ_p χ², with the
+// second moment of volume J along n. w and v are the scalar and the vector part of the rotation of the neighbour
+// relative to the cell. With τ = J λ_p χ / V, and m = Σ τ n × s of both cells of a facet, the torque on cell p is
 //
 //     R_p (w m + v × m)
 //
-// A wall does not rotate. With w and v of the rotation of the cell since the wall began to fix it, the wall adds
-// -2 v · (n × s) to V χ, and the torque τ (w n × s + v × (n × s)) to that of the cell.
+// A wall does not rotate. Let w and v be those of the rotation of the cell since the wall began to fix it. Then the
+// wall adds -2 v · (n × s) to V χ, and the torque τ (w n × s + v × (n × s)) to that of the cell.
 #pragma once
 #include "facets.hpp"
 #include "walls.hpp"

@@ -1,4 +1,4 @@
-// Facets and walls of cells whose stress-free strains change: their levers, and ∂U/∂factor of the strains.
+// Facets and walls of cells with stress-free strains that change: levers, and derivatives of the energy by strains.
 #pragma once
 #include "../boundary/strain_factors.hpp"
 #include "walls.hpp"

@@ -1,12 +1,12 @@
 // A facet that a wall fixes or supports. Such a wall does not rotate, so that a gap is measured along fixed axes:
 //
 //     δ = P (wall - u)      V θ += s · δ      U = ½ k |δ|² + 2 v · H v
-//     u = x + R b - its place in the reference
+//     u = x + R b - (x + R b in the reference)
 //
-// `wall` is the displacement of the wall, u that of the centroid of the facet, P projects on the fixed axes, and x,
-// R, b, s, k, H and v are as in `laws/cell.hpp`, for the half of the facet in its cell: k = 2 G A / d, and v is the
-// vector part of q q₀*, the rotation of the cell since the wall began to fix it. A wall that begins to fix a moved
-// face starts at the place of the face: `base` contains the displacement there, and q₀.
+// `wall` is the displacement of the wall, u that of the centroid of the facet, and P projects on the fixed axes. x,
+// R, b, s, H and V θ are as in `laws/cell.hpp`, for the half of the facet in its cell, with the stiffness
+// k = 2 G A / d. v is the vector part of q q₀*, the rotation of the cell since the wall began to fix the facet. A
+// wall that begins to fix a moved face starts at the place of the face: `base` has the displacement there, and q₀.
 //
 // A wall with friction μ fixes a facet along its face while |f_t| ≤ μ N, with the shear force f_t and the compressive
 // force N. Beyond this limit the facet slides: the wall moves with it until f_t is μ N, and the work

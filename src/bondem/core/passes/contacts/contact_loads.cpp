@@ -1,5 +1,5 @@
 // Contacts of pairs of elements. A pass computes force and memory (stretch of the tangential spring, and force of the
-// dashpots) of each touching pair; others add the forces to the elements.
+// dashpots) of each touching pair; other passes add the forces to the elements.
 //
 // Most pairs of the list are bonded, or too far apart to touch before distances are measured again. Only the others
 // are evaluated in every step, as many at once as a vector register has lanes. Forces are summed in a fixed order.

@@ -10,7 +10,7 @@ namespace bondem {
 inline bool measures_anew(const Range &range, const NearPairs &near, const Travel &travel) {
     return range.clock.dt == 0.0 || !(travel.far(0) <= near.width);
 }
-// Adds forces and losses of contacts to those of the elements, and sets the former to zero.
+// Adds forces and losses of contacts to those of the elements, and sets those of contacts to zero.
 void add_contact_loads(const Range &range, const Moving &all, const StepBlocks &blocks, const ContactSums &contacts);
 // Sums the elastic energy of the pairs of a portion [J].
 void sum_pair_energies(const Range &range, const Moving &all, const ContactConstants &law, const ContactPairs &pairs,

@@ -8,9 +8,9 @@
 // spheres, which would protrude from the plane.
 //
 // If faces overlap already when they may first touch, this initial overlap causes no force. Faces in one plane of the
-// reference, such as those of a joint, are an exception. They take over the pressure of facets that part. As the
-// joint slides, the next faces are found before they overlap. The choice of faces does not depend on when lists of
-// contacts are made.
+// reference, such as those of a joint, are an exception, and take over the pressure of facets that part. As the joint
+// slides, the next faces are found before they overlap. The choice of faces does not depend on when lists of contacts
+// are made.
 #pragma once
 #include "../../laws/crack.hpp"
 #include "../../laws/face_contact.hpp"

@@ -1,6 +1,6 @@
 // Contacts of pairs of spheres: of one pair, or of as many as a vector register has lanes.
 //
-// The contact point divides the distance of the centres as the radii do, so that a contact has no net moment.
+// The contact point divides the distance of the centres in the ratio of the radii, so that there is no net moment.
 #pragma once
 #include "../../laws/hertz_mindlin.hpp"
 #include "../../laws/linear_contact.hpp"

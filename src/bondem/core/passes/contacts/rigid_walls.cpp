@@ -2,10 +2,10 @@
 // of its wall, which moves and turns with the wall.
 //
 // A driven wall follows its schedules. A servo is a wall of some mass on which a prescribed force acts against the
-// force of the elements. A flat servo moves along its normal, and a round one changes its radius. A share of the
+// force of the elements. A flat servo moves along its normal, and a round one changes its radius. A fraction of the
 // unbalanced force resists this motion, and the speed is limited. A free wall moves by the forces of the elements and
-// by given forces. One half of the change of its momentum and angular momentum precedes the motion of a step, the
-// other half follows. In between the wall turns about its principal axes in the order 1 2 3 2 1 (Dullweber,
+// by given forces. One half of the change of momentum and angular momentum of a free wall precedes the motion of a
+// step, the other half follows. In between the wall turns about its principal axes in the order 1 2 3 2 1 (Dullweber,
 // Leimkuhler and McLachlan, J. Chem. Phys. 107, 1997). The work of a wall is the trapezoidal sum of its power.
 #include "contact_passes.hpp"
 

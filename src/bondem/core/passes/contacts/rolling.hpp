@@ -2,9 +2,9 @@
 //
 //     M = -R̄ ks ρ      |ρ_t| <= μ_r F_n / ks      |ρ_n| <= μ_w F_n / ks      1/R̄ = 1/R_i + 1/R_j, at a wall R̄ = R
 //
-// M is the moment on the second body, and F_n the normal force. ρ is R̄ times the rotation of the second body against
-// the first that the spring stores, ρ_t across the normal and ρ_n along it. μ_r and μ_w are coefficients. ks is the
-// tangential stiffness of the contact, at a fixed overlap for a law that hardens, because a constant stiffness has a
+// M is the moment on the second body, F_n the normal force, and R a radius. ρ is R̄ times the rotation of the second
+// body against the first that the spring stores. ρ_t is across the normal and ρ_n along it. μ_r and μ_w are
+// coefficients. ks is the tangential stiffness of the contact, at a fixed overlap, because a constant stiffness has a
 // potential. The spring stores ½ ks ρ²; other work is lost to friction.
 //
 // The moments on both bodies are opposite: angular momentum is conserved. Source: type C of Ai, Chen, Rotter and Ooi,

@@ -1,8 +1,9 @@
-// Check whether a list of contacts is still valid. The list has all pairs with a gap of at most twice its reach. No
-// other pair therefore touches before an element or a wall has moved by the reach.
+// Check whether a list of contacts is still valid. The list has all pairs with a gap of at most twice a given
+// distance, its reach. No other pair therefore touches before an element or a wall has moved by the reach.
 //
-// Distances of listed pairs are measured after some motion only. The largest motion since the list was made is at
-// most the sum of the largest motions before and after this measurement. One pass over the elements thus checks both.
+// Distances of listed pairs are measured only after some motion. The largest motion since the list was made is at
+// most the sum of the largest motions before and after measuring. One pass over the elements thus decides whether the
+// list is valid, and whether to measure again.
 #include "contact_passes.hpp"
 
 #include "../../registered.hpp"

@@ -1,14 +1,15 @@
-// Axes of a crack of the material when it begins, before any loss of integrity.
+// Axes of a crack of the material as the crack begins, before any loss of integrity.
 //
 // If the axes of neighbouring cracks differ, the cracks block each other, and too much energy is dissipated: 6 to 8 %
 // more than the fracture energy at a notch, and 10 to 22 % where parts of a body rotate apart. A new crack therefore
 // has the axes of the first rule that applies. σ is the mean stress of its two cells and all their neighbours, and e
-// the direction of the largest principal stress of σ.
+// the direction of the largest principal stress of σ. Of some cells, the leading crack is the active crack that has
+// lost most integrity.
 //
-// 1. Of the active cracks of its two cells, the axes of the one that has lost most integrity, if any of the three is
-// within 45° of e. Behind the front of a crack the largest stress is often along the crack.
-// 2. Of the active cracks of all these cells, the axes of the one that has lost most integrity, if its normal is
-// within 45° of e. If all three axes counted here too, cracks under mixed mode would not curve.
+// 1. The axes of the leading crack of its two cells, if any of these axes is within 45° of e. Behind the front of a
+// crack the largest stress is often along the crack.
+// 2. The axes of the leading crack of its two cells and all their neighbours, if the normal of that crack is within
+// 45° of e. If all three axes counted here too, cracks under mixed mode would not curve.
 // 3. The principal directions of σ.
 #pragma once
 #include "../../laws/principal.hpp"

@@ -1,4 +1,5 @@
-// Lists of active and of resting cracks (`crack_states.cpp`), and for each cell the halves of its active cracks.
+// Lists of active and resting cracks (`crack_states.cpp`), and for each cell of the halves of its active cracks
+// (`laws/crack.hpp`).
 //
 // Unbroken cracks precede broken ones, each in the order of their facets: consecutive facets are near each other, and
 // so are their data. The halves of a cell are linked from the last facet to the first. Contributions to a cell are

@@ -1,4 +1,4 @@
-// Passes for forces, torques and dissipation of active cracks, their sums on cells, and events of breaking.
+// Passes for forces, torques, energies and dissipation of active cracks, their sums on cells, and events of breaking.
 #include "crack_passes.hpp"
 
 #include "../../ledger.hpp"

@@ -1,5 +1,5 @@
-// Rows of the tables of cracks, each one cache line, because a pass reads a few numbers of each of many cracks.
-// Levers, shares and H (`laws/cell.hpp`) have four bytes per number, in which they are exact.
+// Rows of the tables of cracks. Each row is one cache line, because passes read a few numbers of each of many cracks.
+// Four bytes per number store levers, shares and H (`laws/cell.hpp`) exactly.
 #pragma once
 #include "../../laws/crack.hpp"
 #include "../../laws/softening.hpp"

@@ -1,10 +1,10 @@
 // Changes of the status of cracks in a step (`active`, `resting` or `parted`), their softening, and their slip.
 //
-// Passes over cracks compute the force of an active crack. A broken crack, or one with the same integrity along all
-// axes, equals a facet of reduced stiffness to rounding while it is open and does not soften. Such a crack is
+// Passes over cracks compute the force of an active crack. A broken crack, or a crack with the same integrity along
+// all axes, equals a facet of reduced stiffness to rounding while it is open and does not soften. Such a crack is
 // resting: passes over facets compute its force. An active crack becomes resting below 0.9 of the traction at which
 // it softens. A resting crack becomes active at 0.98 of this traction, or when it closes. A broken crack whose faces
-// no longer face each other is parted: it transmits no force, and its cells touch like any others.
+// no longer face each other is parted: it transmits no force, and its cells touch like other cells.
 #include "../../registered.hpp"
 #include "../../tables/cell_tables.hpp"
 #include "../../tables/crack_tables.hpp"
@@ -117,7 +117,7 @@ void wake_cracks(const Range &range, const Moving &all, const ElasticFacets &fac
 }
 BONDEM_PASS(wake_cracks, of_cracks, "ends pose; adds CellDilatation.weight base half outdated")
 
-// Lowers the integrities of cracks, and finds those that go to rest.
+// Lowers the integrities of cracks, and finds cracks that become resting.
 void soften_cracks(const Range &range, const Moving &all, const ElasticFacets &facets,
                    const FacetStrengths &strengths, const StressesOfCells &stresses, const CohesiveCracks &cracks,
                    const CrackLists &lists) {

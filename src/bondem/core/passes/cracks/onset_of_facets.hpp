@@ -3,8 +3,8 @@
 //
 // σ* is the mean stress σ of both cells, corrected to agree with the traction t of the facet
 // (`laws/agreed_stress.hpp`). The opening part of bending (`laws/softening.hpp`) is first added to the normal part of
-// t. A bound of σ1 excludes most facets without σ*: (1 + √2) |σ| + √2 (|t| + T_b), with T_b the rms of the tractions
-// by bending.
+// t. The bound (1 + √2) |σ| + √2 (|t| + T_b) of σ1, with |σ|² = σ:σ and the rms T_b of the tractions by bending,
+// excludes most facets before σ* is computed.
 #pragma once
 #include "../../laws/agreed_stress.hpp"
 #include "single_cracks.hpp"

@@ -1,8 +1,9 @@
 // Faces of active cracks, and the stresses of their cells, for one crack or cell or for one per SIMD lane.
 //
-// The stress of a cell is σ = weight · V θ, with the weight λ / V. V θ is less where the halves of its cracks lose a
-// part of their force, and this part depends on σ (`laws/crack.hpp`). Newton's method solves the piecewise linear
-// equation for σ. An iteration is exact if no half closes or opens in it.
+// The stress of a cell is σ = weight · V θ, with the weight λ / V (`laws/cell.hpp`) and the volume times dilatation
+// V θ. V θ is less where the halves of its cracks lose a part of their force, and this part depends on σ
+// (`laws/crack.hpp`). Newton's method solves the piecewise linear equation for σ. An iteration is exact if no half
+// closes or opens in it.
 #pragma once
 #include "crack_axes.hpp"
 

@@ -1,11 +1,11 @@
 // Slip of the faces of cracks: the shear that an open crack transmits falls with its opening.
 //
-// A crack crosses a body by facets inclined to it. The shear of the cracked facets of a cell has a common part, by
-// sliding along the crack, and a part that alternates from facet to facet, by stress along the crack. Only the first
-// part may fall. Therefore a cell has one slip b for all its cracked facets. For each of these facets, e is the
-// normal of its crack, P = 1 - e⊗e, ± f the force on the cell, n the outward normal, A the area, k the stiffness and
-// f_t the strength. r is the traction that the crack can transmit across, over its strength, and ω = 1 - r. With σ
-// the stress of the cell, and ⟨x⟩ = x where positive, else 0,
+// A crack crosses a body by inclined facets. The shear of the cracked facets of a cell has a common part by sliding
+// along the crack. Another part, by stress along the crack, alternates from facet to facet. Only the common part may
+// fall as the crack opens. Therefore a cell has one slip b for all its cracked facets. For each of these facets, e is
+// the normal of its crack, P = 1 - e⊗e, and ± f the force on the cell. The facet has the outward normal n, the area
+// A, the stiffness k and the strength f_t. r is the traction that the crack can transmit across, over its strength,
+// and ω = 1 - r. With σ the stress of the cell, and ⟨x⟩ = x where positive, else 0,
 //
 //     R = Σ ω [± P f - A P σ P n]        K = Σ ω² k        C = Σ ω A |n·e| r f_t        N = Σ ω f·e
 //     transmitted by the crack: L = √(C² - ⟨N⟩²) + μ ⟨-N⟩ with the friction μ of one of its facets
@@ -14,7 +14,7 @@
 // The term with σ in the sliding force R removes a uniform stress along the crack. Each cell of a facet contributes
 // half of the slip. A facet slips until it has dissipated two fracture energies, one for its opening and one for its
 // slip. Without this limit, the stress along the crack below an impact would do work on slip that no cohesion
-// resists. Slip only dissipates. Its work is that of the mean of the forces before and after the step.
+// resists. Slip only dissipates. The work of slip is that of the mean force before and after the step.
 #pragma once
 #include "carried.hpp"
 

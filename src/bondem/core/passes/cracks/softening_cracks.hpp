@@ -1,4 +1,5 @@
-// Softening of active cracks, and detection of resting cracks that become active (`crack_states.cpp`).
+// Softening of active cracks, whose force is computed in each step. Also detection of resting cracks, which are
+// treated as facets of reduced stiffness, that become active (`crack_states.cpp`).
 #pragma once
 #include "resting_cracks.hpp"
 

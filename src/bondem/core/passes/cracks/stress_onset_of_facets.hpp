@@ -2,8 +2,9 @@
 //
 // Facets in tension are candidates. For a candidate the function evaluates a stress σ* (`laws/agreed_stress.hpp`),
 // with the opening part of bending added to the normal traction. σ* is multiplied by the strength without scatter
-// over that of the facet. For facets that fail, the function also evaluates the mean stress of the two cells. The
-// largest principal stress over this index is the strength along the direction in which the facet cracks.
+// over that of the facet. A facet fails if the index, the value of the function, is at least 1. The function then
+// also evaluates the mean stress of the two cells, raised by bending. The largest principal stress of this mean over
+// its index is the strength in the direction in which the facet cracks.
 //
 // Facets of a cell without cracks are evaluated only if the stress of the cell is near to the criterion. The stress
 // is near if it reaches the criterion at a reduced strength, by itself or with an added tension from all sides. This

@@ -1,5 +1,6 @@
-// Mean stresses σ of cells of volume V, V σ = sym Σ b⊗f, by the forces f of the last step on facets, cracks, walls
-// and loaded free facets, at levers b from the centre; and the cells whose facets are evaluated by these stresses.
+// Mean stresses σ of cells, from the last forces f on facets, cracks, walls and loaded free facets. With the volume
+// V, the levers b from the centre of the cell and the symmetric part sym, V σ = sym Σ b⊗f. Also the choice of cells
+// whose facets may crack.
 //
 // For facets, b and f are those of the same instant along fixed axes. For cracks, the levers b are in the frame of
 // the cell, and R Σ b⊗f with the rotation R of the cell is the sum along fixed axes.

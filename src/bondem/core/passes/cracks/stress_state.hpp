@@ -1,4 +1,4 @@
-// Mean stresses of cells and their sizes √(σ:σ), with the forces of walls and of loads on free facets.
+// Mean stresses σ of cells, their sizes √(σ:σ), and the contributions of walls and of loads on free facets.
 #pragma once
 #include "../../laws/principal.hpp"
 #include "../../steps.hpp"

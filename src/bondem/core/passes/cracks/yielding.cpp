@@ -1,5 +1,5 @@
-// Passes over cells that yield under their stress tensor, the average over the cell. Plastic deformation stretches the levers of a cell, which are
-// the vectors from its centre to its facets.
+// Passes over cells that yield under their stress tensor, the average over the cell. Plastic deformation stretches
+// the levers of a cell, which are the vectors from its centre to its facets.
 #include "../../registered.hpp"
 #include "yielding_cells.hpp"
 

@@ -3,8 +3,8 @@
 // A portion is a range of consecutive bonds, and has a list of its softening beams. These beams lose integrity before
 // the forces of a step are computed. The pass over all beams then computes their forces, with the present integrity,
 // and with the full stiffness for pressure. A beam that reaches its strength in this pass softens at once, so that
-// its force never exceeds its strength. The beam is added to a list at the end of the step. It postpones the motion
-// of no element, because its force does not jump.
+// its force never exceeds its strength. Such a beam is added to a list at the end of the step, and postpones the
+// motion of no element, because its force does not jump.
 #include "softening_beam.hpp"
 
 #include "../../ledger.hpp"

@@ -1,4 +1,4 @@
-// Integrity of bonds that fail or soften. No other file writes an integrity.
+// Integrity of bonds that fail or soften. No other file writes the integrity of a bond.
 #pragma once
 #include "../../array.hpp"
 

@@ -1,19 +1,19 @@
-// The damage pipeline: failure of bonds, facets and pairs in an explicit step, with the kind of bond as a parameter.
+// The damage pipeline: failure of bonds (beams, facets of cells, or bonds of the non-local law) in an explicit step.
 //
-// Bonds fail at the end of a step. The velocity of an element changes twice per step: at its end, by the forces of
-// the new positions, and as the next step begins (`passes/motion/moving.hpp`). The two elements of a failing bond end
-// the step with its full force and begin the next one without it. The energy of a bond is thus released between two
-// steps, and the energy balance is as exact as the time integration.
+// Bonds fail at the end of a step. The velocity of an element changes twice per step: at the end of the step, by the
+// forces of the new positions, and as the next step begins (`passes/motion/moving.hpp`). The two elements of a
+// failing bond end the step with the full force of the bond, and begin the next step without this force. The energy
+// of a bond is therefore released between two steps, and the energy balance is as exact as the time integration.
 //
 // A step has these stages (`bondem/interactions/step_part.py`). A block is a range of consecutive bonds:
 //
 //     loads    The pass over forces compares a size of the load of each bond with its bound, block by block, and
-//              `mark`s bonds that reach it. Nearly all bonds do not.
+//              lists (`Marks`) the few bonds that reach their bound.
 //     judge    `judge` evaluates the criterion of the marked bonds of a block, index(k) → (index, mode), and keeps
 //              those with index ≥ 1. `postpone(k)` postpones the elements that the failure changes.
 //     divide   `postpone_elements` divides the elements of each block into those that continue, and postponed ones,
 //              which end the step and do not begin the next. `keep_sums` keeps the sums of their forces.
-//     apply    `remove` calls apply(k) → (energy, gap, place) for each bond that fails, in the order of bonds. This
+//     apply    `remove` calls apply(k) → (energy, gap, place) for the bonds that fail, in their order. The call
 //              subtracts the force of the bond from the kept sums of its ends, and sets the integrity. `remove` logs
 //              the event, and adds its energy to the energy released in the run. A further pass may follow for each
 //              of these bonds (`for_each_event`): contact where its ends press on each other, which adds to the kept
@@ -27,7 +27,7 @@
 //     apply(k) → Removal             at the same poses, on one thread
 //
 // Beams: `beam_failure.cpp`. Facets of cells (`passes/cells/facet_failure.cpp`) postpone the neighbours of both cells
-// too, as their stresses change. Pairs of the non-local law (`passes/non_local/pair_failure.cpp`) postpone their
+// too, as their stresses change. Bonds of the non-local law (`passes/non_local/pair_failure.cpp`) postpone their
 // ends. Softening beams postpone no element, as their force does not jump.
 //
 // No bit depends on threads, on blocks or on pauses: failure is decided bond by bond, from the poses alone.

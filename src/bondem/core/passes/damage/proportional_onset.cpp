@@ -1,9 +1,10 @@
 // Onset and softening of facets in a body whose loads are all proportional to a load factor.
 //
 // A facet of a material plane begins to crack by its own traction. Any other facet has to be in tension or shear, and
-// σ1 of a stress σ* (`laws/agreed_stress.hpp`) has to reach its strength. Its opening along a principal direction of
-// the mean stress σ of its cells also has to be enough for softening (`laws/softening.hpp`). With r = t - σ n from
-// its traction t and normal n, and the traction of bending added to r, σ1(σ*) is at most |σ| + √2 |r|.
+// σ1 of a stress σ* (`laws/agreed_stress.hpp`) has to reach its strength. The opening of such a facet along a
+// principal direction of the mean stress σ of its cells also has to be enough for softening (`laws/softening.hpp`).
+// σ1 is at most |σ| + √2 (|t - σ n| + T_b), with the traction t, the normal n, the rms T_b of tractions by bending,
+// and |σ|² = σ:σ.
 #include "../../laws/agreed_stress.hpp"
 #include "../../laws/softening.hpp"
 #include "../../registered.hpp"

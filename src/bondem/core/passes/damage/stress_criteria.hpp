@@ -1,13 +1,13 @@
-// Criteria that are functions of a stress tensor, evaluated once per step for all bonds or facets that reach a bound.
+// Criteria that are functions of a stress tensor, evaluated once per step for all bonds or facets near failure.
 //
-// A pass over bonds writes the candidates (`write_candidate`) in several parts. `index_candidates_by_…` moves the
-// parts together and evaluates the function: one of the core, or that of a user, a C function
+// A pass over bonds writes candidates (`write_candidate`), with a list per range of bonds. `index_candidates_by_…`
+// joins the lists and evaluates the function: one of the core, or a C function of the user,
 //
 //     void function(int64_t count, const double *stress, const double *parameter, double *index)
 //
-// that writes an index for each of `count` symmetric stresses (count, 3, 3) [Pa], tension positive, by the parameters
-// of the criterion. A bond fails where its index is at least 1, or NaN. The function is called on the thread that
-// called the core, only if there are candidates. A function of Python acquires the lock of the interpreter by itself.
+// which writes an index for each of `count` symmetric stresses (count, 3, 3) [Pa], tension positive. A bond fails
+// where its index is at least 1, or NaN. The function is called on the thread that called the core, only if there are
+// candidates. A function written in Python acquires the lock of the interpreter by itself.
 #pragma once
 #include "../../laws/stress.hpp"
 #include "../../steps.hpp"

@@ -6,7 +6,7 @@ namespace bondem {
 
 // Adds body forces to the sums, and their work over the half of the step that ends.
 void add_body_forces(const Range &range, const Moving &all, const StepBlocks &blocks, const BodyForces &body);
-// Adds the work of body forces over the half of the step that begins, after elements have opened it; none at a pause.
+// Adds the work of body forces over the half of the step that begins, by its velocities; none at a pause.
 void add_body_work(const Range &range, const Moving &all, const BodyForces &body);
 // Adds the work of body forces over the half of the step that begins after a pause.
 void open_body_work(const Range &range, const Moving &all, const BodyForces &body);

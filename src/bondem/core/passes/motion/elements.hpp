@@ -1,4 +1,4 @@
-// One element, or as many as a vector register has lanes. Passes are templates for both.
+// Rows of tables of elements (pose, motion, sums), of one element or of as many as a vector register has lanes.
 #pragma once
 #include "../../lanes.hpp"
 #include "../../laws/rotations.hpp"

@@ -1,5 +1,5 @@
-// Passes that move elements by the forces on them (`moving.hpp`), by the second change of velocity of a step. If the
-// run does not pause, the first changes of velocity and position of the next step follow. Sums of forces are cleared.
+// Passes that move elements by the sums of the forces on them (`moving.hpp`), and clear these sums. The elements
+// close a step and, unless the run pauses, open the next one.
 #include "../../registered.hpp"
 #include "moving.hpp"
 

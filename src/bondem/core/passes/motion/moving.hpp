@@ -1,10 +1,10 @@
-// Motion of an element by the forces f on it, which closes a step and, unless the run pauses, opens the next one:
+// Motion of an element by the forces f on it: changes of its velocity v and position x that open and close a step.
 //
-//     close    v += finish a                       with a = f / m; angular velocities likewise
-//     open     v += begin a,   x += dt v + extra a
+//     open     v += begin a,   x += dt v + extra a        with a = f / m; angular velocities likewise
+//     close    v += finish a
 //
-// The coefficients are those of `StepScheme`. Velocities change twice also where one change would do, so that no bit
-// depends on where a run pauses.
+// `begin`, `extra` and `finish` are coefficients of the scheme (`StepScheme`), m the mass and dt the time step.
+// Velocities change twice also where one change would do, so that no bit depends on where a run pauses.
 #pragma once
 #include "resisted.hpp"
 

@@ -1,7 +1,7 @@
 // Stresses of elements of the non-local law from the forces of bonds and contacts, eq (1) of `laws/non_local.hpp`.
 //
-// The stress of an element is stored in its own frame, where a rotation of the whole body does not change it. It is
-// also stored along fixed axes, where bonds use the mean of both ends. Forces of dashpots of bonds do not count.
+// The stress of an element is stored in its own frame, where a rotation of the whole body does not change it. Bonds
+// use the mean of both ends along fixed axes, where the stress is stored too. Dashpots of bonds add nothing.
 #include "../../registered.hpp"
 #include "../../tables/non_local_tables.hpp"
 #include "own_stress.hpp"

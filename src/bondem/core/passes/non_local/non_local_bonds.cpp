@@ -1,9 +1,9 @@
 // Bonds of the non-local law (`laws/non_local.hpp`): their forces, and their contributions to the present stresses.
 //
 // A step computes the forces of all bonds, then the stresses of all elements, and then adds the forces to the sums of
-// the elements. Without failure and contacts no pass needs the stresses before the elements move. Forces are then
-// added as soon as they are computed, and not stored. A time step of 0 computes the forces of a state again, without
-// a change of extra forces, gaps and stresses.
+// the elements. Without failure and contacts no pass needs the stresses before the elements move. In this case forces
+// are added as soon as they are computed, and not stored. A time step of 0 computes the forces of a state again,
+// without a change of extra forces, gaps and stresses.
 #include "non_local_passes.hpp"
 
 #include "../../ledger.hpp"

@@ -1,5 +1,5 @@
-// Stress of one element, or of one element per SIMD lane: its computation from the moments Σ b⊗f of the forces on the
-// element, and its rotation between the frame of the element and fixed axes.
+// Stress of one element, or of one element per SIMD lane, from the moments Σ b⊗f of the forces f at the levers b.
+// Also the rotation of the stress between the frame of the element and fixed axes.
 #pragma once
 #include "bond_columns.hpp"
 

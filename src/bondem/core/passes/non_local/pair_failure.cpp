@@ -1,8 +1,8 @@
 // Bonds of the non-local law that fail by the mean stress of their two elements.
 //
-// The criterion is evaluated when the stresses of the step are known, and exactly only for bonds that reach it by
-// bounds of the principal stresses. The energy released is that of the springs, without the work of extra forces
-// (`laws/non_local.hpp`). A failed bond is subtracted from the stresses of its elements, which the next step uses.
+// The criterion is evaluated when the stresses of the step are known; bounds of principal stresses exclude most
+// bonds. The energy released is that of the springs, without the work of extra forces (`laws/non_local.hpp`). The
+// force of a failed bond is subtracted from the stresses of its elements, which the next step uses.
 #include "../../registered.hpp"
 #include "../../tables/damage_tables.hpp"
 #include "non_local_passes.hpp"

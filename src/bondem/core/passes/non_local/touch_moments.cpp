@@ -1,5 +1,5 @@
-// Contributions of contacts to the stresses of elements of the non-local law: the force of a contact, at the lever
-// from the centre of the element to the point where it touches another element or a wall.
+// Contributions of contacts to the stresses of elements of the non-local law: the force, at the lever from the centre
+// of the element to the point of contact with another element or a wall.
 #include "non_local_passes.hpp"
 
 #include "../../registered.hpp"

@@ -1,4 +1,4 @@
-// Search of the spheres near a sphere, by a grid of cells into which the spheres are sorted.
+// Search for the spheres near a sphere, by a grid of cells into which the spheres are sorted.
 #pragma once
 #include "../../lanes.hpp"
 #include "../../tables/packing_tables.hpp"

@@ -2,7 +2,7 @@
 // Phys. 60, 1990), with one event per sphere (Lubachevsky, J. Comput. Phys. 94, 1991).
 //
 // All radii grow in proportion at a constant rate. Between collisions a sphere flies straight. The next event of each
-// sphere is stored in a heap by time. One thread computes all events, because each depends on those before.
+// sphere is stored in a heap ordered by time. One thread computes all events, because each depends on those before.
 #include "../../registered.hpp"
 #include "../../tables/columns.hpp"
 #include "../../tables/packing_tables.hpp"

@@ -1,8 +1,8 @@
-// Neighbours of spheres by a grid of cells, for packing, for shear bands and for searches of a contact model.
-// Contacts in a run have lists of their own (`passes/contacts/candidates.cpp`), by the same grid.
+// Neighbours of spheres by a grid of cells, for packing, shear bands and contact models. Contacts in a run have lists
+// of their own (`passes/contacts/candidates.cpp`), by the same grid.
 //
-// Each pair is in the lists of both spheres, so that a force can be summed sphere by sphere in a fixed order, which
-// does not depend on the number of threads.
+// Each pair is in the lists of both spheres, so that forces can be summed sphere by sphere. The order of sums does
+// not depend on the number of threads.
 #include "../../registered.hpp"
 #include "../../tables/packing_tables.hpp"
 #include "../../threads.hpp"

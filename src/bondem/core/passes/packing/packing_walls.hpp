@@ -1,4 +1,5 @@
-// Rigid walls around a packing: force on a sphere without the part that walls carry, and return of spheres to walls.
+// Rigid walls around a packing: force on a sphere without the part that walls carry, and return of spheres from
+// beyond walls.
 //
 // `PackingWalls` describes flat walls, a round wall, and any other shape by the depth below its walls on a grid.
 #pragma once

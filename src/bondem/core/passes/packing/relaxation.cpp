@@ -1,9 +1,9 @@
 // Soft spheres between rigid walls, brought to mechanical equilibrium.
 //
 // Overlapping spheres repel with unit stiffness, and walls are impenetrable. FIRE 2.0 minimises the energy (Guénolé
-// et al., Comput. Mater. Sci. 175, 2020): inertial descent that is steered along the force, and stopped whenever it
-// runs uphill. Time is dimensionless. A sphere far larger than its neighbours has a hundred contacts. Such a sphere
-// needs a larger mass to be as slow as the others, so that the descent is that of coordinates times √mass.
+// et al., Comput. Mater. Sci. 175, 2020): motion with inertia, steered along the forces, and stopped whenever the
+// energy rises. Time is dimensionless. A sphere far larger than its neighbours has a hundred contacts. Such a sphere
+// has a larger mass, so that its frequency is about that of the other spheres.
 #include "../../lanes.hpp"
 #include "../../registered.hpp"
 #include "../../tables/columns.hpp"

@@ -1,9 +1,9 @@
 // Facets of any integrity s in small motions about the reference, without friction.
 //
-// A facet is two halves, one per cell p. Each softens in all directions where it opens, and keeps its stiffness along
-// the normal n where it presses. k is the stiffness of the facet, δ its gap, and s_p its share of V θ, the volume of
-// a cell times its dilatation. F is the force of a half at full integrity, w the part of the half in the compliance
-// of the facet, and σ the stress of the cell.
+// A facet is two halves, one per cell p. A half that opens softens in all directions. A half that presses keeps its
+// stiffness along the normal n. k is the stiffness of the facet, δ its gap, and s_p its share (`laws/cell.hpp`) in
+// V θ, the volume of a cell times its dilatation. F is the force of a half at full integrity, w the part of the half
+// in the compliance of the facet, and σ the stress of the cell.
 //
 //     F = k δ + σ s_p / w       opens: s F       presses: s F + (1 - s) (F · n) n
 //     V θ += s (s_p · δ)        presses: and (1 - s) (s_p · n) (δ · n)
@@ -12,7 +12,7 @@
 //
 //     opens: F - (1 - s) (F · e) e        V θ += s_p · δ - (1 - s) (s_p · e) (δ · e)
 //
-// The facet has the mean of both halves, weighted by their parts of the compliance.
+// The force of the facet is the mean of the forces of both halves, weighted by their parts of the compliance.
 #include "../../registered.hpp"
 #include "../../symmetric3.hpp"
 #include "../../tables/quasistatic_tables.hpp"

@@ -1,6 +1,6 @@
 // The operator N of balanced shares (`bondem/specimen/tessellation/balanced_shares.py`), with a symmetric tensor Y of
-// each cell: N Y = Σ sym((Y_p - Y_q) b ⊗ b) over the facets of cell p. q is the cell behind the facet, and b the
-// vector between both centres times a weight. One thread adds up the facets of a cell.
+// each cell: N Y = Σ sym((Y_p - Y_q) b ⊗ b) over the facets of cell p, with the symmetric part sym. q is the cell
+// behind the facet, and b the vector between both centres times a weight. One thread adds up the facets of a cell.
 #include "../../registered.hpp"
 #include "../../symmetric3.hpp"
 #include "../../tables/tessellation_tables.hpp"

@@ -1,6 +1,6 @@
-// Cells cut by walls: split by the planes of all wall triangles that reach into them, until none does.
+// Cells cut by the surface of a shape: split by the planes of all its triangles (walls) that reach into the cells.
 //
-// Each piece of a cell has a list of the wall triangles within it, cut to the piece. The plane of the largest
+// Each piece of a cell has a list of the wall triangles within the piece, cut to the piece. The plane of the largest
 // triangle splits the piece and its other triangles (binary space partition). A piece without triangles lies on one
 // side of every wall.
 #include "../../registered.hpp"

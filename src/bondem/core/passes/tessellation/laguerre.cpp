@@ -4,9 +4,9 @@
 // distance. Every face is a polygon of its own, cut by planes, without a record of connections. Degenerate cases are
 // therefore harmless, and volumes and areas are exact to rounding.
 //
-// ρ is the distance of the farthest corner from the centre, and R_max the largest radius. A neighbour at distance L
-// cuts only if ½ (L - (R_max² - R²) / L) < ρ. The search ends at the first L beyond, or earlier by a bound B of each
-// element, with κ = ½: no sphere at distance L from the element has a radius above B + κ L.
+// ρ is the distance of the farthest corner of a cell from its centre, and R_max the largest radius. A neighbour at
+// distance L cuts only if ½ (L - (R_max² - R²) / L) < ρ. The search ends at the first L that is too large, or earlier
+// by a bound B of each element. No sphere at distance L from the element has a radius above B + κ L, with κ = ½.
 #include "../../registered.hpp"
 #include "../../tables/tessellation_tables.hpp"
 #include "pile.hpp"
