@@ -128,8 +128,10 @@ def test_grip_goes_with_the_distance_of_the_faces_and_in_rubble_with_the_opening
 
 #: Rows of what is given and found of a crack.
 BRANCH, H_ROWS, K, LEFT, RUBS, STRESS, SLIP, FRICTION = slice(0, 3), slice(26, 32), 32, slice(38, 42), 42, 43, 45, 48
-FOUND = 29
-FORCE, ON_I, ON_J, RATES, BENDING, ACROSS, SWELLING = slice(0, 3), slice(3, 6), slice(6, 9), slice(15, 19), 19, 23, 27
+BEFORE, PAST = slice(49, 53), slice(53, 57)
+FOUND = 28
+FORCE, ON_I, ON_J, ROOTS, BENDING, ACROSS, SWELLING = slice(0, 3), slice(3, 6), slice(6, 9), slice(15, 18), 18, 22, 26
+CRACKED = 24
 
 
 def crack_samples() -> CrackSamples:
@@ -160,6 +162,13 @@ def crack_samples() -> CrackSamples:
         (grip == 0.0).astype(float), stress, *rest,
     ])  # fmt: skip
     return CrackSamples(np.ascontiguousarray(given), False, np.empty((FOUND, COUNT)))
+
+
+def given_gap(samples: CrackSamples) -> np.ndarray:
+    """Gaps of the faces in space, (COUNT, 3)."""
+    branch, lever_i, lever_j = (samples.given[a : a + 3].T for a in (0, 11, 14))
+    p, q = rotations(samples.given[3:7]), rotations(samples.given[7:11])
+    return branch - p.apply(lever_i) + q.apply(lever_j)
 
 
 def evaluated(samples: CrackSamples, **changed) -> np.ndarray:
@@ -198,19 +207,45 @@ def test_the_force_of_a_crack_is_the_gradient_of_its_energy():
 
 
 def test_what_a_crack_releases_is_the_slope_of_its_energy():
-    """-∂U/∂s of each integrity and of the grip, by a difference of each."""
+    """-∂U/∂s of each integrity and of the grip from the roots, by a difference of each; both halves pull or press."""
     samples = crack_samples()
     samples.given[FRICTION] = 0.0
-    rates = evaluated(samples)[RATES]
-    before, step = potential(evaluated(samples), samples), 1e-7
+    samples.given[STRESS : STRESS + 2] *= 1e-4
+    found, (*s, grip) = evaluated(samples), samples.given[LEFT]
+    pull, press = (np.maximum(sign * found[ROOTS], 0.0) ** 2 for sign in (1.0, -1.0))
+    released = [pull[0], grip * pull[1], grip * pull[2], (s[1:] * pull[1:] + press[1:]).sum(axis=0)]
+    before, step = potential(found, samples), 1e-7
     inside = samples.given[LEFT] < 1.0
     for d in range(4):
         after = potential(evaluated(samples, left=(LEFT.start + d, step * inside[d])), samples)
         # σ V θ takes part: at fixed gap and stress the slope is that of W, and W rises with what is left
-        np.testing.assert_allclose(
-            ((after - before) / step)[inside[d]], rates[d][inside[d]], atol=2e-5 * np.abs(rates).max()
-        )
-    assert (rates >= 0.0).all()
+        slope = ((after - before) / step)[inside[d]]
+        np.testing.assert_allclose(slope, released[d][inside[d]], atol=2e-5 * np.abs(released).max())
+
+
+def test_the_work_on_a_crack_is_its_energy_and_its_dissipation():
+    """By the trapezoidal rule, over steps that open it or close it and lower any integrity, also where it is bent."""
+    rng = np.random.default_rng(7)
+    before = crack_samples()
+    before.given[[RUBS, FRICTION, STRESS, STRESS + 1]] = before.given[SLIP : SLIP + 3] = 0.0
+    found = evaluated(before)
+    after = before._replace(given=before.given.copy(), found=np.empty((FOUND, COUNT)))
+    after.given[BEFORE] = before.given[LEFT]
+    after.given[LEFT] *= rng.choice([1.0, 0.9, 0.3, 0.0], (4, COUNT))
+    after.given[PAST] = [*found[ROOTS], np.sqrt(found[BENDING])]
+    axes = (rotations(before.given[3:7]) * rotations(before.given[34:38])).as_matrix()
+    gap = np.einsum("kab,ka->kb", axes, given_gap(before))
+    moved = np.einsum("kab,kb->ka", axes, rng.uniform(-0.5, 1.0, (COUNT, 3)) * gap).T
+    after.given[BRANCH] += moved
+    evaluate_cracks(after)
+    work = 0.5 * ((found[FORCE] + after.found[FORCE]) * moved).sum(axis=0)
+    stored = [
+        of.found[ACROSS] + of.found[ACROSS + 1] + of.given[LEFT][:3].min(axis=0) * of.found[BENDING]
+        for of in (before._replace(found=found), after)
+    ]
+    lost = after.found[CRACKED]
+    np.testing.assert_allclose(stored[1] - stored[0] + lost, work, atol=1e-10 * np.abs(work).max())
+    assert (lost > 1e-3 * np.abs(work).max()).mean() > 0.3
 
 
 def test_torques_of_a_crack_balance_its_force():

@@ -31,7 +31,7 @@ STATES = {
     "softening, alike, mohr coulomb": (0, 1), "stored": (0,), "non-local": (0,), "non-local, contact": (0, 56),
     "non-local, bonds break": (15,), "non-local, spheres that break": (36,),
     "non-local, bonds break, contact": (5, 120), "torn apart": (0, 5, 8, 12), "brittle": (131,), "bilinear": (10,),
-    "driven together and touching": (56, 60, 76, 380), "sliding on a joint": (2, 100, 200, 300, 440),
+    "driven together and touching": (56, 60, 76, 318), "sliding on a joint": (2, 100, 200, 300, 440),
     "planes": (0, 140, 220), "crushed": (60,), "crushed by a cone": (98,), "crushed between walls": (120,),
     "planes that shear": (90,), "warming": (0,),
     "warming and crushed": (0, 120), "warming and cracking": (60,), "by mean stress": (0, 10), "by function": (0, 10),

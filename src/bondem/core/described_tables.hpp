@@ -59,7 +59,7 @@ BONDEM_TABLE(FoundPairs, F(first, "room"), F(second, "room"), F(bond, "room"), F
 BONDEM_TABLE(WallSources, F(radius, "n"), F(rest_start, "n+1"), F(rest_wall, "rest"), F(rest_gap, "rest"), F(touching_start, "n+1"), F(touching_wall, "touching"), F(touching_memory, "touching 6"), F(skin, ""), F(start, "n+1"))
 BONDEM_TABLE(FoundWalls, F(element, "room"), F(wall, "room"), F(gap, "room"), F(now, "room"), F(memory, "room 6"), F(touch, "room"))
 BONDEM_TABLE(SofteningSamples, F(given, "36 m"), F(kink, ""), F(steep, ""), F(wide, ""), F(left, "5 m"))
-BONDEM_TABLE(CrackSamples, F(given, "60 m"), F(wide, ""), F(found, "29 m"))
+BONDEM_TABLE(CrackSamples, F(given, "60 m"), F(wide, ""), F(found, "28 m"))
 BONDEM_TABLE(YieldSamples, F(stress, "6 m"), F(strength, "5 m"), F(cone, ""), F(wide, ""), F(found, "13 m"))
 BONDEM_TABLE(StressBoundSamples, F(stress, "6 m"), F(bent, "m"), F(wide, ""), F(found, "4 m"))
 BONDEM_TABLE(StressesOfCells, F(volume, "n"), F(tensor, "n 8"), F(carried, "n 12"), F(pressed, "* n 6"))

@@ -46,7 +46,7 @@ def _columns_of_cracks(cracks: CohesiveCracks) -> list[tuple[int | slice, Floats
 
     return [
         (columns(at.AXES, 4), cracks.frame, columns(0, 4)), (columns(at.LEFT, 4), cracks.frame, columns(4, 4)),
-        (columns(at.BEFORE, 4), cracks.past, columns(0, 4)), (columns(at.RATE, 4), cracks.past, columns(4, 4)),
+        (columns(at.BEFORE, 4), cracks.past, columns(0, 4)), (columns(at.ROOT, 4), cracks.past, columns(4, 4)),
         (columns(at.SLIP, 3), cracks.state, columns(0, 3)), (columns(at.RUB, 3), cracks.state, columns(3, 3)),
         (at.FRESH, cracks.state, 6), (at.KIND, cracks.state, 7), (at.ONSET, cracks.softening, 7),
         (at.TOP, cracks.shape, 7), (at.STATUS, cracks.history, 0), (at.SPENT, cracks.history, 1),

@@ -5,7 +5,7 @@ import numpy as np
 from bondem._tables.columns import CrackKind, CrackStatus, EventColumn
 from bondem._types import Floats
 from bondem.boundary.wall_rows import walls_at_rest
-from bondem.damage.crack_columns import CRACK_COLUMNS, FACET, KIND, ONSET, RATE, RUB, SLIP, SPENT, STATUS, TOP
+from bondem.damage.crack_columns import CRACK_COLUMNS, FACET, KIND, ONSET, ROOT, RUB, SLIP, SPENT, STATUS, TOP
 from bondem.damage.crack_rows import axes_along, crack_rows, isotropic_left
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -16,6 +16,8 @@ from bondem.model.state import State
 _BY_FACET, _WITH_ONSET = 8, 10
 # First schema in which walls have an orientation, and the number of their columns before.
 _TURNING, _UNTURNED = 11, 14
+# First schema in which cracks have roots of energies in place of energies.
+_WITH_ROOTS = 13
 #: Arrays with new last columns in schema 10: number of these columns, and their value for older files.
 _OF_ONSET = {"broken": (1, np.nan), "softened": (1, np.nan), "stretch": (3, 0.0)}
 # Columns of older cracks: facet, strength, slip, rate, status, integrity a step ago, friction force, energy, top.
@@ -44,6 +46,10 @@ def brought_up(model: Model, state: State, schema: int) -> None:
             missing = getattr(fresh, name).shape[1] - rows.shape[1]
             setattr(state, name, np.pad(rows, ((0, 0), (0, missing)), constant_values=value))
         state.cracks = with_directions(model, state)
+    if schema < _WITH_ROOTS:
+        roots = state.cracks[:, ROOT : ROOT + 4]
+        np.sqrt(roots, out=roots)
+        roots[:, 3] = 0.0  # the bending of a step ago was not stored apart
     if schema >= _BY_FACET:
         return
     judge_anew(model, state)
@@ -63,7 +69,7 @@ def with_directions(model: Model, state: State) -> Floats:
     axes = axes_along(model.cell_law.constants.normal[facet])
     rows = crack_rows(facet, older[:, 1], axes, isotropic_left(state.integrity[facet]), isotropic)
     rows[:, SLIP : SLIP + 3], rows[:, RUB : RUB + 3] = older[:, 2:5], older[:, 8:11]
-    for column, of_row in ((RATE, 5), (STATUS, 6), (SPENT, 11), (TOP, 12)):
+    for column, of_row in ((ROOT, 5), (STATUS, 6), (SPENT, 11), (TOP, 12)):
         rows[:, column] = older[:, of_row]
     # resting cracks of the material become active, and its cracks lose their slip and friction
     softens = rows[:, KIND] == CrackKind.OF_MATERIAL

@@ -52,7 +52,7 @@ from bondem.model.state import State
 from bondem.observables.breakage import BrokenBonds
 
 FORMAT = "bondem run"
-SCHEMA = 12
+SCHEMA = 13
 # Oldest schema that is read, first one with digests, first one with shares. New contents by schema: 2 contacts, walls
 # and friction; 3 stresses, non-local work and cells; 4 failure criteria and events; 5 softening facets and yielding
 # cells; 6 softening beams; 7 digests, snapshots and provenance; 8 grips that continue from an earlier stage, and

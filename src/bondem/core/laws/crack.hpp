@@ -31,9 +31,10 @@
 // cell i follows from the balance of angular momentum. The torques on both cells, without those of f and -f at the
 // levers, add up to D × f.
 //
-// The dissipation of a crack in a step is the loss of each integrity times the geometric mean of -∂U/∂s before and
-// after the step. This mean is exact where the opening keeps its direction: the work by the trapezoidal rule then
-// equals the change of energy and the dissipation.
+// The dissipation of a crack in a step is Σ_d Δa_d r_d r'_d + Δs r_b r'_b. a_d is the share that the half keeps along
+// e_d, s⁺_d in tension and s⁻_d in compression. r_d = ±√Σ_p ½ w_p (F_p·e_d)² / k is negative in compression, and
+// r_b = √(2 v·H v). r' are the values a step ago. With this product the work by the trapezoidal rule is the change of
+// energy and the dissipation. Where tension follows compression, the dissipation along e_d is zero.
 #pragma once
 #include "../select.hpp"
 #include "cell.hpp"
@@ -224,25 +225,23 @@ BONDEM_INLINE CrackFriction<T> crack_friction(T k, T grip, Vector3<T> gap, Vecto
     return {(stiff * share) * stretch, minus(across, share, stretch)};
 }
 
-// Energy released per loss of each integrity and of the grip, -∂U/∂s_d and -∂U/∂γ, without bending and friction [J].
-template <class T> struct CrackRates {
-    T of[4];
+// Roots r of the energies that an intact facet would store, ± along each direction, and by bending [√J].
+template <class T> struct CrackRoots {
+    T along[3], bent;
 };
+template <class T> BONDEM_INLINE T signed_root(T square, T sign) {
+    const T size = root(square);
+    return select(sign < T{}, -size, size);
+}
 template <class T>
-BONDEM_INLINE CrackRates<T> crack_rates(const FacetCompliance<T> &facet, const CrackIntegrity<T> &left,
-                                        const CrackHalves<T> &half) {
-    const T half_k = 0.5 / facet.k;
-    CrackRates<T> rates = {};
-    const auto add = [&](T w, const CrackHalf<T> &of) __attribute__((always_inline)) {
-        for (int d = 0; d < 3; d++) {
-            const T pull = positive(of.along[d]), press = of.along[d] - pull, square = half_k * w * pull * pull;
-            rates.of[d] += d == 0 ? square : T(left.grip * square);
-            if (d > 0) rates.of[3] += left.s[d] * square + half_k * w * press * press;
-        }
-    };
-    add(facet.part, half.i);
-    add(T(1.0 - facet.part), half.j);
-    return rates;
+BONDEM_INLINE CrackRoots<T> crack_roots(const FacetCompliance<T> &facet, const CrackHalves<T> &half, T bending) {
+    const T half_k = 0.5 / facet.k, w = facet.part, v = 1.0 - w;
+    CrackRoots<T> found = {{}, root(bending)};
+    for (int d = 0; d < 3; d++) {
+        const T i = half.i.along[d], j = half.j.along[d];
+        found.along[d] = signed_root(T(half_k * (w * i * i + v * j * j)), T(w * i + v * j));
+    }
+    return found;
 }
 
 // Force and torques of a crack on its cells, without bending.
@@ -281,19 +280,20 @@ BONDEM_INLINE CrackLoads<T> crack_loads(const FacetCompliance<T> &facet, const C
 template <class T> struct CrackLosses {
     T cracked, rubbed;
 };
-// Integrities, rates and friction force before and after a step, and the slip in between.
+// Integrities, roots of energies and friction force before and after a step, and the slip in between.
 template <class T> struct CrackStep {
     CrackIntegrity<T> before, now;
-    CrackRates<T> rate_before, rate;
+    CrackRoots<T> roots_before, roots;
     Vector3<T> rub_before, rub, increment;
 };
 template <class T> BONDEM_INLINE CrackLosses<T> crack_losses(T k, const CrackStep<T> &step) {
     const T zero = {}, one = all<T>(1.0), fell = step.before.grip - step.now.grip;
-    T cracked = {};
-    for (int d = 0; d < 4; d++) {
-        const T lost = d < 3 ? T(step.before.s[d] - step.now.s[d]) : fell;
-        const T mean = root(positive(T(step.rate_before.of[d] * step.rate.of[d])));
-        cracked += select(lost > zero, T(mean * lost), zero);
+    T cracked = (step.before.least_left() - step.now.least_left()) * (step.roots_before.bent * step.roots.bent);
+    for (int d = 0; d < 3; d++) {
+        const T energy = step.roots_before.along[d] * step.roots.along[d];
+        const Mask<T> pulls = step.roots.along[d] > zero, straight = step.now.s[d] == one;
+        const auto share = [&](const CrackIntegrity<T> &left) { return select(pulls, left.open(d), left.shut(d)); };
+        cracked += (share(step.before) - share(step.now)) * select(straight, energy, positive(energy));
     }
     const Vector3<T> stretch = (1.0 / (k * (1.0 - step.now.grip))) * step.rub;
     // the spring of friction stores ½ k Δγ times the product of its stretches before and after

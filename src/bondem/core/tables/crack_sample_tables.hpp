@@ -20,12 +20,12 @@ struct SofteningSamples {
 struct CrackSamples {
     // branch, orientations of i and j, levers of i and j, shares of i and j, normal; H, k, w; axes as a quaternion,
     // s_1, s_2, s_3, grip, 1 with friction; σ of i and j [Pa], slip in the frame of i [m], friction; integrities,
-    // their rates and friction force before
+    // roots of energies and friction force before
     Array<const double, 2> given;  // (60, m)
     Index wide;  // 1 to evaluate by lanes, 0 by single numbers
-    // force, torques on i and j, friction force, slip; four rates, bending [J], torque of bending; energy across and
+    // force, torques on i and j, friction force, slip; three roots [√J], bending [J], torque of bending; energy across and
     // along; energy dissipated by the crack and by friction; V θ of the halves of i and j [m³]
-    Array<double, 2> found;  // (29, m)
+    Array<double, 2> found;  // (28, m)
 };
 // Samples of cells that yield (`laws/plasticity.hpp`).
 struct YieldSamples {

@@ -6,7 +6,7 @@ import numpy as np
 
 from bondem._tables.stress_onset_tables import SofteningSearch
 from bondem._types import Floats, Ints, PerBond
-from bondem.damage.crack_columns import RATE
+from bondem.damage.crack_columns import ROOT
 from bondem.damage.crack_rows import axes_along, crack_rows, isotropic_left
 from bondem.damage.softening_table import SofteningTable
 
@@ -58,16 +58,13 @@ def taken_cracks(table: SofteningTable, halves: CrackedHalves, opened: Softening
     of_axes = isotropic_left(left)
     of_axes[one, 3] = 1.0
     rows = crack_rows(halves.facet, table.strength[halves.facet], axes, of_axes, plane)
-    rows[:, RATE : RATE + 4] = _rates(halves, axes, of_axes[:, 3])
+    rows[:, ROOT : ROOT + 3] = _roots(halves, axes)
     return rows
 
 
-def _rates(halves: CrackedHalves, axes: Floats, grip: Floats) -> Floats:
-    """Return the energy U released per lost integrity s, -∂U/∂s, of three axes and of the grip [J], (c, 4)."""
-    share = np.stack([halves.part, 1.0 - halves.part])[:, :, None] / (2.0 * halves.k[:, None])
+def _roots(halves: CrackedHalves, axes: Floats) -> Floats:
+    """Return roots of the energies of intact facets along three axes, negative in compression [√J], (c, 3)."""
+    share = np.stack([halves.part, 1.0 - halves.part])[:, :, None]
     along = np.einsum("hcx,cdx->hcd", halves.force, axes)
-    pull, press = (share * np.maximum(sign * along, 0.0) ** 2 for sign in (1.0, -1.0))
-    of = pull.sum(axis=0)
-    of_grip = (pull + press)[:, :, 1:].sum(axis=(0, 2))
-    of[:, 1:] *= grip[:, None]
-    return np.column_stack([of, of_grip])
+    energy = (share * along**2).sum(axis=0) / (2.0 * halves.k[:, None])
+    return np.copysign(np.sqrt(energy), (share * along).sum(axis=0))

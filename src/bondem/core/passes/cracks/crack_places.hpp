@@ -33,20 +33,20 @@ BONDEM_INLINE CrackPlace<T> place_of(const Group &group, const Array<double, 2> 
     return at;
 }
 
-// Rates -∂U/∂s a step ago. For an intact direction of a crack of the material the rate follows from the force of the
-// whole facet along it; for the first direction also from the energy of bending.
+// Roots of energies a step ago, stored as `past`. For an intact direction of a crack of the material, whose axes may have
+// turned, the root follows from the force along it. The root of bending of an intact crack is the present one.
 template <class T>
-BONDEM_INLINE CrackRates<T> rates_before(const FacetCompliance<T> &facet, const CrackFaces<T> &now, Mask<T> isotropic,
-                                         const CrackHalves<T> &half, Vector3<T> pull, T bending,
-                                         const CrackIntegrity<T> &before, const T *rate) {
-    const CrackAxes<T> &at = now.at;
-    CrackRates<T> found = {{rate[0], rate[1], rate[2], rate[3]}};
-    const T one = all<T>(1.0), w = facet.part;
+BONDEM_INLINE CrackRoots<T> roots_before(const FacetCompliance<T> &facet, const CrackFaces<T> &now, Mask<T> isotropic,
+                                         const CrackHalves<T> &half, Vector3<T> pull, const CrackRoots<T> &roots,
+                                         const CrackIntegrity<T> &before, const T *past) {
+    const T one = all<T>(1.0), w = facet.part, grip = select(before.grip > T{}, before.grip, one);
+    const Mask<T> of_material = opposite(isotropic);
+    CrackRoots<T> found = {{}, select(of_material & (before.least_left() == one), roots.bent, past[3])};
     for (int d = 0; d < 3; d++) {
-        const T along = positive(dot(pull, at.e[d])), apart = positive(half.i.along[d]) - positive(half.j.along[d]);
+        const T along = dot(pull, now.at.e[d]) / (d == 0 ? one : grip), apart = half.i.along[d] - half.j.along[d];
         const T square = along * along + w * (one - w) * apart * apart;
-        const T whole = 0.5 * square / facet.k + (d == 0 ? bending : T{});
-        found.of[d] = select(opposite(isotropic) & (before.s[d] == one), whole, found.of[d]);
+        const T whole = signed_root(T(0.5 * square / facet.k), along);
+        found.along[d] = select(of_material & (before.s[d] == one), whole, past[d]);
     }
     return found;
 }

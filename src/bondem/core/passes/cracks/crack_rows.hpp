@@ -30,7 +30,7 @@ struct CrackFrameRow {
     double left[4];  // s_1, s_2, s_3, and the grip
 };
 struct CrackPastRow {
-    double left[4], rate[4];  // a step ago, with -∂U/∂s [J]
+    double left[4], root[4];  // a step ago; roots of energies along the axes and by bending [√J]
 };
 struct CrackSofteningRow {
     float H[6], plane, unused;  // [N·m]; 1 for facets of material planes

@@ -91,7 +91,7 @@ template <class T> void load_crack(const CrackSamples &samples, Index e) {
     const Vector3<T> slip = of.vector();
     const T friction = of.number();
     const CrackIntegrity<T> before = {{of.number(), of.number(), of.number()}, of.number()};
-    const CrackRates<T> rate_before = {{of.number(), of.number(), of.number(), of.number()}};
+    const CrackRoots<T> roots_before = {{of.number(), of.number(), of.number()}, of.number()};
     const Vector3<T> rub_before = of.vector();
     const CrackFaces<T> at = crack_faces(ends, shape, normal, axes, left, rubs, slip);
     const CrackHalves<T> half = crack_halves(facet, at, stress);
@@ -99,13 +99,13 @@ template <class T> void load_crack(const CrackSamples &samples, Index e) {
     const CrackLoads<T> loads = crack_loads(facet, at, half, stress, turned, friction);
     const FacetBending<T> bending = facet_bending(ends, H);
     const CrackEnergy<T> energy = crack_energy(facet, at, half, loads.friction.force);
-    const CrackRates<T> rates = crack_rates(facet, left, half);
-    const CrackStep<T> step = {before, left, rate_before, rates, rub_before, loads.friction.force,
+    const CrackRoots<T> roots = crack_roots(facet, half, bending.energy);
+    const CrackStep<T> step = {before, left, roots_before, roots, rub_before, loads.friction.force,
                                loads.friction.slip - turned};
     const CrackLosses<T> lost = crack_losses(facet.k, step);
     WriteColumns<T> found(samples.found, e);
     found(loads.force), found(loads.on_i), found(loads.on_j), found(loads.friction.force), found(loads.friction.slip);
-    for (int d = 0; d < 4; d++) found(rates.of[d]);
+    for (int d = 0; d < 3; d++) found(roots.along[d]);
     found(bending.energy), found(bending.torque), found(energy.across), found(energy.along);
     found(lost.cracked), found(lost.rubbed);
     found(swelling_of(swelling_half(facet.k, facet.part, at, at.share_i), stress.i).swelling);

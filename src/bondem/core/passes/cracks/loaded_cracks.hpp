@@ -22,7 +22,6 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
     const Vector3<T> slip = turned_by(at.ends.i, Vector3<T>{state[0], state[1], state[2]});
     const CrackHalves<T> half = crack_halves(at.facet, at.now, at.stress);
     CrackLoads<T> loads = crack_loads(at.facet, at.now, half, at.stress, slip, at.friction);
-    CrackRates<T> rates = crack_rates(at.facet, left, half);
     const Mask<T> bound = (s > zero) | (before.least_left() > zero);
     FacetBending<T> bending = {};
     CrackSoftening<T> of = {};
@@ -31,8 +30,8 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
         bending = facet_bending(at.ends, of.H);
         loads.on_i = plus(loads.on_i, s, bending.torque);
         loads.on_j = minus(loads.on_j, s, bending.torque);
-        rates.of[0] = select(bound, rates.of[0] + bending.energy, rates.of[0]);
     }
+    const CrackRoots<T> roots = crack_roots(at.facet, half, select(bound, bending.energy, zero));
     const Mask<T> treated = opposite(group.flagged(lists.flag));
     const auto of_treated = [&](T x) { return select(treated, x, zero); };
     const Vector3<T> f = {of_treated(loads.force.x), of_treated(loads.force.y), of_treated(loads.force.z)}, none = {};
@@ -47,9 +46,9 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
         if (any(falls | at.now.rubs)) {
             const Vector3<T> increment = select<T>(at.now.rubs, now - slip, none);
             const Vector3<T> was_rub = select<T>(at.now.rubs, stored, none);
-            const CrackRates<T> was = rates_before(at.facet, at.now, at.isotropic, half, group.pull(cracks),
-                                                   bending.energy, before, past.column + 4);
-            lost = crack_losses(at.facet.k, CrackStep<T>{before, left, was, rates, was_rub, rub, increment});
+            const CrackRoots<T> was = roots_before(at.facet, at.now, at.isotropic, half, group.pull(cracks), roots,
+                                                   before, past.column + 4);
+            lost = crack_losses(at.facet.k, CrackStep<T>{before, left, was, roots, was_rub, rub, increment});
         }
         // work of the force on the slip of the faces of a crack of the material
         T slid = {}, rubbed = {};
@@ -73,8 +72,8 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
             group.put(cracks.state, {{point.x, point.y, point.z, drag.x, drag.y, drag.z, zero,
                                       kind}});
         }
-        group.put(cracks.past, {{left.s[0], left.s[1], left.s[2], left.grip, rates.of[0], rates.of[1], rates.of[2],
-                                 rates.of[3]}});
+        group.put(cracks.past, {{left.s[0], left.s[1], left.s[2], left.grip, roots.along[0], roots.along[1],
+                                 roots.along[2], roots.bent}});
         if (any(lost.cracked != zero)) {
             const T spent = group.number(cracks.history, 1) + lost.cracked, one = bondem::all<T>(1.0);
             group.put(cracks.history, 1, spent);

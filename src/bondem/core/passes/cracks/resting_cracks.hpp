@@ -22,7 +22,7 @@ inline void begin_treating(const SingleCrack &one, const ElasticFacets &facets, 
     put_halves_of(lists, k, one.stiffness, one.now);
     state_of(cracks, k).fresh = 1.0;
     CrackPastRow &past = past_of(cracks, k);
-    for (int d = 0; d < 4; d++) past.left[d] = frame_of(cracks, k).left[d], past.rate[d] = 0.0;
+    for (int d = 0; d < 4; d++) past.left[d] = frame_of(cracks, k).left[d], past.root[d] = 0.0;
     rest_friction(state_of(cracks, k), one);
 }
 // Sets a resting crack to `parted`; it never softens again.

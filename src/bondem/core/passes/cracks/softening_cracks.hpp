@@ -65,9 +65,9 @@ BONDEM_INLINE void watch_each(const Group &group, const Moving &all, const doubl
 
 // ---- softening
 
-// Largest loss of integrity in a step, from -∂U/∂s before and now, proportional to the square of the opening.
-template <class T> BONDEM_INLINE T largest_loss(T rate_before, T rate) {
-    const T grows = 1.0 - root(positive(T(rate_before / most(rate, all<T>(1e-300)))));
+// Largest loss of integrity in a step, from the roots of energies before and now, proportional to the opening.
+template <class T> BONDEM_INLINE T largest_loss(T before, T now) {
+    const T grows = 1.0 - positive(before) / most(now, all<T>(1e-150));
     return most(all<T>(crack::fastest), T(crack::follows * (grows - crack::steady)));
 }
 template <class T> BONDEM_INLINE T fallen(T s, T left, T loss) {
@@ -157,23 +157,13 @@ inline void put_turned(const Moving &all, const ElasticFacets &facets, const Coh
                        const CrackLists &lists, Softened<double> found, Index k) {
     CrackPastRow &past = past_of(cracks, k);
     double *const s = found.left.s;
-    if (s[1] < s[0] || s[2] < s[0]) {
-        // bending counts in the rate of the first direction, which becomes that of the least integrity
-        const float *const h = softening_of(cracks, k).H;
-        const FacetBending<double> whole = facet_bending(
-            SingleCrack(all.pose, facets, cracks, k).ends, Symmetric3<double>{h[0], h[1], h[2], h[3], h[4], h[5]});
-        const double bending = least(whole.energy, past.rate[0]), was_least = past.left[0];
-        past.rate[0] -= bending;
-        for (int d = 1; d < 3; d++)
-            if (s[d] < s[0]) {
-                exchange(s[0], s[d]);
-                exchange(found.at.e[0], found.at.e[d]);
-                exchange(past.left[0], past.left[d]);
-                exchange(past.rate[0], past.rate[d]);
-            }
-        const double lost = past.left[0] - s[0], share = lost > 0.0 ? within((was_least - s[0]) / lost, 0.0, 1.0) : 1.0;
-        past.rate[0] += share * share * bending;
-    }
+    for (int d = 1; d < 3; d++)
+        if (s[d] < s[0]) {
+            exchange(s[0], s[d]);
+            exchange(found.at.e[0], found.at.e[d]);
+            exchange(past.left[0], past.left[d]);
+            exchange(past.root[0], past.root[d]);
+        }
     put_axes(cracks, k, orientation(gather(all.pose.data, facets.i(k))), found.at);
     for (int d = 0; d < 3; d++) frame_of(cracks, k).left[d] = s[d];
     const SingleCrack one(all.pose, facets, cracks, k);
@@ -239,12 +229,14 @@ BONDEM_INLINE void soften_each(const Group &group, const Moving &all, const Elas
                 const Row<T> past = group.lines(cracks.past);
                 const CrackIntegrity<T> before = {{past.column[0], past.column[1], past.column[2]}, past.column[3]};
                 const CrackHalves<T> half = crack_halves(at.facet, now, at.stress);
-                const CrackRates<T> rate = crack_rates(at.facet, now.left, half);
-                const CrackRates<T> was =
-                    rates_before(at.facet, now, at.isotropic, half, group.pull(cracks), zero, before, past.column + 4);
+                const CrackRoots<T> roots = crack_roots(at.facet, half, zero);
+                const CrackRoots<T> was =
+                    roots_before(at.facet, now, at.isotropic, half, group.pull(cracks), roots, before, past.column + 4);
                 const Mask<T> brittle = of.by.tension.brittleness == bondem::all<T>(infinity);
-                const auto loss = [&](int d) { return select(brittle, of.fastest, largest_loss(was.of[d], rate.of[d])); };
-                return Vector3<T>{loss(0), loss(1), loss(2)};
+                const auto loss = [&](T a, T b) { return select(brittle, of.fastest, largest_loss(a, b)); };
+                const T pull = positive(was.along[0]), first = root(pull * pull + was.bent * was.bent);
+                return Vector3<T>{loss(first, roots.along[0]), loss(was.along[1], roots.along[1]),
+                                  loss(was.along[2], roots.along[2])};
             };
             const T *const c = at.state.column;
             const auto apart = [&]() { return dot(now.gap, now.across()) / length(now.arm_i - now.arm_j); };
