@@ -97,7 +97,8 @@ def fields() -> Rows:
         yield Row(f"{spaced(count)} elements: curvature over that of the field",
             FIELDS.of(*(one[key] for one in mine for key in ("along", "across"))), Near(target=1.0, absolute=BENT),
             OVER)  # fmt: skip
-    yield Row("largest stress over that of the held face", FIELDS.each(cases, "stress"), AtMost(FIELD_STRESS), PERCENT)
+    yield Row("largest stress of a cell over that of the face if held", FIELDS.each(cases, "stress"),
+        AtMost(FIELD_STRESS), PERCENT)  # fmt: skip
 
 
 def damping() -> Rows:

@@ -12,7 +12,7 @@ from bondem.model.highest_frequency import highest_frequency
 from tests.models import momenta, moving, stirred, time_step
 from tests.recording import Record
 from tests.specimens import crooked_block, rod, two_spheres
-from validation.studies.cell_damping import SIZE, damping
+from validation.studies.cell_damping import SIZE, damping_of_mode
 
 E, RHO = 2.0e6, 1200.0
 LAW = bd.Timoshenko(E=E, nu=0.25, radius_ratio=0.5)
@@ -240,5 +240,5 @@ def test_beta_damps_modes_of_beams_by_rayleigh_and_of_cells_by_less(
     model = bd.Model(body, LAW if nu is None else bd.CellBond(E=E, nu=nu), RHO)
     modes = bd.solve_modes(model, count=7)
     pairs = [one for one in zip(modes.frequency, modes.shape, strict=True) if one[0] > 1e-3 * max(modes.frequency)]
-    found = [damping(model, float(frequency), shape) for frequency, shape in pairs[:2]]
+    found = [damping_of_mode(model, float(frequency), shape) for frequency, shape in pairs[:2]]
     assert least < min(found) <= max(found) < largest

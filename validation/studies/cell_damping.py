@@ -19,7 +19,7 @@ SEEDS, COUNTS, NUS, MODES = (1, 2, 3), (200, 1000), (0.0, 0.2, 0.45), 6
 SHARE, AMPLITUDE, PERIODS, READ = 0.03, 1e-7, 5.2, 0.2
 
 
-def damping(model: bd.Model, frequency: float, shape: np.ndarray) -> float:
+def damping_of_mode(model: bd.Model, frequency: float, shape: np.ndarray) -> float:
     """Damping of a run that starts in a mode, over β ω / 2, by the decay of the largest displacement."""
     omega = 2.0 * math.pi * frequency
     scale = AMPLITUDE * omega / np.abs(shape[:, :3]).max()
@@ -42,7 +42,7 @@ def damped(body: bd.Lattice, nu: float) -> dict[str, list[float]]:
     model = bd.Model(body, bd.CellBond(E=E, nu=nu), RHO)
     found = bd.solve_modes(model, count=MODES)
     modes = zip(found.frequency, found.shape, strict=True)
-    return {"modes": [round(damping(model, float(frequency), shape), 4) for frequency, shape in modes]}
+    return {"modes": [round(damping_of_mode(model, float(frequency), shape), 4) for frequency, shape in modes]}
 
 
 def measure(
