@@ -1,9 +1,9 @@
 """Bodies of cells: E, ν, waves, bodies of other shapes and the stress at a hole, with nothing calibrated."""
 
-from book.forms import PERCENT, PLAIN, SIGNED, Form, spaced
+from book.forms import PERCENT, PLAIN, SIGNED, Form, grid, spaced, span
 from book.results import grouped, record
 from book.row import Row, Rows
-from book.tolerances import AtMost
+from book.tolerances import AtMost, Near
 
 MODULI = record("cell_moduli")
 UNIFORM = record("uniform_stress", takes="15 min")
@@ -13,16 +13,19 @@ HOLE = record("cell_hole", takes="40 min")
 INERTIA = record("cell_inertia", takes="10 min")
 BODIES = record("cell_bodies", takes="1 h")
 BEAMS = record("beam_bodies", takes="40 min")
-MEASUREMENTS = (MODULI, UNIFORM, WAVES, RAYLEIGH, HOLE, INERTIA, BODIES, BEAMS)
+FIELDS, DAMPING = record("eigenstrain_fields"), record("cell_damping", takes="5 min")
+MEASUREMENTS = (MODULI, UNIFORM, WAVES, RAYLEIGH, HOLE, INERTIA, BODIES, BEAMS, FIELDS, DAMPING)
 
 #: Required tolerances [-].
 E_LIMIT, NU_LIMIT, WAVE_LIMIT, RAYLEIGH_LIMIT, HOLE_LIMIT = 1e-6, 1e-6, 5e-3, 1e-2, 5e-2
 UNIFORM_LIMIT = 1e-6
+#: Curvature under a linear field of strain and damping of modes over theory, and stress over E ε at the face.
+BENT, FIELD_STRESS, DAMPED = 1e-2, 1e-2, 1e-2
 #: Waves of so many elements or more are judged; with the corrected mass also shorter ones.
 LONG, LONG_CORRECTED, LONG_RAYLEIGH = 20.0, 10.0, 10.0
 #: Bodies of so many elements or more are shown; those of FINE have a limit of their own.
 COARSE, FINE, FINE_LIMIT = 10_000, 40_000, 5e-3
-SMALL = Form(style="+.0e")
+SMALL, OVER = Form(style="+.0e"), Form(style=".3f")
 
 
 def moduli() -> Rows:
@@ -85,3 +88,35 @@ def hole() -> Rows:
         for key, words in judged:
             yield Row(f"{spaced(count)} elements, ν = {nu:g}, {words}", HOLE.of(*(one[key] for one in mine)),
                 AtMost(HOLE_LIMIT), SIGNED if key in signed else PERCENT)  # fmt: skip
+
+
+def fields() -> Rows:
+    """Bars under a linear field of stress-free strain."""
+    cases = FIELDS.at("cases")
+    for (count,), mine in grouped(cases, "count").items():
+        yield Row(f"{spaced(count)} elements: curvature over that of the field",
+            FIELDS.of(*(one[key] for one in mine for key in ("along", "across"))), Near(target=1.0, absolute=BENT),
+            OVER)  # fmt: skip
+    yield Row("largest stress of a cell over that of the face if held", FIELDS.each(cases, "stress"),
+        AtMost(FIELD_STRESS), PERCENT)  # fmt: skip
+
+
+def damping() -> Rows:
+    found = [one for row in DAMPING.at("cases") for one in row["modes"]]
+    yield Row("damping of six modes over β ω / 2", DAMPING.of(*found), Near(target=1.0, absolute=DAMPED), OVER)
+
+
+def by_size() -> str:
+    """Table of the damping of modes by number of cells and ν."""
+    lines = [[spaced(count), f"{nu:g}", span([one for row in mine for one in row["modes"]], ".3f")]
+             for (count, nu), mine in grouped(DAMPING.at("cases"), "count", "nu").items()]  # fmt: skip
+    return grid(("cells", "ν", "damping over β ω / 2"), lines, " --- |")
+
+
+def of_fields() -> str:
+    """Table of curvatures and stresses by number of cells and ν, under a linear field and under a moment."""
+    keys = ("along", "across", "moment", "stress")
+    lines = [[spaced(count), f"{nu:g}", *(span([one[key] for one in mine], ".3f") for key in keys)]
+             for (count, nu), mine in grouped(FIELDS.at("cases"), "count", "nu").items()]  # fmt: skip
+    heads = ("cells", "ν", "curvature along", "across", "under a moment", "stress over E ε of the face")
+    return grid(heads, lines, " --- |")

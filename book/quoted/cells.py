@@ -2,12 +2,12 @@
 
 from collections.abc import Iterator
 
-from book.chapters.cells import UNIFORM, WAVES
+from book.chapters.cells import DAMPING, FIELDS, UNIFORM, WAVES
 from book.chapters.cost import TOUCHING_CELLS
 from book.chapters.second_order import FOUND as SECOND_ORDER
 from book.forms import Form
 from book.quoting import Quoted, ceiling
-from book.results import Measurement
+from book.results import Measurement, grouped
 
 SHARES = Measurement("shares", "python benchmarks/shares.py", "2 min")
 AGAINST = Measurement(
@@ -30,7 +30,7 @@ _THICKNESS = 0.1
 
 def quoted() -> Iterator[Quoted]:
     """All quoted numbers of cells."""
-    yield from (*_uniform(), *_waves(), *_thin(), *_costs(), *_turning())
+    yield from (*_uniform(), *_waves(), *_thin(), *_costs(), *_turning(), *_fields(), *_damping())
 
 
 def _uniform() -> Iterator[Quoted]:
@@ -109,3 +109,24 @@ def _turning() -> Iterator[Quoted]:
     yield Quoted("turning.largest", "largest error of the energy balance of a bar that turns and breaks", size,
         TURNING, (max(one["largest"] for one in breaks),), ONE)  # fmt: skip
     yield Quoted("turning.runs", "runs of bars that turn and break", size, TURNING, (len(breaks),))
+
+
+def _fields() -> Iterator[Quoted]:
+    for (count,), mine in grouped(FIELDS.at("cases"), "count").items():
+        size = f"{count} cells, {len({one['seed'] for one in mine})} packings, ν = 0.2 and 0.45"
+        which = "coarse" if count == min(one["count"] for one in FIELDS.at("cases")) else "fine"
+        yield Quoted(f"fields.{which}", "curvature of a free bar under a linear field of strain over that of theory",
+            size, FIELDS, tuple(one[key] for one in mine for key in ("along", "across")), FINE)  # fmt: skip
+        yield Quoted(f"fields.stress_{which}", "largest stress of its cells over E ε of its face", size, FIELDS,
+            tuple(one["stress"] for one in mine), FINE)  # fmt: skip
+
+
+def _damping() -> Iterator[Quoted]:
+    cases = DAMPING.at("cases")
+    counts = " or ".join(str(count) for (count,) in grouped(cases, "count"))
+    zero, others = ([one for one in cases if (one["nu"] == 0.0) is same] for same in (True, False))
+    for name, some in (("zero", zero), ("others", others)):
+        nu = " and ".join(f"{nu:g}" for (nu,) in grouped(some, "nu"))
+        yield Quoted(f"damping.{name}", f"damping of six modes by dashpots of bonds over β ω / 2, ν = {nu}",
+            f"{counts} cells, {len({one['seed'] for one in some})} packings", DAMPING,
+            tuple(value for one in some for value in one["modes"]), FINE)  # fmt: skip

@@ -12,6 +12,7 @@ from bondem.model.highest_frequency import highest_frequency
 from tests.models import momenta, moving, stirred, time_step
 from tests.recording import Record
 from tests.specimens import crooked_block, rod, two_spheres
+from validation.studies.cell_damping import SIZE, damping_of_mode
 
 E, RHO = 2.0e6, 1200.0
 LAW = bd.Timoshenko(E=E, nu=0.25, radius_ratio=0.5)
@@ -227,3 +228,17 @@ def test_damping_that_makes_no_sense_is_refused() -> None:
         bd.solve_explicit(model, duration=1.0, damping=(bd.LocalDamping(0.1), bd.LocalDamping(0.2)))
     with pytest.raises(InputError, match=r"damping= takes bd\.LocalDamping"):
         bd.solve_explicit(model, duration=1.0, damping=0.3)
+
+
+@pytest.mark.parametrize(("nu", "least", "largest"), [(0.0, 0.86, 1.01), (0.2, 0.79, 0.95), (None, 0.99, 1.01)])
+def test_beta_damps_modes_of_beams_by_rayleigh_and_of_cells_by_less(
+    nu: float | None, least: float, largest: float
+) -> None:
+    """The docstring and docs/steps.md state the range of cells; None are beams."""
+    packed = bd.pack(bd.Box(SIZE), count=200, method="even" if nu is not None else "quench", seed=4)
+    body = bd.connect(packed, method="laguerre") if nu is not None else bd.connect(packed)
+    model = bd.Model(body, LAW if nu is None else bd.CellBond(E=E, nu=nu), RHO)
+    modes = bd.solve_modes(model, count=7)
+    pairs = [one for one in zip(modes.frequency, modes.shape, strict=True) if one[0] > 1e-3 * max(modes.frequency)]
+    found = [damping_of_mode(model, float(frequency), shape) for frequency, shape in pairs[:2]]
+    assert least < min(found) <= max(found) < largest

@@ -234,7 +234,9 @@ class Eigenstrain:
     Rest lengths become L (1 + ε*(t)). Each bond gets the mean of the strains of its two elements, because half of its
     length lies inside each; outside the region the strain is 0. A free specimen grows by a uniform ε* without stress;
     a bar fixed at both ends has the stress -E ε*. Strains on the same bond add up. For a field whose pattern changes
-    with time, give several strains, each with its own schedule.
+    with time, give several strains, each with its own schedule. A field that varies over the thickness of a body of
+    cells bends it too little, by 4 to 9 % where it is 4 cells thick and 2 to 3 % at 7, and leaves stresses of 2 to
+    6 % of E ε* that a continuum would not have.
 
     Attributes:
         strain: ε* at factor 1 [-], such as α ΔT: a number, the same everywhere; or (n,), one per element in the
@@ -352,7 +354,6 @@ def on_nodes(body: Lattice, chosen: Ints, owner: Ints, centre: Floats, force: Fl
 
     Each `force` [N], (p, 3), acts at the point `centre` [m], (p, 3), of the cell chosen[owner].
     """
-    torque = np.cross(centre - body.centre[chosen][owner], force)
-    columns = np.hstack([force, torque]).T
-    parts = [np.bincount(owner, weights=column, minlength=len(chosen)) for column in columns]
+    both = np.hstack([force, np.cross(centre - body.centre[chosen][owner], force)])
+    parts = [np.bincount(owner, weights=column, minlength=len(chosen)) for column in both.T]
     return np.stack(parts, axis=1).astype(float)
