@@ -5,7 +5,7 @@ from statistics import fmean
 from typing import Any
 
 from book.chapters.concrete import CONCRETE
-from book.chapters.rapid_fracture import BRANCHING
+from book.chapters.rapid_fracture import BRANCHING, LOSSES
 from book.forms import Form
 from book.quoting import Quoted
 from book.results import Measurement, record
@@ -122,6 +122,12 @@ def _running() -> Iterator[Quoted]:
     yield Quoted("branching.branched", "plates A whose crack branches", size, BRANCHING, (branched,))
     yield Quoted("branching.fastest", "fastest 10 µs of a crack in plates A over the celerity of Rayleigh", size,
         BRANCHING, tuple(one["over"] for one in plates), RATIO)  # fmt: skip
+    balls = LOSSES.at("impacts")
+    counts = sorted({one["count"] for one in balls})
+    yield Quoted("impacts.ledger",
+        "error of the energy balance of softening balls that hit a wall, over its largest entry",
+        f"{counts[0]} and {counts[-1]} cells, {len(balls)} impacts", LOSSES, tuple(one["ledger"] for one in balls),
+        Form("%", 1e-2, ".2f"))  # fmt: skip
     strips = _rows("curvature")
     yield Quoted("bimetal.curvature", "curvature of a heated bimetal strip over Timoshenko's",
         _size(strips, "strips"), PATHS, _ratios(strips), FINE)  # fmt: skip

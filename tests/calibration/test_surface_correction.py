@@ -70,6 +70,15 @@ def test_a_chain_is_refused():
         affine_estimate(chain(20, radius=1.0), LAW)
 
 
+@pytest.mark.filterwarnings("ignore::bondem.errors.FillingWarning", "ignore::bondem.errors.UnitWarning")
+def test_a_plane_in_a_ball_is_refused_too():
+    place = np.array([(a + 0.5 * b, 0.75**0.5 * b, 0.0) for a in range(-4, 5) for b in range(-4, 5)])
+    pairs = [(k, m) for k in range(len(place)) for m in range(k) if np.linalg.norm(place[k] - place[m]) < 1.01]
+    plane = bd.Lattice(bd.Particles(place, 0.5, shape=bd.Ball(20.0)), pairs)
+    with pytest.raises(InputError, match="resist every strain"):
+        affine_estimate(plane, LAW)
+
+
 # -- uniform stress ----------------------------------------------------------------------------------------------
 
 

@@ -68,7 +68,7 @@ def affine_estimate(lattice: Lattice, law: BondAssignment, *, bar: bool | None =
         bar: True to treat the lattice as a bar; None to use `is_bar`.
 
     Raises:
-        InputError: bonds that do not resist every strain, such as those of a plane lattice, or several bodies.
+        InputError: The bonds do not resist every strain, such as those of a plane lattice, or there are several bodies.
     """
     lattice.bodies.require_one("affine_estimate")
     k, _ = bond_stiffness(lattice, law)
@@ -88,7 +88,9 @@ def affine_estimate(lattice: Lattice, law: BondAssignment, *, bar: bool | None =
     stiffness = _sum(lattice, weight * k.kn, weight * k.ks) / volume
     wall = particles.mean_radius * surface / volume
     E, nu = _along_x(stiffness) if bar else _isotropic(stiffness)
-    E = E if bar else E / (1.0 - wall)
+    if not bar:
+        least, *_, most = np.linalg.eigvalsh(stiffness)
+        E = E / (1.0 - wall) if least > 1e-9 * most else math.nan
     if not (math.isfinite(E) and E > 0.0):
         raise InputError("lattice: its bonds do not resist every strain; pack a body, not a chain or a plane")
     return AffineEstimate(

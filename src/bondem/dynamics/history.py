@@ -22,8 +22,8 @@ class History:
     `history["name"]` returns the records of a gauge, (s, 3). An unknown name raises InputError.
 
     Attributes:
-        records: columns time [s], fourteen energies [J], three components per gauge, shape (s, 15 + 3 g). The last
-            row is the end of the run, which may be less than `every` steps after the one before.
+        records: columns time [s], fourteen energies [J], three components per gauge, shape (s, 15 + 3 g), a
+            row per `every` steps of `bd.solve_explicit`. The last row is the end of a run that was completed.
         gauges: names of the gauges, in the order of their columns.
     """
 

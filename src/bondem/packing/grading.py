@@ -1,8 +1,8 @@
 """Cell sizes that vary in space, and the number of such cells in a shape.
 
 The size h of a cell is the cube root of its volume. A shape has room for ∫ dV / h³ cells. The shape is divided into
-cubes by halving, until they are smaller than the cells there. The cubes are also the possible initial places of
-centres.
+nearly cubic boxes by halving, until they are smaller than the cells there. The boxes are also the possible initial
+places of centres.
 """
 
 from collections.abc import Callable
@@ -96,13 +96,13 @@ def _points(about: object) -> tuple[tuple[float, ...], ...]:
 
 @dataclass(frozen=True, eq=False)
 class Sites:
-    """Cubes that make up a shape, as possible initial places of centres, with the number of cells in each.
+    """Boxes that make up a shape, as possible initial places of centres, with the number of cells in each.
 
     Attributes:
         count: total number of cells.
-        centre: centres of the cubes that make up the shape, in Morton order [m], (k, 3).
-        edge: edge lengths of the cubes [m], (k, 3).
-        cells: number of cells in each cube, (k,); their sum is `count`.
+        centre: centres of the boxes, in Morton order [m], (k, 3).
+        edge: edge lengths of the boxes [m], (k, 3).
+        cells: number of cells in each box, (k,); their sum is `count`.
     """
 
     count: int
@@ -147,7 +147,9 @@ def sizes_by(size: Callable[[PerElement3], PerElement]) -> SizesAt:
 
 
 def sites(shape: Shape, size: SizesAt) -> Sites:
-    """Divide a shape by halving into cubes no larger than the cells there.
+    """Divide a shape by halving into boxes whose longest edge is no larger than the cells there.
+
+    The boxes are nearly cubic, except in a shape that is much thinner in one direction than in another.
 
     Args:
         shape: shape to be filled.

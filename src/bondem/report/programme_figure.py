@@ -1,4 +1,4 @@
-"""Figure of all strengths of a test programme: measured values over targets."""
+"""Figure of a test programme: deviations of E, ν and strengths from their targets and closed forms."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path

@@ -113,7 +113,11 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
 def relaxed(
     beams: Beams, uniform: UniformBeams | None, sums: BeamSums, relaxation: DynamicRelaxation, first: int, most: int
 ) -> tuple[int, float, bool]:
-    """Take at most `most` steps; return their number, unbalanced over total force [-], and True if they balance."""
+    """Take at most `most` steps of dynamic relaxation, from step `first` on.
+
+    Returns:
+        Number of steps taken, unbalanced force over applied and supporting force [-], and True if the forces balance.
+    """
     span = RelaxationSpan(first, most, np.zeros(1, dtype=np.int64), np.full(1, np.inf))
     if uniform is None:
         ending = run_pass(calls.relax_beams(beams, sums, relaxation, span))

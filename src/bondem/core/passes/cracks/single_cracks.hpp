@@ -1,4 +1,4 @@
-// One crack at a time, for its onset and for changes of its status (`crack_states.cpp`).
+// Functions for one crack: its faces in space, onset, changes of status (`crack_states.cpp`), and weights of its cells.
 #pragma once
 #include "../damage/integrity.hpp"
 #include "crack_places.hpp"
