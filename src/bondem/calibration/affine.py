@@ -68,7 +68,7 @@ def affine_estimate(lattice: Lattice, law: BondAssignment, *, bar: bool | None =
         bar: True to treat the lattice as a bar; None to use `is_bar`.
 
     Raises:
-        InputError: The bonds do not resist every strain, such as those of a plane lattice, or there are several bodies.
+        InputError: Bonds do not resist every strain, such as those of a plane lattice, or there are several bodies.
     """
     lattice.bodies.require_one("affine_estimate")
     k, _ = bond_stiffness(lattice, law)
