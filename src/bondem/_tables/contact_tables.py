@@ -36,6 +36,9 @@ class ContactPairs(NamedTuple):
     second: Uint32s  #: later element of each pair, (pairs,)
     start: Ints  #: start of the pairs of each later element, (n + 1,)
     reach: Floats  #: distance of the centres at which a pair touches [m], (pairs,)
+    #: the same at rest; `reach` is less from a failure under less pressure until the two are farther apart [m],
+    #: (pairs,)
+    whole: Floats
     own: Floats  #: kn of a pair with a stiffness of its own, else 0 [N/m], (pairs,)
     #: tangential stretch [m] and force of the dashpots [N]; of faces the overlap u0 [m] and kn a step ago [N/m],
     #: (pairs, 8)
@@ -100,7 +103,6 @@ class FacePairs(NamedTuple):
     earlier_start: Ints  #: start of the pairs whose earlier element each element is, (n + 1,)
     earlier: Uint32s  #: numbers of the pairs, by their earlier elements, (pairs,)
     chosen: Floats  #: the two faces by which each pair touches as one number, 0 for none, (pairs,)
-    whole: Floats  #: reach of the pair as spheres [m], (pairs,)
     #: pairs that touch by faces or did a step ago, ascending, each portion from its first pair; on devices 1 or 0,
     #: (pairs,)
     close: Uint32s

@@ -44,6 +44,7 @@ class EventLog(NamedTuple):
     """Failures of one call of the core, in the order of time."""
 
     event: Floats  #: time [s], step, bond, mode, gap [m], energy [J], place [m], steps since onset, (bonds, 10)
+    pressed: Floats  #: largest overlap with which a contact may take over from each event [m], (bonds,)
     written: Ints  #: number of events, and of those before the present step, (2,)
     released: Floats  #: energy released since the start of the run [J], (1,)
     crushed: Floats  #: energy released beyond the fracture energy before the run [J], (1,)

@@ -43,21 +43,20 @@ class CrackedFaces:
             along = np.sqrt(((arm - ahead * normal) ** 2).sum(axis=0))
             np.maximum.at(self.outer, cell[planes], np.hypot(ahead, along + beside))
 
-    def pairs(self, pairs: ContactPairs, chosen: Floats, whole: Floats, portions: int) -> FacePairs:
+    def pairs(self, pairs: ContactPairs, chosen: Floats, portions: int) -> FacePairs:
         """Return the table of contact by faces for a list of pairs.
 
         Args:
             pairs: pairs of cells that may touch.
             chosen: code of the faces by which each pair touches, a column of `State.stretch`, (c,).
-            whole: distance at which pairs touch as spheres [m], (c,).
             portions: number of groups of ELEMENTS_OF_PORTION elements.
         """
-        facets, strengths, c = self._joints.facets, self._joints.strengths, len(whole)
+        facets, strengths, c = self._joints.facets, self._joints.strengths, len(chosen)
         return FacePairs(
             *self._joints.of_cells, facets.lever_i, facets.lever_j, facets.pitch, facets.normal, facets.j, facets.k,
             strengths.area, self._joints.cracks.listed, strengths.plane, self._open, self._faced, self.outer,
             group_starts(pairs.first, len(self._faced)),
-            np.argsort(pairs.first, kind="stable").astype(np.uint32), chosen, whole,
+            np.argsort(pairs.first, kind="stable").astype(np.uint32), chosen,
             np.zeros(c, dtype=np.uint32), np.zeros((c, 12)), np.zeros(c), exact_sums(),
             np.zeros(portions, dtype=np.int64),
         )  # fmt: skip

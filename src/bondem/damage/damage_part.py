@@ -169,7 +169,7 @@ class BondParts:
 def new_event_log(state: FailingState) -> EventLog:
     """Return an empty log of events for a run, which shares the released energies of the state."""
     room = np.empty((len(state.integrity), EventColumn.COUNT))
-    return EventLog(room, np.zeros(2, dtype=np.int64), state.released, state.crushed)
+    return EventLog(room, np.empty(len(room)), np.zeros(2, dtype=np.int64), state.released, state.crushed)
 
 
 def keep_events(log: EventLog, state: FailingState) -> int:

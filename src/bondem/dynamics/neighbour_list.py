@@ -28,7 +28,7 @@ class FoundContacts:
     Attributes:
         pairs: pairs of elements.
         whole: distance at which pairs touch as spheres [m], (c,).
-        least: distance at which each pair touches [m], (c,): `whole`, or a smaller one at which faces parted.
+        least: distance at which each pair touches [m], (c,): `whole`, or a smaller one at which bonds or faces parted.
         faces: faces by which pairs touch, as one number, 0 for none, (c,).
         own: normal stiffness of the pairs of bonds, or 0 [N/m], (c,).
         of_bond: place of the pair of each bond in the list, or -1, (m,).
@@ -151,24 +151,18 @@ class ContactSearch:
         return found
 
     def keep(
-        self, pairs: ContactPairs, walls: WallContacts, whole: Floats, faces: Floats | None,
-        rolled: tuple[Floats, Floats] | None,
+        self, pairs: ContactPairs, walls: WallContacts, faces: Floats | None, rolled: tuple[Floats, Floats] | None
     ) -> None:  # fmt: skip
         """Store the variables of contacts, of pairs and with walls, in the state.
 
         Args:
             pairs: the list of pairs.
             walls: contacts with walls.
-            whole: distance at which pairs touch as spheres [m], (c,).
             faces: faces by which pairs touch, (c,), or None if pairs do not touch by faces.
             rolled: rotations that pairs and contacts with walls store [m], (c, 3) and (b, 3), or None.
         """
         state, at_wall = self._state, walls.touch == TouchState.TOUCHING
-        bonded = pairs.bond >= 0
-        # for faces that have parted since the list was made it is smaller, as in a list made later
-        whole = whole.copy()
-        whole[bonded] = np.minimum(whole[bonded], self._apart[pairs.bond[bonded]])
-        touch, less = pairs.touch, pairs.reach < whole
+        touch, less = pairs.touch, pairs.reach < pairs.whole
         late = less & ((touch == TouchState.LATE) | (touch == TouchState.PARTED))
         stored = late | (touch == TouchState.TOUCHING) | (touch == TouchState.FACING)
         memory, spheres, less = pairs.memory[stored], touch[stored] != TouchState.FACING, less[stored]

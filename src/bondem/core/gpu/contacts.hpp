@@ -40,7 +40,7 @@ inline void press_pair(Index k, const DeviceSpan &span, const Moving &all, const
     if (bonded(pairs, k)) return;
     const Vector d = branch_of(all.pose.data, pairs, k);
     if (dot(d, d) >= pairs.reach(k) * pairs.reach(k) && pairs.touch(k) != touching) {
-        pairs.touch(k) = separate;
+        leave(pairs, k, dot(d, d));
         return;
     }
     press_one(k, all, c, pairs, near, clock_of(span).dt);

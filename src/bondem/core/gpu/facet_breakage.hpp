@@ -51,19 +51,19 @@ inline void withdraw_facets_of_cell(Index p, const Moving &all, const ElasticFac
     if (any_fails(candidates) && is_postponed(postponed, p))
         take_off_changing(1.0, all, facets, walls, release, postponed, p);
 }
-// Energy of dilatation of both cells of facet k without the failed facets below a number [J].
-BONDEM_INLINE double energy_of_cells(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
-                                     const FacetRelease &release, const BondMarks &marks, Index k, Index up_to) {
+// Dilatation of both cells of facet k without the failed facets below a number.
+BONDEM_INLINE OfCells<Dilated> dilated_cells(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
+                                             const FacetRelease &release, const BondMarks &marks, Index k, Index up_to) {
     const auto left = [&](Index other) {
         return other < up_to && marks.mark(other) == marked::fails ? 0.0 : facets.integrity(other);
     };
-    double sum = 0.0;
+    OfCells<Dilated> found;
 #pragma unroll 1
     for (Index end = 0; end < 2; end++) {
         const Index p = end == 0 ? facets.i(k) : facets.j(k);
-        sum += dilated(all, facets, walls, release, p, weight_left(release, p, left), left).energy;
+        (end == 0 ? found.i : found.j) = dilated(all, facets, walls, release, p, weight_left(release, p, left), left);
     }
-    return sum;
+    return found;
 }
 // Writes the event of failed facet number e; the facet keeps its integrity until all energies are known.
 inline void write_facet_failure(Index e, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
@@ -71,13 +71,12 @@ inline void write_facet_failure(Index e, const DeviceSpan &span, const Moving &a
                                 const Candidates &candidates, const EventLog &log) {
     if (e >= candidates.count(0)) return;
     const Index k = candidates.marked(e);
-    Removal removal = removal_of_facet(all, facets, k);
+    OfCells<Dilated> cells[2];
 #pragma unroll 1
-    for (Index removed = 0; removed < 2; removed++) {
-        const double energy = energy_of_cells(all, facets, walls, release, marks, k, k + removed);
-        removal.energy += removed == 0 ? energy : -energy;
-    }
-    write_failure(e, span, candidates, log, removal);
+    for (Index removed = 0; removed < 2; removed++)
+        cells[removed] = dilated_cells(all, facets, walls, release, marks, k, k + removed);
+    const FailingFacet failing = failing_facet(all, facets, k, cells[0]);
+    write_failure(e, span, candidates, log, failing.without(cells[1].i.energy + cells[1].j.energy));
 }
 // Sets weight and stress of cell p without its failed facets, and the integrity of failed facets with i = p to zero.
 inline void end_facets_of_cell(Index p, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,

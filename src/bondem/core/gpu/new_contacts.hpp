@@ -20,7 +20,7 @@ inline void begin_contact_of_event(Index e, const Moving &all, const ContactCons
     if (event >= log.written(log_count::events)) return;
     const Index k = pair_of_event(pairs, log, event);
     if (k < 0) return;
-    const NewContact contact = begin_pair(all, c, pairs, k);
+    const NewContact contact = begin_pair(all, c, pairs, k, log.pressed(event));
     const double energy = contact.touches ? pair_energy(all.pose.data, c, pairs, k) : 0.0;
     const Vector f = contact.force, t = contact.torque;
     near.output.row<Row<double>>(k) = {{f.x, f.y, f.z, energy, t.x, t.y, t.z, contact.touches ? 1.0 : 0.0}};

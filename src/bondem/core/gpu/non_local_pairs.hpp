@@ -62,7 +62,7 @@ inline void gather_moments(Index p, const Moving &all, const NonLocalBonds &bond
 inline void add_pair_moments_of_element(Index p, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                                         const EarlierPairs &earlier, const NearPairs &near, const LaggedStresses &stresses) {
     for_each_pair_of(pairs, earlier.start, earlier.pair, p, [&](Index k, bool later) {
-        if (pairs.touch(k) == separate) return;
+        if (!as_spheres(pairs.touch(k))) return;
         const TouchLevers lever(c, pairs, k, branch_of(all.pose.data, pairs, k));
         const Vector force = near.output.row<const Vector>(k);
         add_moment(stresses, Short(p), later ? lever.of_second : lever.of_first, later ? force : -force);

@@ -38,6 +38,8 @@ struct ContactPairs {
     Array<const Short, 1> second;  // later element of each pair, (pairs,)
     Array<const Index, 1> start;  // start of the pairs of each later element, (n + 1,)
     Array<double, 1> reach;  // distance of the centres at which a pair touches [m], (pairs,)
+    // the same at rest; `reach` is less from a failure under less pressure until the two are farther apart [m]
+    Array<double, 1> whole;  // (pairs,)
     Array<const double, 1> own;  // kn of a pair with a stiffness of its own, else 0 [N/m], (pairs,)
     // tangential stretch [m] and force of the dashpots [N]; of faces the overlap u0 [m] and kn a step ago [N/m]
     Array<double, 2> memory;  // (pairs, 8)
@@ -90,7 +92,6 @@ struct FacePairs {
     Array<const Index, 1> earlier_start;  // start of the pairs whose earlier element each element is, (n + 1,)
     Array<const Short, 1> earlier;  // numbers of the pairs, by their earlier elements, (pairs,)
     Array<double, 1> chosen;  // the two faces by which each pair touches as one number, 0 for none, (pairs,)
-    Array<double, 1> whole;  // reach of the pair as spheres [m], (pairs,)
     // pairs that touch by faces or did a step ago, ascending, each portion from its first pair; on devices 1 or 0
     Array<Short, 1> close;  // (pairs,)
     // of pair k: force on the later element [N], loss to dashpots [J], torque on it [N·m], loss to friction [J],

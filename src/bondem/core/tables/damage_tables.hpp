@@ -37,6 +37,7 @@ struct Postponed {
 struct EventLog {
     // time [s], step, bond, mode, gap [m], energy [J], place [m], steps since onset
     Array<double, 2> event;  // (bonds, event_column::count)
+    Array<double, 1> pressed;  // largest overlap with which a contact may take over from each event [m], (bonds,)
     Array<Index, 1> written;  // number of events, and of those before the present step, (2,)
     Array<double, 1> released;  // energy released since the start of the run [J], (1,)
     Array<double, 1> crushed;  // energy released beyond the fracture energy before the run [J], (1,)

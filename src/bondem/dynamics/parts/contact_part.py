@@ -81,13 +81,12 @@ class ContactTables:
         """Make the tables of a new neighbour list."""
         pairs, at_walls = found.pairs, found.walls
         c, portions = len(pairs.first), self._portions
-        self._whole = found.whole
         self._pairs = ContactPairs(
-            pairs.first, pairs.second, pairs.start, found.least, found.own, pairs.memory, pairs.touch,
+            pairs.first, pairs.second, pairs.start, found.least, found.whole, found.own, pairs.memory, pairs.touch,
             pairs.bond, self._joints.integrity, found.of_bond, self._period,
         )  # fmt: skip
         faces = self._faces
-        self._face_pairs = None if faces is None else faces.pairs(self._pairs, found.faces, found.whole, portions)
+        self._face_pairs = None if faces is None else faces.pairs(self._pairs, found.faces, portions)
         self._near = NearPairs(
             np.zeros(c + 1, dtype=np.uint32), np.zeros(c + 1, dtype=np.uint32), np.empty((c, 8)),
             np.zeros((portions, 2), dtype=np.int64), _FRESH * found.reach, self._beyond,
@@ -204,7 +203,7 @@ class ContactTables:
         pairs, at_walls = self._pairs, self._at_walls
         chosen = None if self._face_pairs is None else self._face_pairs.chosen
         rolled = None if self._rolled is None else (self._rolled.rolled, self._rolled_walls.rolled)
-        self._search.keep(pairs, at_walls, self._whole, chosen, rolled)
+        self._search.keep(pairs, at_walls, chosen, rolled)
         self._deepest = max(self._deepest, float(self._travel.portion[:, 2].max(initial=0.0)))
         listed = ListedContacts(
             pairs.first, pairs.second, pairs.bond, pairs.joined, at_walls.element, self._velocity_of_walls(),

@@ -64,23 +64,23 @@ void weigh(const ElasticFacets &facets, const FacetRelease &release, Index p) {
     release.weight(p) = weight_left(release, p, [&](Index k) { return facets.integrity(k); });
 }
 
-// Energy of dilatation of a cell [J]; updates its stress.
-double dilate(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const FacetRelease &release,
+// Finds the dilatation of a cell, and updates its stress.
+Dilated dilate(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const FacetRelease &release,
               Index p) {
     const auto left = [&](Index k) { return facets.integrity(k); };
     const Dilated now = dilated(all, facets, walls, release, p, release.weight(p), left);
     all.pose(p, stress_column) = now.stress;
-    return now.energy;
+    return now;
 }
 
-// Energy of dilatation of both cells of facet k [J].
-double dilate_both(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
-                   const FacetRelease &release, Index k) {
-    double sum = 0.0;
+// Finds the dilatation of both cells of facet k.
+OfCells<Dilated> dilate_both(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
+                             const FacetRelease &release, Index k) {
+    OfCells<Dilated> found;
 #pragma unroll 1
     for (Index end = 0; end < 2; end++)
-        sum += dilate(all, facets, walls, release, end == 0 ? facets.i(k) : facets.j(k));
-    return sum;
+        (end == 0 ? found.i : found.j) = dilate(all, facets, walls, release, end == 0 ? facets.i(k) : facets.j(k));
+    return found;
 }
 
 // Lists the cells of facets that fail, then their neighbours.
@@ -107,13 +107,12 @@ void list_changed(const ElasticFacets &facets, const FacetRelease &release, cons
 
 Removal break_facet(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                     const FacetRelease &release, Index k) {
-    Removal removal = removal_of_facet(all, facets, k);
-    removal.energy += dilate_both(all, facets, walls, release, k);
+    const FailingFacet failing = failing_facet(all, facets, k, dilate_both(all, facets, walls, release, k));
     put_integrity(facets, k, 0.0);
     weigh(facets, release, facets.i(k));
     weigh(facets, release, facets.j(k));
-    removal.energy -= dilate_both(all, facets, walls, release, k);
-    return removal;
+    const OfCells<Dilated> left = dilate_both(all, facets, walls, release, k);
+    return failing.without(left.i.energy + left.j.energy);
 }
 
 }  // namespace

@@ -39,16 +39,35 @@ inline Dilated dilated(const Moving &all, const ElasticFacets &facets, const Wal
     return {weight * grown, 0.5 * weight * grown * grown};
 }
 
-// The removal of facet k, without the released energy of dilatation.
-inline Removal removal_of_facet(const Moving &all, const ElasticFacets &facets, Index k) {
+// A facet that fails: its removal, with the energy of dilatation of its cells, and the part of the energy that pressure
+// along its normal has stored.
+struct FailingFacet {
+    Removal removal;
+    double along;  // [J]
+    double k;  // [N/m]
+
+    // The removal, given the energy of dilatation of the cells without the facet [J].
+    Removal without(double dilatation) const {
+        Removal found = removal;
+        found.energy -= dilatation;
+        found.pressed = least(found.pressed, root(2.0 * positive(along - dilatation) / k));
+        return found;
+    }
+};
+inline FailingFacet failing_facet(const Moving &all, const ElasticFacets &facets, Index k, OfCells<Dilated> cells) {
     const FacetColumns columns(facets);
     const Ends<double> ends = ends_of(all.pose.data, facets, k);
     const FacetShape<double> shape = columns.shape<double>(k);
     const OpenFacet<double> open = opened(ends, shape);
     const Vector normal = normal_of(facets, k);
     const BeamEnergy<double> parts = facet_energy(ends, shape, normal, columns.stiffness(k, 1.0));
-    const double energy = facets.integrity(k) * (parts.normal + parts.shear + parts.bending + parts.twisting);
-    return {energy, dot(open.gap, present_normal(ends, normal)), centre(all.pose.data, facets.i(k)) + open.arm_i};
+    const double s = facets.integrity(k), dilatation = cells.i.energy + cells.j.energy, stiffness = facets.k(k);
+    const double energy = s * (parts.normal + parts.shear + parts.bending + parts.twisting);
+    const Vector n = present_normal(ends, normal);
+    const double pull = s * dot(facet_pull(ends, shape, stiffness, {cells.i.stress, cells.j.stress}), n);
+    return {{energy + dilatation, dot(open.gap, n), centre(all.pose.data, facets.i(k)) + open.arm_i, undefined,
+             positive(-pull / stiffness)},
+            s * parts.normal + dilatation, stiffness};
 }
 
 }  // namespace bondem

@@ -55,9 +55,9 @@ Index find_close(const Range &range, const Moving &all, const ContactPairs &pair
     for (Index e = begin; e < begin + count; e++) {
         const Short k = near.near(e);
         const Vector d = branch_of(all.pose.data, pairs, k);
-        const double reach = pairs.reach(k);
-        const bool off = (dot(d, d) >= reach * reach) & (pairs.touch(k) != touching);
-        pairs.touch(k) = off ? Byte(separate) : pairs.touch(k);
+        const double reach = pairs.reach(k), square = dot(d, d);
+        const bool off = (square >= reach * reach) & (pairs.touch(k) != touching);
+        if (off) leave(pairs, k, square);
         near.close(begin + found) = k;
         found += !off;
     }

@@ -203,7 +203,7 @@ inline PairOf press_faces(const Moving &all, const ContactConstants &c, const Co
         }
         if (now.facing && (within || chosen != 0.0)) {
             touch = facing;
-            pairs.reach(k) = of.whole(k);
+            pairs.reach(k) = pairs.whole(k);
             const FaceLoads met = chosen_loads(all, pairs, of, k);
             if (!(met.kn > 0.0)) return PairOf::nothing;
             press_met(all, c, pairs, of, k, met, 0.0, dt);
@@ -216,9 +216,7 @@ inline PairOf press_faces(const Moving &all, const ContactConstants &c, const Co
         }
     }
     if (within) return PairOf::spheres;
-    const bool apart = !(square < of.whole(k) * of.whole(k));
-    touch = pairs.reach(k) < of.whole(k) && !apart ? late : separate;
-    if (apart) pairs.reach(k) = of.whole(k);
+    leave(pairs, k, square);
     return PairOf::nothing;
 }
 
@@ -238,9 +236,8 @@ inline void add_faces_to(const FacePairs &of, Index k, bool later, double *row) 
     if (later) row[3] += out[3], row[7] += out[7];
 }
 
-// Marks the faces of facet k that part in this step, and their cells; keeps the reach of their pair as spheres.
+// Marks the faces of facet k that part in this step, and their cells.
 inline void mark_parting(const ContactPairs &pairs, const FacePairs &of, Index k, Index pair) {
-    of.whole(pair) = pairs.reach(pair);
     if (!has_faces(of, k)) return;
     of.open(k) = 2;
     put_shared(of.faced(pairs.first(pair)), Byte(2));
@@ -265,7 +262,7 @@ inline double begin_by_faces(const Moving &all, const ContactPairs &pairs, const
     of.chosen(k) = found.number;
     memory[began_at] = 0.0;
     pairs.touch(k) = facing;
-    pairs.reach(k) = of.whole(k);
+    pairs.reach(k) = pairs.whole(k);
     return chosen_loads(all, pairs, of, k).energy;
 }
 

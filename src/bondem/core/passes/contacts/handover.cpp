@@ -9,10 +9,14 @@
 
 namespace bondem {
 
-NewContact begin_pair(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, Index k) {
+NewContact begin_pair(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, Index k, double pressed) {
     for (Index x = 0; x < 8; x++) pairs.memory(k, x) = 0.0;
-    pairs.touch(k) = separate;
-    if (!(length(branch_of(all.pose.data, pairs, k)) < pairs.reach(k))) return {false, {}, {}};
+    const double distance = length(branch_of(all.pose.data, pairs, k));
+    if (pairs.own(k) > 0.0) pairs.reach(k) = least(pairs.reach(k), distance + pressed);
+    if (!(distance < pairs.reach(k))) {
+        leave(pairs, k, distance * distance);
+        return {false, {}, {}};
+    }
     const PairLoads<double> loads = present_loads(all, c, pairs, k, {});
     const ContactMemory<double> &memory = loads.contact.memory;
     pairs.memory.row<Vector>(k) = memory.stretch;
@@ -38,11 +42,11 @@ void examine(const ContactPairs &pairs, const NearPairs &near, Index k) {
 // Begins the contact of the pair of a bond, and adds its force to rows of sums of elements; returns the
 // energy that moves to the contact [J].
 double hand_over(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near, Index bond,
-                 double *sums) {
+                 double pressed, double *sums) {
     const Index k = pairs.of_bond(bond);
     if (k < 0) return 0.0;
     examine(pairs, near, k);
-    const NewContact contact = begin_pair(all, c, pairs, k);
+    const NewContact contact = begin_pair(all, c, pairs, k, pressed);
     if (!contact.touches) return 0.0;
     const Short a = pairs.first(k), b = pairs.second(k);
     add_new_contact(sums + 8 * uint64_t(a), false, c.radius(a), contact);
@@ -58,7 +62,7 @@ void begin_contacts(const Range &, const Moving &all, const ContactConstants &c,
     if (!any_event(log)) return;
     ExactSum stored = {};
     for_each_event(log, [&](Index bond, Index event) {
-        const double energy = hand_over(all, c, pairs, near, bond, postponed.sum.data);
+        const double energy = hand_over(all, c, pairs, near, bond, log.pressed(event), postponed.sum.data);
         log.event(event, event_column::energy) -= energy;
         stored.add(energy);
     });
@@ -73,7 +77,9 @@ BONDEM_PASS(release_pressure, of_events, "")
 
 void begin_softened_contacts(const Range &, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                              const NearPairs &near, const EventLog &log, const ContactSums &to) {
-    for_each_event(log, [&](Index bond, Index) { hand_over(all, c, pairs, near, bond, to.sums.data); });
+    for_each_event(log, [&](Index bond, Index event) {
+        hand_over(all, c, pairs, near, bond, log.pressed(event), to.sums.data);
+    });
 }
 BONDEM_PASS(begin_softened_contacts, of_events, "ends motion pose; adds sums")
 

@@ -19,8 +19,9 @@ struct NewContact {
     Vector force;  // on the later element [N]
     Vector torque;  // on either, over its radius [N]
 };
-// Begins the contact of pair k in its present position.
-NewContact begin_pair(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, Index k);
+// Begins the contact of pair k in its present position, with an overlap of at most `pressed` if its stiffness is that of
+// the bond.
+NewContact begin_pair(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, Index k, double pressed);
 // Adds the forces of an initial contact to the row of sums of one of its two elements.
 inline void add_new_contact(double *row, bool is_later, double radius, const NewContact &contact) {
     const double sign = is_later ? 1.0 : -1.0;
@@ -36,7 +37,7 @@ inline double open_pair(const Moving &all, const ContactPairs &pairs, Index face
     const Index k = pairs.of_bond(facet);
     const double reach = least(apart, length(branch_of(all.pose.data, pairs, k)));
     pairs.joined(facet) = 0.0;
-    pairs.reach(k) = reach;
+    pairs.reach(k) = pairs.whole(k) = reach;
     return reach;
 }
 

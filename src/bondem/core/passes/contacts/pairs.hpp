@@ -103,6 +103,16 @@ BONDEM_INLINE void for_each_pair_of(const ContactPairs &pairs, const Starts &sta
 // True if a bond joins pair k.
 inline bool bonded(const ContactPairs &pairs, Index k) { return pairs.bond(k) >= 0 && pairs.joined(pairs.bond(k)) > 0.0; }
 
+// Ends the contact of pair k, at the square of a distance of its centres [m²]. A pair with a smaller reach than at rest
+// touches `late`, at that reach, until it is farther apart than at rest.
+inline void leave(const ContactPairs &pairs, Index k, double square) {
+    double &reach = pairs.reach(k);
+    const double whole = pairs.whole(k);
+    const bool apart = !(square < whole * whole);
+    pairs.touch(k) = reach < whole && !apart ? late : separate;
+    if (apart) reach = whole;
+}
+
 // Elastic energy of a pair that touches [J].
 inline double pair_energy(const double *pose, const ContactConstants &c, const ContactPairs &pairs, Index k) {
     const double overlap = positive(pairs.reach(k) - length(branch_of(pose, pairs, k)));

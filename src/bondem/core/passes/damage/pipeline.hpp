@@ -47,6 +47,7 @@ struct Removal {
     double gap;  // how far it is open [m]
     Vector place;  // [m]
     double opening_steps = undefined;  // steps since the onset of softening, NaN without
+    double pressed = infinity;  // largest overlap with which a contact may take over [m]
 };
 
 // ---- marks
@@ -153,6 +154,7 @@ inline void write_event(const Clock &clock, const EventLog &log, Index event, In
     const double all[event_column::count] = {clock.time, double(clock.step), double(k), double(mode), removal.gap, removal.energy,
                             x.x, x.y, x.z, removal.opening_steps};
     for (Index c = 0; c < event_column::count; c++) row[c] = all[c];
+    log.pressed(event) = removal.pressed;
 }
 inline void log_event(const Clock &clock, const EventLog &log, Index k, Index mode, const Removal &removal) {
     write_event(clock, log, log.written(log_count::events)++, k, mode, removal);

@@ -14,9 +14,12 @@ inline void take_off_pair(double *row, bool is_i, const NonLocalBonds &bonds, In
 inline Removal removal_of_pair(const Moving &all, const Beams &beams, const NonLocalBonds &bonds, Index k) {
     const double *const pose = all.pose.data;
     const PairPose<double> now = pair_pose(pose, beams, bonds, k);
-    const SpringEnergy<double> energy = spring_energy(now, pair_stiffness<double>(bonds, k));
-    return {beams.integrity(k) * (energy.normal + energy.shear), dot(now.gap, now.normal),
-            plus(centre(pose, beams.i(k)) + now.lever_i, 0.5, now.gap)};
+    const PairStiffness<double> stiffness = pair_stiffness<double>(bonds, k);
+    const SpringEnergy<double> energy = spring_energy(now, stiffness);
+    const double gap = dot(now.gap, now.normal), pull = dot(output_at(bonds, force_column, k), now.normal);
+    return {beams.integrity(k) * (energy.normal + energy.shear), gap,
+            plus(centre(pose, beams.i(k)) + now.lever_i, 0.5, now.gap), undefined,
+            positive(-most(gap, pull / stiffness.kn))};
 }
 // Subtracts the moment of the force of a bond from the stress of an element, in the frame of the element.
 inline void relieve(const Moving &all, const LaggedStresses &stresses, Short p, bool is_i, const NonLocalBonds &bonds,
