@@ -3,9 +3,9 @@
 //
 // The elements press on each other immediately, with the tangential spring at rest. If a bond fails without
 // softening, the contact acts from the end of that step. The energy that the contact stores is subtracted from that
-// of the failure event. If a softening beam breaks, the contact replaces the pressure on the beam. If a crack has
-// parted (its faces no longer face each other), the cells touch at their present distance without a force. Cells with
-// faces on a material plane touch by these faces.
+// of the failure event, and is no more than the bond has stored along its normal. If a softening beam breaks, the
+// contact replaces the pressure on the beam. If a crack has parted (its faces no longer face each other), the cells
+// touch at their present distance without a force. Cells with faces on a material plane touch by these faces.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/beam_softening_tables.hpp"
