@@ -24,6 +24,7 @@ CHANGES = {
     "cracks that keep directions": ("2026-11-28T10:14", "0045-cracks-that-keep-directions.md"),
     "one set of axes for a crack": ("2026-11-29T11:45", "0063-one-set-of-axes-for-a-crack.md"),
     "pressure along cracks of equilibria": ("2026-11-29T17:36", "0069-pressure-along-cracks-of-equilibria.md"),
+    "pressure that contacts take over": ("2026-11-29T22:40", "0070-pressure-that-contacts-take-over.md"),
 }
 
 #: Records of bodies of cells whose facets fail; of others a change of their softening is no change.
@@ -40,11 +41,18 @@ EQUILIBRIA = frozenset({
     "bending_energy", "concrete_beams", "fracture", "fracture_coarse", "fracture_fine", "size_effect", "toughness",
     "weibull",
 })  # fmt: skip
+#: Those in which bonds of the non-local law, or brittle facets, press on each other after they have failed.
+TOUCHING = frozenset({
+    "celigueta", "celigueta_full", "celigueta_full_facets", "celigueta_full_slower", "celigueta_platens",
+    "celigueta_shear", "celigueta_shear_cone", "celigueta_shear_smaller", "celigueta_slower", "non_local_noise",
+    "non_local_reach", "strength_calibration",
+})  # fmt: skip
 #: Records that a change concerns; all of `FAILING` for others.
 _CONCERNED = {
     "cracks that keep directions": FAILING - EQUILIBRIA,
     "one set of axes for a crack": FAILING - EQUILIBRIA,
     "pressure along cracks of equilibria": EQUILIBRIA | {"crack_paths"},
+    "pressure that contacts take over": TOUCHING,
 }
 
 
