@@ -24,7 +24,7 @@ CHANGES = {
     "cracks that keep directions": ("2026-11-28T10:14", "0045-cracks-that-keep-directions.md"),
     "one set of axes for a crack": ("2026-11-29T11:45", "0063-one-set-of-axes-for-a-crack.md"),
     "pressure along cracks of equilibria": ("2026-11-29T17:36", "0069-pressure-along-cracks-of-equilibria.md"),
-    "pressure that contacts take over": ("2026-11-29T22:40", "0070-pressure-that-contacts-take-over.md"),
+    "pressure that contacts take over": ("2026-11-29T22:40", "0071-pressure-that-contacts-take-over.md"),
 }
 
 #: Records of bodies of cells whose facets fail; of others a change of their softening is no change.

@@ -36,7 +36,7 @@ TOUCHING = {
 
 def test_breakage_is_that_of_the_former_loop(monkeypatch):
     model = breaking("held", with_former_law(monkeypatch, crooked_cells(**GRID), steady("held")), **TOUCHING)
-    # 54 steps: later a contact begins with less than the pressure of the former rule (decision 0020)
+    # 54 steps: later a contact begins with less than the pressure of the former rule (decision 0071)
     result = run_of(model, 54, CoreLoop, every=50, damping=bd.BondDamping(eta=0.05))
     state, former = result.state, FormerLoop("cells", "facets break")
     assert len(state.broken) > 30

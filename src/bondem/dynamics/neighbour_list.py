@@ -28,7 +28,7 @@ class FoundContacts:
     Attributes:
         pairs: pairs of elements.
         whole: distance at which pairs touch as spheres [m], (c,).
-        least: distance at which each pair touches [m], (c,): `whole`, or a smaller one at which bonds or faces parted.
+        least: distance at which each pair touches [m], (c,): `whole`, or a smaller one where a bond or faces parted.
         faces: faces by which pairs touch, as one number, 0 for none, (c,).
         own: normal stiffness of the pairs of bonds, or 0 [N/m], (c,).
         of_bond: place of the pair of each bond in the list, or -1, (m,).

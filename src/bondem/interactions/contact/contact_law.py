@@ -6,7 +6,7 @@ with u the overlap and ξ the stretch of the tangential spring, which turns with
 limit. The linear law takes its stiffness from an effective modulus, as a bond does: kn = E A / L with A = π min(Ri,
 Rj)² and L = Ri + Rj (at a wall A = π R², L = R). The stiffness of `HertzMindlin` grows with the overlap. Contacts
 only repel, unless the law has `Adhesion`. A pair whose bond is broken carries compression as the bond did, from its
-rest length or less on and with its kn (docs/decisions/0020-contact-after-breakage.md). References: Cundall and Strack,
+rest length on and with its kn (docs/decisions/0020-contact-after-breakage.md). References: Cundall and Strack,
 Géotechnique 29 (1979) 47–65; Luding, Granular Matter 10 (2008) 235–246, for the turning of the spring.
 """
 
