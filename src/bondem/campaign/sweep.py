@@ -173,7 +173,7 @@ def in_si(key: str, value: Any) -> Any:
     for name in key.split("."):
         known = known.keys.get(name) if isinstance(known, KeyTable) else None
     if isinstance(known, Number) and isinstance(value, str):
-        with contextlib.suppress(InputError):  # of a text that the study refuses, or with the unit of another criterion
+        with contextlib.suppress(InputError):  # the study refuses the text, or its criterion has another unit
             return quantity(key, value, known.unit)
     return value
 

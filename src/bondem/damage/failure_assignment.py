@@ -32,6 +32,7 @@ class FailurePart:
         elements: cells that yield by the criterion, user's order.
         plane: True if the facets form a material plane, evaluated by their own traction, not by the stress of cells.
         between: the two regions of a pair whose facets are not evaluated by the stress of cells; None otherwise.
+        open: True for a joint without cohesion, whose facets absorb nothing.
     """
 
     criterion: Criterion
@@ -39,6 +40,7 @@ class FailurePart:
     elements: Ints
     plane: bool = False
     between: tuple[Region, Region] | None = None
+    open: bool = False
 
 
 def criteria_of(failure: object) -> tuple[Criterion, ...]:
@@ -133,7 +135,7 @@ def failure_parts(lattice: Lattice, failure: FailureAssignment) -> tuple[Failure
             " entry for bd.Everything() before the others, or (region, region): criterion for bonds between regions"
         )
     parts = []
-    for number, (one, where) in enumerate(zip(found, failure, strict=True)):
+    for number, (one, (where, given)) in enumerate(zip(found, failure.items(), strict=True)):
         pair = where if isinstance(where, tuple) else None
         plane, own = _is_plane(one, between=pair is not None), not one._softenings
         if plane and pair and any(slip.dilation or slip.width for soft in one._softenings for slip in soft.slips):
@@ -142,7 +144,7 @@ def failure_parts(lattice: Lattice, failure: FailureAssignment) -> tuple[Failure
                 " dilatancy= and band_width= for the pair"
             )
         bonds, elements = np.flatnonzero(of_bond == number), np.flatnonzero(of_element == number)
-        parts.append(FailurePart(one, bonds, elements, plane, pair if plane or own else None))
+        parts.append(FailurePart(one, bonds, elements, plane, pair if plane or own else None, _is_open(given)))
     return tuple(parts)
 
 

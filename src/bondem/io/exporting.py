@@ -130,14 +130,14 @@ class _Frame:
     ) -> "_Frame":
         instance("export", "elements", elements or {}, Mapping, "fields by name")
         fields: dict[str, Floats] = {}
+        n = len(lattice.particles)
         if state is not None:
             fields |= {"displacement": state.displacement, "velocity": state.velocity}
         for name, values in (elements or {}).items():
             found = array("export", f"elements['{name}']", values, wanted="numbers of the elements")
-            if (found.ndim not in (1, 2) and found.shape[1:] != (3, 3)) or len(found) != len(lattice.particles):
+            if (found.ndim not in (1, 2) and found.shape[1:] != (3, 3)) or len(found) != n:
                 raise InputError(
-                    f"export: elements['{name}'] has shape {found.shape}; give (n,), (n, k) or (n, 3, 3) for n ="
-                    f" {len(lattice.particles)} elements"
+                    f"export: elements['{name}'] has shape {found.shape}; give ({n},), ({n}, k) or ({n}, 3, 3)"
                 )
             fields[name] = found
         position = lattice.centre if state is None else lattice.centre + state.displacement

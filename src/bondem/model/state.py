@@ -339,5 +339,5 @@ class State(StateMotion):
 def require_strains(law: Interaction, owner: str) -> None:
     """Raise InputError if bonds of a law have no rest lengths, which the stress-free strains of `owner` change."""
     if not law.strains:
-        cure = "use formulation='total'" if law.evaluated == "force" else f"bd.{law.name} has none; use bd.CellBond"
+        cure = "use formulation='total'" if law.evaluated == "force" else f"{law.name} has none; use bd.CellBond"
         raise InputError(f"{owner} needs stored rest lengths; {cure}")
