@@ -44,10 +44,10 @@ class FailurePart:
 
 
 def criteria_of(failure: object) -> tuple[Criterion, ...]:
-    """Return the criteria of an assignment, in its order.
+    """Return the criteria of an assignment, in its order; joints without cohesion have a strength that nothing feels.
 
     Raises:
-        InputError: There is no criterion, or the criteria cannot be combined.
+        InputError: There is no criterion, the criteria cannot be combined, or a joint is none of two regions.
     """
     if not isinstance(failure, Mapping):
         failure = {None: instance("Model", "failure", failure, Criterion, f"{_WANTED}, or {{region: criterion}}")}

@@ -78,26 +78,27 @@ class MohrCoulomb(BondCriterion):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        if self.tension == self.cohesion == 0.0:
-            self._check_joint()
-        else:
-            physical("MohrCoulomb", "tension", self.tension, advice=_STRENGTH)
-            physical("MohrCoulomb", "cohesion", self.cohesion, advice=_STRENGTH)
+        strengths = {"tension": self.tension, "cohesion": self.cohesion}
+        least = [number("MohrCoulomb", *one, unit="Pa", least=0.0, advice=_STRENGTH) for one in strengths.items()]
+        for name, value in strengths.items() if any(least) else ():
+            physical("MohrCoulomb", name, value, advice=_STRENGTH)
         number(
             "MohrCoulomb", "friction_angle", self.friction_angle, unit="rad", least=0.0, below=0.5 * math.pi,
             advice="an angle in [0, π/2) rad",
         )  # fmt: skip
         number("MohrCoulomb", "dilatancy", self.dilatancy, unit="rad", least=0.0, advice="an angle in [0, φ] rad")
         number("MohrCoulomb", "friction_angle - dilatancy", self.friction_angle - self.dilatancy, least=0.0)
+        if not any(least):
+            self._check_joint()
         check_crack("MohrCoulomb", self.fracture_energy, 0.0, self.curve)
         check_slip("MohrCoulomb", self.fracture_energy, self.fracture_energy_shear, self.dilatancy, self.band_width)
 
     def _check_joint(self) -> None:
         """Raise InputError for options that a joint without strength does not have."""
         options = "on", "fracture_energy", "fracture_energy_shear", "dilatancy", "band_width", "curve"
-        for name in options:
-            if getattr(self, name):
-                raise InputError(f"MohrCoulomb: a joint of tension = 0 and cohesion = 0 has no {name}; leave it out")
+        given = [name for name in options if getattr(self, name) is not None and getattr(self, name) != 0.0]
+        if given:
+            raise InputError(f"MohrCoulomb: a joint of tension = 0 and cohesion = 0 has no {given[0]}; leave it out")
 
     @property
     def principal(self) -> tuple[float, float, float] | None:
