@@ -205,8 +205,8 @@ def _file_of_run(
     duration = read_contents(path).duration
     if known == identity_of(model, replace(plan, duration=duration), initial):
         raise InputError(
-            f"out = '{path}': the file holds this run with duration = {duration:g} s; for a longer run go on from its"
-            f" end, state=bd.read_run(path).state, and {_OTHER}"
+            f"out = '{path}': the file holds this run with duration = {duration:g} s; for a longer run continue from"
+            f" its end, state=bd.read_run(path).state, and {_OTHER}"
         )
     raise InputError(
         f"out = '{path}': the file does not hold this run (model, options and initial state); delete it, or {_OTHER}"

@@ -38,7 +38,7 @@ def write_vtkhdf(
     Bonds that cross the border of a periodic cell are omitted, as their lines would cross the whole cell.
 
     Args:
-        path: file to write, usually with the suffix .vtkhdf; suffixes of `bd.export`, such as .vtu, are refused.
+        path: file to write, usually with the suffix .vtkhdf; a suffix of `bd.export`, such as .vtu, raises an error.
         lattice: elements and bonds.
         state: state or static solution of the elements; a state adds displacement, orientation as a quaternion (w, x,
             y, z), velocity, angular velocity and integrity. Cells move and turn with it.
