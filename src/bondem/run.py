@@ -202,7 +202,7 @@ def _file_of_run(
     known = identity_in(path)
     if known == identity_of(model, plan, initial):
         return path
-    duration = read_contents(path).duration
+    duration = read_contents(path).duration if known else plan.duration
     if known == identity_of(model, replace(plan, duration=duration), initial):
         raise InputError(
             f"out = '{path}': the file holds this run with duration = {duration:g} s; for a longer run continue from"
