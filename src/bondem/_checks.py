@@ -43,16 +43,9 @@ def shown(value: object) -> str:
 
 
 def number(
-    owner: str,
-    name: str,
-    value: object,
-    *,
-    unit: str = "",
-    above: float | None = None,
-    least: float | None = None,
-    below: float | None = None,
-    advice: str = "",
-) -> float:
+    owner: str, name: str, value: object, *, unit: str = "", above: float | None = None, least: float | None = None,
+    below: float | None = None, advice: str = "",
+) -> float:  # fmt: skip
     """Return a finite number within bounds.
 
     Args:
@@ -80,6 +73,8 @@ def number(
     wanted = advice or _bounds(above, least, below) + (f" [{unit}]" if unit else "")
     if isinstance(value, str) and value.strip()[:1].isdigit():
         wanted += _NOT_TEXT
+    if unit == "rad" and found is not None and below is not None and found >= below:
+        wanted += f"; if degrees are meant, write math.radians({found:g})"
     if found is not None and math.isfinite(found) and not possible(np.array(found)):
         measure += ", beyond any quantity in SI units"
     raise _fault(owner, name, value, wanted, measure)

@@ -32,7 +32,8 @@ _OF_OBJECTS = {
     "forces": "bd.bond_forces(model, state)", "fragments": "bd.fragments(lattice, state)",
     "cracks": "bd.cracks(lattice, state)", "save": "bd.write_vtkhdf, bd.save_particles or out= of a solver",
     "to_vtk": "bd.write_vtkhdf", "volume_fraction": "bd.fabric(lattice)", "broken": ".events",
-    "broken_bonds": "run.events or state.bond_integrity", "to_csv": ".to_pandas().to_csv(file)",
+    "broken_bonds": "run.events or state.bond_integrity",
+    "to_csv": "bd.export('body.csv', lattice, state=state), or pandas.DataFrame({'time': events.time}).to_csv(file)",
     "run": "bd.solve_explicit(model, duration=...)", "solve": "bd.solve_static(model) or bd.solve_explicit",
 }  # fmt: skip
 
@@ -75,6 +76,8 @@ def no_member(thing: object, name: str) -> str:
     members = ((key, getattr(thing, "__dict__", {}).get(key)) for key in fields if not key.startswith("_"))
     inside = [(f".{key}", one) for key, one in members if type(one).__module__.startswith("bondem.")]
     same = [f"{path}.{name}" for path, member in inside if name in dir(member)]
+    if name == "to_csv" and hasattr(thing, "to_pandas"):
+        return f"{message}; use .to_pandas().to_csv(file)"
     if not same and name in _OF_OBJECTS:
         return f"{message}; use {_OF_OBJECTS[name]}"
     near = same or [

@@ -104,7 +104,7 @@ def quantity(name: str, text: str, unit: str) -> float:
     try:
         value = float(Fraction(found.group().replace("_", "")) * given.size / wanted.size)
     except OverflowError:
-        return math.inf
+        return math.copysign(math.inf, -1.0 if written.startswith("-") else 1.0)
     return value * math.pi if given.degrees else value
 
 

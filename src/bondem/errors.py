@@ -93,7 +93,7 @@ class StrengthWarning(UserWarning):
 
 
 class FillingWarning(UserWarning):
-    """Warning of particles that do not fill their shape, or extend beyond it."""
+    """Warning of particles that do not fill their shape, extend beyond it, or have hardly a bond."""
 
 
 class StressFreeWarning(UserWarning):

@@ -29,9 +29,9 @@ from bondem.dynamics.schemes import Scheme, VelocityVerlet
 from bondem.dynamics.timestep import choose_step
 from bondem.errors import InputError, UnstableRunWarning
 from bondem.fracture.growing_cracks import GrowingCracks
-from bondem.io.run_contents import identity_in
+from bondem.io.run_contents import identity_in, read_contents
 from bondem.io.run_identity import identity_of
-from bondem.io.runfile import Checkpoint, RunFile, read_run
+from bondem.io.runfile import Checkpoint, RunFile, ends_at, read_run
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.statics.modes import solve_modes
@@ -41,6 +41,7 @@ from bondem.statics.static import solve_static
 __all__ = ["resume", "solve_explicit", "solve_modes", "solve_relaxed", "solve_static"]
 
 Device = Literal["cpu", "gpu"]
+_OTHER = "give another name"
 
 
 @staged("explicit run")
@@ -94,7 +95,8 @@ def solve_explicit(
             a checkpoint, from which `resume` continues; a second signal stops it at once.
         resume: True to continue the run in the file `out`, if the file has the same model, options and initial state.
             A repeated call then completes a killed run, or returns the result of a complete one. A file of another
-            run or a `callback` raises an error. False to replace a run file; files of other kinds raise an error.
+            run or a `callback` raises an error. False to replace a run file; files of other kinds, and of the run
+            that led to `state`, raise an error.
         progress: function called repeatedly with the completed share, 0 … 1.
         callback: function called as callback(state, record) at each record, with a `History` of this record. The
             function must not change the state, and ends the run by returning True.
@@ -151,6 +153,8 @@ def solve_explicit(
         if found is not None:
             known = model.failure if isinstance(model.failure, StressCriterion) else None
             return _going_on(found, read_run(found, failure=known), device, progress)
+    elif out is not None and state is not None and ends_at(place("out", out), state):
+        raise InputError(f"out = '{out}': the file holds the run that led to state=, and would be lost; {_OTHER}")
     file = nullcontext()
     if out is not None:
         identity = identity_of(model, plan, own)
@@ -195,12 +199,18 @@ def _file_of_run(
     path = place("out", out)
     if not os.path.exists(path):
         return None
-    if identity_in(path) != identity_of(model, plan, initial):
+    known = identity_in(path)
+    if known == identity_of(model, plan, initial):
+        return path
+    duration = read_contents(path).duration if known else plan.duration
+    if known == identity_of(model, replace(plan, duration=duration), initial):
         raise InputError(
-            f"out = '{path}': the file does not hold this run (model, options and initial state); delete it, or give"
-            " another name"
+            f"out = '{path}': the file holds this run with duration = {duration:g} s; for a longer run continue from"
+            f" its end, state=bd.read_run(path).state, and {_OTHER}"
         )
-    return path
+    raise InputError(
+        f"out = '{path}': the file does not hold this run (model, options and initial state); delete it, or {_OTHER}"
+    )
 
 
 @staged("resumed run")

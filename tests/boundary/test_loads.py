@@ -321,6 +321,7 @@ def test_pauses_and_a_restart_change_no_bit(tmp_path, record: Record) -> None:
 
 def test_loads_that_make_no_sense_are_refused() -> None:
     model = bd.Model(rod(3), LAW, RHO)
+    pulse = bd.Table([0.0, 1e-5], [0.0, 1e8])
     for make, message in (
         (lambda: bd.BodyForce((0.0, 1.0)), "three finite"),
         (lambda: bd.Pressure(bd.Index([0]), 1.0), "is not a face"),
@@ -329,6 +330,10 @@ def test_loads_that_make_no_sense_are_refused() -> None:
         (lambda: bd.Absorbing(bd.Face("x_min"), density=1.0, E=1e9, nu=0.5), "Poisson"),
         (lambda: bd.Eigenstrain(0.5, schedule=bd.Ramp(0.0, -2.5, 1.0)), "above -1"),
         (lambda: model.with_boundary([bd.Pressure(bd.Face("side"), 1.0)]), "no face 'side'"),
+        (lambda: bd.Pressure(bd.Face("x_min"), pulse), "pressure = .*schedule=bd.Table"),
+        (lambda: bd.Load(bd.Face("x_min"), force=(pulse, 0.0, 0.0)), "force = .*schedule=bd.Table"),
+        (lambda: bd.BodyForce((0.0, 0.0, pulse)), "acceleration = .*schedule=bd.Table"),
+        (lambda: bd.Eigenstrain(pulse), "strain = .*schedule=bd.Table"),
     ):
         with pytest.raises(InputError, match=message):
             make()

@@ -68,6 +68,7 @@ def test_names_follow_the_input_and_the_code() -> None:
     ({"seed": 3}, "did you mean 'campaign.seeds'"),
     ({"vary": {"specimen.count": 3}}, "give a list of values of 'specimen.count'"),
     ({"vary": {"specimen": {"count": [100, 100]}}}, "contains a value twice"),
+    ({"vary": {"specimen.radius": [3e-3, "3 mm"]}}, "contains a value twice"),
     ({"vary": {"specimen.cuont": [100]}}, "did you mean 'specimen.count'"),
     ({"vary": {"specimen.count": [100, -1]}}, r"= -1.*\(specimen of specimen.count = -1, seed = 3\)"),
     ({"vary": {"seed": [1]}}, "give seeds as 'campaign.seeds'"),
@@ -128,6 +129,16 @@ def test_of_more_seeds_only_those_are_done(tmp_path: Path) -> None:
     again = bd.run_campaign(campaign(seeds=3), tmp_path, workers=1)
     assert (again["finished"], again["before"]) == (6, 4)
     assert bd.campaign_dataset(tmp_path).sizes == {"count": 2, "seed": 3}
+
+
+def test_values_with_units_are_numbers_of_the_table(tmp_path: Path) -> None:
+    document = PACKED | {"specimen": PACKED["specimen"] | {"shape": "box"}, "packings": 1}
+    varied = {"seeds": 1, "vary": {"specimen.spread": ["40 %", 0.5, "8 %"]}}
+    few = parse_campaign(document | {"campaign": varied})
+    assert few.specimens[0].varied["specimen.spread"] == "40 %"
+    bd.run_campaign(few, tmp_path, workers=1)
+    assert bd.campaign_table(tmp_path)["specimen.spread"].tolist() == [0.4, 0.5, 0.08]
+    assert bd.campaign_dataset(tmp_path)["spread"].values.tolist() == [0.08, 0.4, 0.5]
 
 
 def test_specimens_that_cannot_be_done_are_told_with_their_input(tmp_path: Path) -> None:

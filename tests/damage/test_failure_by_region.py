@@ -3,6 +3,7 @@
 import math
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -19,7 +20,10 @@ E, RHO = 30e9, 2400.0
 STRONG = bd.Rankine(tension=4e6, fracture_energy=60.0)
 WEAK = bd.Rankine(tension=2e6, fracture_energy=30.0, friction=0.3)
 BRITTLE = bd.MohrCoulomb(tension=2e6, cohesion=1e6, friction_angle=0.5)
+SOFT = bd.MohrCoulomb(tension=4e6, cohesion=9e6, friction_angle=0.5, fracture_energy=60.0)
+OPEN = bd.MohrCoulomb(tension=0.0, cohesion=0.0, friction_angle=0.5)
 MIDDLE = bd.Within(bd.Box((6e-3, 2 * WIDTH, 2 * WIDTH)).moved((9e-3, -0.5 * WIDTH, -0.5 * WIDTH)))
+BETWEEN = (MIDDLE, bd.Everything() - MIDDLE)
 
 
 def model(failure: object, **others) -> bd.Model:
@@ -158,6 +162,33 @@ def test_the_implied_fracture_is_that_of_most_facets() -> None:
     assert (found.strength, found.fracture_energy, found.softens) == (4e6, 60.0, True)
 
 
+@pytest.mark.filterwarnings("ignore::bondem.errors.RaggedInterfaceWarning")
+@pytest.mark.parametrize("rock", [SOFT, BRITTLE, replace(SOFT, curve=bd.Bilinear()), STRONG])
+def test_a_joint_without_cohesion_parts_under_the_least_pull(rock: Any, tmp_path: Path) -> None:
+    """Only facets of the joint break, all of them, and no warning or message doubts their energy."""
+    joined = model({bd.Everything(): rock, BETWEEN: OPEN}, boundary=ends(1e-2))
+    run = bd.solve_explicit(joined, duration=2e-5, every=10, out=tmp_path / "run.h5")
+    inside = np.isin(joined.lattice.pairs, MIDDLE.select(joined.lattice)).sum(axis=1) == 1
+    assert np.array_equal(np.sort(run.events.bond), np.flatnonzero(inside))
+    assert run.events.energy.sum() < 1e-3 * 60.0 * run.fracture_area
+    assert "G_f" not in run.message
+    assert bd.read_run(tmp_path / "run.h5").model.failure == joined.failure
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"cohesion": 1e6}, "tension = 0.*0 for both tension and cohesion"),
+        ({"cohesion": 0.0, "fracture_energy": 1.0}, "has no fracture_energy"),
+        ({"cohesion": 0.0, "dilatancy": 0.1}, "has no dilatancy"),
+        ({"cohesion": 0.0, "friction_angle": 35.0}, r"write math.radians\(35\)"),
+    ],
+)
+def test_a_joint_has_both_strengths_or_none(options: dict[str, float], message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        bd.MohrCoulomb(**{"tension": 0.0, "friction_angle": 0.5} | options)
+
+
 @pytest.mark.parametrize(
     ("failure", "message"),
     [
@@ -168,6 +199,11 @@ def test_the_implied_fracture_is_that_of_most_facets() -> None:
         ({bd.Everything(): STRONG, (MIDDLE, MIDDLE, MIDDLE): WEAK}, "names 3 regions"),
         ({bd.Everything(): STRONG, "middle": WEAK}, "failure="),
         ({bd.Everything(): STRONG, MIDDLE: BRITTLE}, "single bonds"),
+        (OPEN, "describe a joint; give them to a pair of regions"),
+        ({bd.Everything(): SOFT, MIDDLE: OPEN}, "describe a joint; give them to a pair of regions"),
+        ({BETWEEN: OPEN}, "describe a joint; give them to a pair of regions"),
+        ({bd.Everything(): SOFT, BETWEEN: replace(SOFT, dilatancy=0.2)}, "leave out dilatancy= and band_width="),
+        ({bd.Everything(): SOFT, BETWEEN: replace(SOFT, band_width=2e-3)}, "leave out dilatancy= and band_width="),
         ({bd.Everything(): STRONG, MIDDLE: replace(WEAK, curve=bd.Bilinear())}, "curve"),
         ({bd.Everything(): STRONG, MIDDLE: bd.Hydrostatic(tension=2e6, fracture_energy=30.0)}, "may differ"),
         ({bd.Everything(): bd.PeripheralStress(tension=1e6, shear=1e6)}, "applies to beams"),

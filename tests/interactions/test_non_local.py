@@ -79,6 +79,13 @@ def test_lever_on_the_line_of_centres_is_exact_on_average_only(body: bd.Lattice)
     assert 0.02 < np.abs(found - 1.0).mean() < 0.2
 
 
+def test_advice_on_stress_free_strains_can_be_followed(body: bd.Lattice):
+    with pytest.raises(InputError, match="Eigenstrain needs stored rest lengths; NonLocal has none"):
+        bd.Model(body, bd.NonLocal(E=E, nu=0.2), density=RHO, boundary=[bd.Eigenstrain(1e-4)])
+    with pytest.raises(InputError, match="eigenstrain needs stored rest lengths; NonLocal has none"):
+        bd.Model(body, bd.NonLocal(E=E, nu=0.2), density=RHO).state().set_eigenstrain(1e-4)
+
+
 def test_path_leaves_no_trace(body: bd.Lattice):
     """The stress at the end does not know in how many steps the strain was applied, nor whether rounds were mixed."""
     slip = strained(body, np.diag([1.0, 0.0, 0.0]))

@@ -173,6 +173,27 @@ def test_fields_of_a_state_are_not_replaced(spheres: bd.Lattice, tmp_path: Path)
     np.testing.assert_array_equal(back.radius, spheres.particles.radius)
 
 
+def test_stresses_are_nine_columns_and_tensors(body: bd.Lattice, tmp_path: Path) -> None:
+    stress = np.random.default_rng(2).standard_normal((len(body.particles), 3, 3))
+    bd.export(tmp_path / "x.csv", body, elements={"stress": stress})
+    table = pd.read_csv(tmp_path / "x.csv")
+    np.testing.assert_array_equal(table["stress_xz"], stress[:, 0, 2])
+    np.testing.assert_array_equal(table["stress_zy"], stress[:, 2, 1])
+    bd.export(tmp_path / "x.vtu", body, elements={"stress": stress})
+    blocks = meshio.read(tmp_path / "x.vtu").cell_data["stress"]
+    assert np.sort(np.vstack(blocks), axis=0) == pytest.approx(np.sort(stress.reshape(-1, 9), axis=0))
+
+
+def test_hdf5_is_not_written_under_the_suffix_of_another_format(body: bd.Lattice, tmp_path: Path) -> None:
+    model = bd.Model(body, bd.CellBond(E=1e9, nu=0.2), density=2000.0)
+    for suffix in (".vtu", ".csv", ".VTK"):
+        with pytest.raises(InputError, match=f"write_vtkhdf: path = .*x{suffix}': the file is HDF5.*bd.export"):
+            bd.write_vtkhdf(tmp_path / f"x{suffix}", body)
+        with pytest.raises(InputError, match=r"out = .*the file is HDF5"):
+            bd.solve_explicit(model, duration=0.0, out=tmp_path / f"x{suffix}")
+    assert not list(tmp_path.iterdir())
+
+
 def test_cells_are_not_written_as_spheres(body: bd.Lattice, tmp_path: Path) -> None:
     for suffix in (".data", ".msh"):
         with pytest.raises(InputError, match="hold spheres, not cells"):

@@ -105,6 +105,24 @@ def test_a_finished_run_resumes_to_itself(tmp_path):
     np.testing.assert_array_equal(again.state.pose, done.state.pose)
 
 
+def test_a_complete_run_goes_on_in_another_file(tmp_path):
+    first, second = tmp_path / "run.h5", tmp_path / "more.h5"
+    model = cantilever()
+    done = bd.solve_explicit(model, duration=1e-5, out=first, resume=True)
+    with pytest.raises(InputError, match=r"holds this run with duration = 1e-05 s; .*state=bd.read_run"):
+        bd.solve_explicit(model, duration=2e-5, out=first, resume=True)
+    with pytest.raises(InputError, match="does not hold this run"):
+        bd.solve_explicit(model, duration=2e-5, every=7, out=first, resume=True)
+    before = bd.read_run(first)
+    for state in (before.state, done.state):
+        with pytest.raises(InputError, match="holds the run that led to state=, and would be lost"):
+            bd.solve_explicit(before.model, state=state, duration=1e-5, out=first)
+    more = bd.solve_explicit(before.model, state=before.state, duration=1e-5, out=second)
+    assert more.state.time == pytest.approx(2e-5, rel=1e-2)
+    assert bd.read_run(first).state.time == done.state.time
+    bd.solve_explicit(model, duration=1e-5, out=first)  # the run itself may be repeated
+
+
 def test_a_stopped_run_stays_stopped(tmp_path):
     model = cantilever()
     stop = bd.AtRest(speed=1e3, after=1e-6)

@@ -76,6 +76,18 @@ def test_a_wrong_attribute_of_a_module_gets_a_suggestion(words, call):
         call()
 
 
+def test_advice_for_tables_is_that_of_the_object():
+    lattice = bd.Lattice(bd.Particles([(0.0, 0.0, 0.0), (2e-3, 0.0, 0.0)], 1e-3), [(0, 1)])
+    model = bd.Model(lattice, bd.Timoshenko(E=1e9, nu=0.2, radius_ratio=0.5), density=2000.0)
+    run = bd.solve_explicit(model, duration=0.0)
+    with pytest.raises(AttributeError, match=r"use \.to_pandas\(\)\.to_csv\(file\)"):
+        run.history.to_csv  # noqa: B018
+    for one in (run.events, run.state, lattice, model):
+        with pytest.raises(AttributeError, match=r"bd\.export") as caught:
+            one.to_csv  # noqa: B018
+        assert "to_pandas" not in str(caught.value)
+
+
 def test_modules_list_what_users_need_and_nothing_else():
     assert dir(bd.labtests) == sorted(bd.labtests.__all__)
     assert {"brazilian", "three_point_bending"} <= set(dir(bd.labtests))

@@ -47,6 +47,8 @@ SAME = {
     ("35 deg", "rad"): math.radians(35),
     ("35°", "rad"): math.radians(35),
     ("0.61 rad", "rad"): 0.61,
+    ("1e999 m", "m"): math.inf,
+    ("-1e999 m", "m"): -math.inf,
 }
 
 

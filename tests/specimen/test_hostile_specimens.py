@@ -278,3 +278,15 @@ def test_what_is_packed_carved_or_kept_in_a_file_is_not_doubted(tmp_path):
     # and it does stick out: a shape given with it is doubted
     with pytest.warns(FillingWarning, match="stick out"):
         bd.Particles(part.particles.position, part.particles.radius, shape=part.particles.shape)
+
+
+def test_centres_of_cells_bonded_as_spheres_are_doubted() -> None:
+    box = bd.Box((4e-2, 1e-2, 1e-2))
+    centres = bd.pack(box, count=300, method="even", seed=1)
+    with pytest.warns(FillingWarning, match='300 equal spheres touch in only .* give method="laguerre"'):
+        bd.connect(centres)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        bd.connect(centres, reach=1.5)
+        bd.connect(centres, method="laguerre")
+        bd.connect(bd.pack(box, count=300, sizes=None, seed=1))

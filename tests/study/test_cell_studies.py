@@ -238,6 +238,13 @@ def test_a_section_through_cells_has_the_area_of_the_shape(body):
     ({"bond": {"law": "CellBond", "reach": 1.1}}, "'bond.reach'"),
     ({"bond": {"law": "CellBond", "facet_rotation": "twist"}}, "facet_rotation"),
     ({"bond": {"law": "Cellbond"}}, "did you mean 'CellBond'"),
+    ({"bond": {}, "specimen": STUDY["specimen"] | {"method": "even"}}, 'hardly touch; set law = "CellBond"'),
+    ({"failure": {"criterion": "MohrCoulomb", "cohesion": 2e7}}, "key 'failure.tension' is missing"),
+    ({"failure": {"tension": 8e6, "cohesion": 2e7}}, "key 'failure.criterion' is missing"),
+    (
+        {"failure": {"criterion": "MohrCoulomb", "tension": 8e6, "cohesion": 2e7, "friction_angle": 59.8}},
+        "'failure.friction_angle' = 59.8; .*write \"59.8 deg\"",
+    ),
 ])  # fmt: skip
 def test_keys_that_cells_do_not_have_are_refused(changed, told):
     with pytest.raises(StudyError, match=told):

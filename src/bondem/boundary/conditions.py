@@ -18,7 +18,7 @@ from bondem.boundary.loads import (
     on_nodes,
     patches_on,
 )
-from bondem.boundary.schedules import Constant, Schedule, as_schedule
+from bondem.boundary.schedules import Constant, Schedule, as_schedule, refuse_schedule
 from bondem.errors import InputError
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Region, as_region
@@ -172,6 +172,7 @@ class Load:
     def __post_init__(self) -> None:
         as_region("Load", self.region)
         for name in ("force", "moment"):
+            refuse_schedule("Load", name, getattr(self, name))
             object.__setattr__(self, name, vector("Load", name, getattr(self, name)))
         object.__setattr__(self, "schedule", as_schedule("Load", "schedule", self.schedule))
 

@@ -11,7 +11,7 @@ from bondem._checks import array, instance, number, possible, shown, vector
 from bondem._plausibility import physical
 from bondem._types import Floats, Ints, PerBond, PerElement, PerElement3, Triple
 from bondem.boundary.balanced_forces import balanced_forces
-from bondem.boundary.schedules import Constant, Schedule, as_schedule
+from bondem.boundary.schedules import Constant, Schedule, as_schedule, refuse_schedule
 from bondem.errors import InputError
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material, of_material
@@ -42,6 +42,7 @@ class BodyForce:
     schedule: Schedule = Constant(1.0)
 
     def __post_init__(self) -> None:
+        refuse_schedule("BodyForce", "acceleration", self.acceleration)
         if not callable(self.acceleration):
             object.__setattr__(self, "acceleration", _accelerations(self.acceleration))
         as_region("BodyForce", self.region)
@@ -133,6 +134,7 @@ class Pressure:
 
     def __post_init__(self) -> None:
         face_of("Pressure", self.region)
+        refuse_schedule("Pressure", "pressure", self.pressure)
         object.__setattr__(self, "pressure", number("Pressure", "pressure", self.pressure, unit="Pa"))
         object.__setattr__(self, "schedule", as_schedule("Pressure", "schedule", self.schedule))
         instance("Pressure", "follows", self.follows, bool, "True or False")
@@ -256,6 +258,7 @@ class Eigenstrain:
     def __post_init__(self) -> None:
         as_region("Eigenstrain", self.region)
         object.__setattr__(self, "schedule", as_schedule("Eigenstrain", "schedule", self.schedule))
+        refuse_schedule("Eigenstrain", "strain", self.strain)
         if callable(self.strain):
             return
         values = array("Eigenstrain", "strain", self.strain, wanted="one strain, or (n,), or a function of centres")

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._checks import array, instance, number
+from bondem._checks import array, instance, number, shown
 from bondem._types import ArrayLike, Floats
 from bondem.errors import InputError
 
@@ -131,3 +131,12 @@ def as_schedule(owner: str, name: str, value: "float | Schedule") -> Schedule:
     if isinstance(value, str) or not np.isscalar(value):
         instance(owner, name, value, Schedule, "a number, or a schedule such as bd.Ramp(0, 1, duration)")
     return Constant(number(owner, name, value))
+
+
+def refuse_schedule(owner: str, name: str, value: object) -> None:
+    """Raise InputError if the size of a load is a schedule, or contains one."""
+    if any(isinstance(one, Schedule) for one in (value if isinstance(value, list | tuple) else (value,))):
+        raise InputError(
+            f"{owner}: {name} = {shown(value)} changes in time; give numbers, and their factor over time as"
+            " schedule=bd.Table(times, factors)"
+        )

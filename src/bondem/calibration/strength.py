@@ -88,13 +88,9 @@ class StrengthCalibration:
         return Sample(self.nearest.parameters[parameter] * np.exp(shift))
 
     def interval(
-        self,
-        parameter: str,
-        measured: Mapping[str, Sequence[float]] | None = None,
-        *,
-        kind: Kind = "confidence",
+        self, parameter: str, measured: Mapping[str, Sequence[float]] | None = None, *, kind: Kind = "confidence",
         level: float = 0.95,
-    ) -> tuple[float, float]:
+    ) -> tuple[float, float]:  # fmt: skip
         """Compute an interval of a parameter from the scatter of packings.
 
         The logarithms of the values of `sample` are taken as normally distributed; see `Sample.interval`.

@@ -1,5 +1,6 @@
 """Specimens of a campaign, from a study file with a table [campaign]."""
 
+import contextlib
 import copy
 import hashlib
 import math
@@ -12,8 +13,10 @@ from pathlib import Path
 from typing import Any
 
 from bondem._checks import place, shown
-from bondem.errors import StudyError
+from bondem._units import quantity
+from bondem.errors import InputError, StudyError
 from bondem.io.text_file import read_text
+from bondem.study.declared import KeyTable, Number
 from bondem.study.keys import STUDY
 from bondem.study.programme import document_hash
 from bondem.study.programme_run import code_hash
@@ -118,7 +121,7 @@ def parse_campaign(data: Mapping[str, Any], *, folder: Path = Path()) -> Campaig
         raise StudyError("[campaign] is missing; give one with 'seeds' or [campaign.vary], or use bondem run")
     if "specimens" in data:
         raise StudyError("[[specimens]] belong to a test programme; give one [specimen], which the campaign varies")
-    if "packings" in data:
+    if data.get("packings", 1) != 1:
         raise StudyError(
             "'packings' is not an option of a campaign, whose specimens have one packing each; give 'campaign.seeds'"
         )
@@ -157,10 +160,22 @@ def _vary(table: TomlTable) -> list[tuple[str, list[Any]]]:
             raise StudyError(f"'{where}': cannot be varied; give seeds as 'campaign.seeds'")
         if not isinstance(values, list) or not values:
             raise StudyError(f"'{where}' = {shown(values)}: not a list; give a list of values of '{key}'")
-        if any(values.count(value) > 1 for value in values):
+        plain = [in_si(key, value) for value in values]
+        if any(plain.count(value) > 1 for value in plain):
             raise StudyError(f"'{where}' contains a value twice; remove one")
         found.append((key, values))
     return found
+
+
+def in_si(key: str, value: Any) -> Any:
+    """Return a value of the study's dotted key; a text with a unit as a number in SI units."""
+    known: Any = STUDY
+    for name in key.split("."):
+        known = known.keys.get(name) if isinstance(known, KeyTable) else None
+    if isinstance(known, Number) and isinstance(value, str):
+        with contextlib.suppress(InputError):  # the study refuses the text, or its criterion has another unit
+            return quantity(key, value, known.unit)
+    return value
 
 
 def flat(table: Mapping[str, Any], path: str = "") -> Iterator[tuple[str, Any]]:

@@ -7,6 +7,7 @@ from typing import Any
 
 from bondem._checks import place
 from bondem._extras import needed
+from bondem.campaign.sweep import in_si
 from bondem.errors import InputError
 from bondem.io.atomic import replacing
 
@@ -32,7 +33,8 @@ def write_tables(rows: Iterable[dict[str, Any]], keys: Sequence[str], out: Path)
         out: folder of the campaign.
     """
     flat = [
-        {"name": row["name"], **{key: _plain(row["varied"][key]) for key in keys}, **row["values"]} for row in rows
+        {"name": row["name"], **{key: _plain(in_si(key, row["varied"][key])) for key in keys}, **row["values"]}
+        for row in rows
     ]
     frame = needed("pandas", "campaign").DataFrame(flat)
     frame = frame.loc[:, ~frame.columns.duplicated()]
@@ -50,8 +52,9 @@ def campaign_table(out: str | Path) -> Any:
         out: folder of the campaign.
 
     Returns:
-        A pandas.DataFrame with one row per finished specimen. Its columns are the name, varied values, and numbers
-        and texts of its `results.json` by dotted names such as "macro.E" [Pa] and "tests.ucs.measured" [Pa].
+        A pandas.DataFrame with one row per finished specimen. Its columns are the name, varied values (3e6 for
+        "3 MPa"), and numbers and texts of its `results.json` by dotted names such as "macro.E" [Pa] and
+        "tests.ucs.measured" [Pa].
 
     Raises:
         InputError: the folder has no table.

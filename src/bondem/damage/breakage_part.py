@@ -12,13 +12,9 @@ from bondem.interactions.step_part import Part, Passes
 
 
 def breakage(
-    damage: DamageTables,
-    state: FailingState,
-    shared: StepTables,
-    beams: Beams,
-    uniform: UniformBeams | None,
+    damage: DamageTables, state: FailingState, shared: StepTables, beams: Beams, uniform: UniformBeams | None,
     dashpots: Dashpots | None,
-) -> Part:
+) -> Part:  # fmt: skip
     """Return the part of a step by which beams break at once, with their dashpots if given."""
     moving, candidates, postponed = shared.moving, damage.candidates, damage.postponed
     per_length = np.zeros(0) if uniform is None else uniform.per_length
@@ -33,14 +29,9 @@ def breakage(
 
 
 def facet_breakage(
-    damage: DamageTables,
-    state: FailingState,
-    shared: StepTables,
-    facets: ElasticFacets,
-    walls: WallConstraints,
-    release: FacetRelease,
-    dashed: tuple[tuple[Dashpots, Beams], ...],
-) -> Part:
+    damage: DamageTables, state: FailingState, shared: StepTables, facets: ElasticFacets, walls: WallConstraints,
+    release: FacetRelease, dashed: tuple[tuple[Dashpots, Beams], ...],
+) -> Part:  # fmt: skip
     """Return the part of a step by which facets break at once; `dashed` are dashpots with the beams they act on."""
     moving, candidates, postponed = shared.moving, damage.candidates, damage.postponed
     by_kind = steps.JUDGE_FACETS_BY[damage.table.kind]

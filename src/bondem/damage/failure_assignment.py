@@ -1,13 +1,15 @@
 """Assignment of failure criteria to bonds and cells: one for all, or criteria by region."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import TypeGuard
 
 import numpy as np
 
 from bondem._checks import instance
 from bondem._types import Ints
 from bondem.damage.criteria.criterion import BondCriterion, Criterion
+from bondem.damage.criteria.mohr_coulomb import MohrCoulomb
 from bondem.errors import InputError
 from bondem.interactions.beams.assignment import ends_of
 from bondem.specimen.lattice import Lattice
@@ -16,6 +18,8 @@ from bondem.specimen.regions import Region
 FailureAssignment = Criterion | Mapping[Region | tuple[Region, Region], Criterion]
 
 _WANTED = "a criterion such as bd.PeripheralStress(...), or None"
+# Strength of a joint without cohesion over that of the body [-], and its fracture energy over its strength [m].
+_NO_STRENGTH, _NO_OPENING = 1e-9, 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,6 +32,7 @@ class FailurePart:
         elements: cells that yield by the criterion, user's order.
         plane: True if the facets form a material plane, evaluated by their own traction, not by the stress of cells.
         between: the two regions of a pair whose facets are not evaluated by the stress of cells; None otherwise.
+        open: True for a joint without cohesion, whose facets absorb nothing.
     """
 
     criterion: Criterion
@@ -35,21 +40,43 @@ class FailurePart:
     elements: Ints
     plane: bool = False
     between: tuple[Region, Region] | None = None
+    open: bool = False
 
 
 def criteria_of(failure: object) -> tuple[Criterion, ...]:
-    """Return the criteria of an assignment, in its order.
+    """Return the criteria of an assignment, in its order; joints without cohesion have a strength that nothing feels.
 
     Raises:
-        InputError: There is no criterion, or the criteria cannot be combined.
+        InputError: There is no criterion, the criteria cannot be combined, or a joint is none of two regions.
     """
     if not isinstance(failure, Mapping):
-        return (instance("Model", "failure", failure, Criterion, f"{_WANTED}, or {{region: criterion}}"),)
-    found = tuple(instance("Model", "failure", one, Criterion, _WANTED) for one in failure.values())
+        failure = {None: instance("Model", "failure", failure, Criterion, f"{_WANTED}, or {{region: criterion}}")}
+    found = {where: instance("Model", "failure", one, Criterion, _WANTED) for where, one in failure.items()}
     if not found:
         raise InputError("failure = {} has no region; give {region: criterion}, one criterion, or None")
-    _check_combined(found)
-    return found
+    others = [one for one in found.values() if not _is_open(one)]
+    if any(_is_open(one) and not (others and isinstance(where, tuple)) for where, one in found.items()):
+        raise InputError(
+            "MohrCoulomb: tension = 0 and cohesion = 0 describe a joint; give them to a pair of regions, such as"
+            " failure={bd.Everything(): rock, (plane, bd.Everything() - plane): joint}"
+        )
+    combined = tuple(_as_weak(one, others) if _is_open(one) else one for one in found.values())
+    _check_combined(combined)
+    return combined
+
+
+def _is_open(criterion: Criterion) -> TypeGuard[MohrCoulomb]:
+    return isinstance(criterion, MohrCoulomb) and criterion.tension == 0.0
+
+
+def _as_weak(joint: MohrCoulomb, others: list[Criterion]) -> Criterion:
+    """Return a joint without strength as one that every load breaks, and that softens as the `others` do."""
+    strength = _NO_STRENGTH * max(getattr(one, "tension", None) or 1.0 for one in others)
+    soft = [getattr(one, "curve", None) for one in others if getattr(one, "fracture_energy", None)]
+    energy, curve = (_NO_OPENING * strength, soft[0]) if soft else (None, None)
+    return replace(
+        joint, tension=strength, cohesion=strength, fracture_energy=energy, fracture_energy_shear=energy, curve=curve
+    )
 
 
 def _check_combined(found: tuple[Criterion, ...]) -> None:
@@ -108,11 +135,16 @@ def failure_parts(lattice: Lattice, failure: FailureAssignment) -> tuple[Failure
             " entry for bd.Everything() before the others, or (region, region): criterion for bonds between regions"
         )
     parts = []
-    for number, (one, where) in enumerate(zip(found, failure, strict=True)):
+    for number, (one, (where, given)) in enumerate(zip(found, failure.items(), strict=True)):
         pair = where if isinstance(where, tuple) else None
         plane, own = _is_plane(one, between=pair is not None), not one._softenings
+        if plane and pair and any(slip.dilation or slip.width for soft in one._softenings for slip in soft.slips):
+            raise InputError(
+                f"{type(one).__name__}: the plane between two regions neither dilates nor has a band width; leave out"
+                " dilatancy= and band_width= for the pair"
+            )
         bonds, elements = np.flatnonzero(of_bond == number), np.flatnonzero(of_element == number)
-        parts.append(FailurePart(one, bonds, elements, plane, pair if plane or own else None))
+        parts.append(FailurePart(one, bonds, elements, plane, pair if plane or own else None, _is_open(given)))
     return tuple(parts)
 
 

@@ -201,6 +201,8 @@ class SofteningTable:
                 require_short(facets.span[part.bonds], cells.modulus[layout.i[own]], soft)
                 end = stiff * soft.last * soft.fracture_energy / strength[own]
                 last[own] = np.maximum(end, SNAP * strength[own] / soft.steep)
+            if part.open:
+                absorbed[own] = np.inf
         depth = np.where(layout.flipped, facets.depth_j[order], facets.depth_i[order])
         other = np.where(layout.flipped, facets.depth_i[order], facets.depth_j[order])
         soft_i, soft_j = depth / cells.G[layout.i], other / cells.G[layout.j]

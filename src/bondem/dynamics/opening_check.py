@@ -50,7 +50,8 @@ def doubt_about_openings(state: State, dt: float) -> str:
         return ""
     rows = state.broken[state.broken[:, EventColumn.TIME] > state.time - (state.step + 0.5) * dt]
     rows = rows[np.isfinite(rows[:, EventColumn.OPENING_STEPS])]
-    rows = rows[table.last[rows[:, EventColumn.BOND].astype(np.int64)] > 0.0]  # brittle facets have no curve
+    # brittle facets and joints without cohesion have no curve
+    rows = rows[np.isfinite(table.absorbed[rows[:, EventColumn.BOND].astype(np.int64)])]
     facet = rows[:, EventColumn.BOND].astype(np.int64)
     steps, energy = rows[:, EventColumn.OPENING_STEPS], rows[:, EventColumn.ENERGY]
     error = opening_error(table, facet, steps)

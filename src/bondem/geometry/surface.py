@@ -69,15 +69,10 @@ class Surface(Shape):
     sharp: float
 
     def __init__(
-        self,
-        file: str | Path | Any | None = None,
-        *,
-        unit: str | float | None = None,
-        vertices: ArrayLike | None = None,
-        triangles: ArrayLike | None = None,
-        named: Mapping[str, ArrayLike] | None = None,
-        sharp: float = _SHARP,
-    ) -> None:
+        self, file: str | Path | Any | None = None, *, unit: str | float | None = None,
+        vertices: ArrayLike | None = None, triangles: ArrayLike | None = None,
+        named: Mapping[str, ArrayLike] | None = None, sharp: float = _SHARP,
+    ) -> None:  # fmt: skip
         """Read a surface from a file, or make it from arrays.
 
         Args:

@@ -50,7 +50,7 @@ def export(
         lattice: elements and bonds, or cells.
         state: state of the elements; adds displacement, velocity and (.vtu, .vtk) orientation; omits broken bonds.
         density: density of the elements [kg/m³], required for LAMMPS data files.
-        elements: further fields by name, each (n,) or (n, k), for CSV, dumps and meshio.
+        elements: further fields by name, each (n,), (n, k) or (n, 3, 3), for CSV, dumps and meshio.
 
     Raises:
         InputError: an unknown format, one that cannot represent these elements, a field of the wrong length or with a
@@ -84,6 +84,14 @@ def export(
         writer(new, frame, suffix)
 
 
+def refuse_suffix(argument: str, path: Path) -> None:
+    """Raise InputError for an HDF5 file with the suffix of a format of `export`, in which programs would read it."""
+    if path.suffix.lower() in _WRITERS:
+        raise InputError(
+            f"{argument} = '{path}': the file is HDF5, not {path.suffix}; give .vtkhdf or .h5, or use bd.export"
+        )
+
+
 def _check_names(frame: "_Frame", given: Mapping[str, ArrayLike], suffix: str) -> None:
     """Reject field names that the format cannot represent, and fields whose columns would have equal names."""
     own = {"x", "y", "z", frame.lattice.elements.size_column[0]}
@@ -107,7 +115,7 @@ class _Frame:
         state: state of the elements, or None.
         position: centres [m], of cells their centroids, (n, 3).
         density: density of the elements [kg/m³], or None.
-        fields: fields of the elements by name, each (n,) or (n, k).
+        fields: fields of the elements by name, each (n,), (n, k) or (n, 3, 3).
     """
 
     lattice: Lattice
@@ -122,14 +130,14 @@ class _Frame:
     ) -> "_Frame":
         instance("export", "elements", elements or {}, Mapping, "fields by name")
         fields: dict[str, Floats] = {}
+        n = len(lattice.particles)
         if state is not None:
             fields |= {"displacement": state.displacement, "velocity": state.velocity}
         for name, values in (elements or {}).items():
             found = array("export", f"elements['{name}']", values, wanted="numbers of the elements")
-            if found.ndim not in (1, 2) or len(found) != len(lattice.particles):
+            if (found.ndim not in (1, 2) and found.shape[1:] != (3, 3)) or len(found) != n:
                 raise InputError(
-                    f"export: elements['{name}'] has shape {found.shape}; give ({len(lattice.particles)},) or"
-                    f" ({len(lattice.particles)}, k)"
+                    f"export: elements['{name}'] has shape {found.shape}; give ({n},), ({n}, k) or ({n}, 3, 3)"
                 )
             fields[name] = found
         position = lattice.centre if state is None else lattice.centre + state.displacement
@@ -143,7 +151,7 @@ class _Frame:
 
     @property
     def columns(self) -> dict[str, Floats]:
-        """Columns of all fields, (n,) each, by name: "NAME_x" … of vectors, "NAME_0" … of fields of other widths."""
+        """Columns of all fields, (n,) each: "NAME_x" … of vectors, "NAME_xx" … of tensors, "NAME_0" … of others."""
         return {key: values for name in self.fields for key, values in self.columns_of(name).items()}
 
     def columns_of(self, name: str) -> dict[str, Floats]:
@@ -151,6 +159,8 @@ class _Frame:
         values = self.fields[name]
         if values.ndim == 1:
             return {name: values}
+        if values.ndim == 3:
+            return {f"{name}_{a}{b}": values[:, i, j] for i, a in enumerate("xyz") for j, b in enumerate("xyz")}
         ends = "xyz" if values.shape[1] == 3 else range(values.shape[1])
         return {f"{name}_{end}": values[:, k] for k, end in enumerate(ends)}
 
@@ -219,7 +229,8 @@ def _write_mesh(path: Path, frame: _Frame, suffix: str) -> None:
     meshio = needed("meshio", "exchange")
     name, size = frame.lattice.elements.size_column
     turned = {} if frame.state is None or suffix in _UNTURNED else {"orientation": frame.state.orientation}
-    fields = {name: size, **turned, **frame.fields}
+    flat = {key: values.reshape(len(values), -1) for key, values in frame.fields.items() if values.ndim == 3}
+    fields = {name: size, **turned, **frame.fields, **flat}
     if frame.lattice.cells is not None:
         points, blocks, order = _polyhedra(frame)
         data = {key: [values[chosen] for chosen in order] for key, values in fields.items()}

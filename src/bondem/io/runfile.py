@@ -40,6 +40,7 @@ from bondem.io.atomic import require_writable
 from bondem.io.bodies import complete_body, read_bonds, read_elements, write_bonds, write_elements
 from bondem.io.codec import decode, encode
 from bondem.io.digest import agree, arrays_of, digest_of, fixed, text_of
+from bondem.io.exporting import refuse_suffix
 from bondem.io.hdf5 import FORMAT as HDF5
 from bondem.io.hdf5 import Kind, array_at, damage, reading, refuse_newer, write_head
 from bondem.io.journal import JournaledFile, committed
@@ -121,6 +122,7 @@ class RunFile:
         goes_on: Checkpoint | None = None, identity: str = "",
     ) -> None:  # fmt: skip
         self.path = place("out", path)
+        refuse_suffix("out", self.path)
         require_writable(self.path, "run file")
         self._model, self._plan, self._identity = model, plan, identity
         self._cracks = cracks if model.fails else None
@@ -319,6 +321,16 @@ def _refuse_others(path: Path) -> None:
         raise InputError(
             f"out = '{path}': the file exists and is no run file, or a damaged one. Give another name, or delete it."
         ) from None
+
+
+def ends_at(path: Path, state: State) -> bool:
+    """Return True if there is a run file whose last checkpoint has the time and the pose of a state."""
+    try:
+        with reading_run(path) as file:
+            same = float(_attributes(file["state"])["time"]) == state.time > 0.0
+            return same and np.array_equal(array_at(file, "state/pose"), state.pose)
+    except (RunFileError, KeyError):
+        return False
 
 
 def _attributes(item: Any) -> Any:

@@ -9,6 +9,7 @@ import numpy as np
 from bondem._checks import array, instance, place
 from bondem._types import ArrayLike
 from bondem.errors import InputError
+from bondem.io.exporting import refuse_suffix
 from bondem.io.field_names import check_names
 from bondem.io.hdf5 import put
 from bondem.io.vtk_cells import drawn_bonds, fields_of_bodies, fields_of_cells, fields_of_motion, write_cells
@@ -37,7 +38,7 @@ def write_vtkhdf(
     Bonds that cross the border of a periodic cell are omitted, as their lines would cross the whole cell.
 
     Args:
-        path: file to write, usually with the suffix .vtkhdf.
+        path: file to write, usually with the suffix .vtkhdf; a suffix of `bd.export`, such as .vtu, raises an error.
         lattice: elements and bonds.
         state: state or static solution of the elements; a state adds displacement, orientation as a quaternion (w, x,
             y, z), velocity, angular velocity and integrity. Cells move and turn with it.
@@ -50,6 +51,7 @@ def write_vtkhdf(
         RunFileError: the disk is full, or another failure to write.
     """
     path = place("write_vtkhdf: path", path)
+    refuse_suffix("write_vtkhdf: path", path)
     instance("write_vtkhdf", "lattice", lattice, Lattice, "a lattice")
     if state is not None:
         wanted = "a state, or a solution of bd.solve_static, of a model of this lattice"

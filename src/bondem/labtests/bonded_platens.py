@@ -324,7 +324,8 @@ class BondedSpecimen:
         `largest` and `least` are principal stresses over the nominal one [-]. If no criterion limits them, the result
         is 1 over the weakest strength.
         """
-        limits = [limit for part in self.bare.failure_parts if (limit := part.criterion.principal) is not None]
+        parts = [part for part in self.bare.failure_parts if not part.open]
+        limits = [limit for part in parts if (limit := part.criterion.principal) is not None]
         found = max(max(a * largest, b * largest - c * least) for a, b, c in limits)
         return found if found > 0.0 else 1.0 / self.implied.weakest
 

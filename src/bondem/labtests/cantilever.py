@@ -53,16 +53,9 @@ class Cantilever:
 
     @classmethod
     def of(
-        cls,
-        lattice: Lattice,
-        *,
-        E: float,
-        nu: float,
-        rho: float = 1.0,
-        gyration: Floats | None = None,
-        density: float | PerElement = 1.0,
-        depth: float = 0.02,
-    ) -> "Cantilever":
+        cls, lattice: Lattice, *, E: float, nu: float, rho: float = 1.0, gyration: Floats | None = None,
+        density: float | PerElement = 1.0, depth: float = 0.02,
+    ) -> "Cantilever":  # fmt: skip
         """Create the cantilever of a specimen with macroscopic E [Pa], ν [-] and ρ [kg/m³].
 
         With `Tension.gyration` [m²], (2,), `refined` and `moving` have the section that carries the axial force, and

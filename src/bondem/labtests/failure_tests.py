@@ -196,15 +196,9 @@ OF_BALLS = tuple(one.name for one in _RECORDS if one.requirements is BALLS)
 
 
 def failure_outcome(
-    name: str,
-    body: Lattice,
-    law: AnyLaw,
-    failure: FailureAssignment,
-    *,
-    density: float,
-    options: Mapping[str, float] | None = None,
-    progress: Callable[[float], None] | None = None,
-) -> Outcome:
+    name: str, body: Lattice, law: AnyLaw, failure: FailureAssignment, *, density: float,
+    options: Mapping[str, float] | None = None, progress: Callable[[float], None] | None = None,
+) -> Outcome:  # fmt: skip
     """Run a test of `FAILURE_TESTS` and compare its strength with that implied by the material.
 
     The implied strength is f_t in direct tension, the Brazilian test and the spall test. In compression

@@ -173,14 +173,14 @@ def softening_of(test: str, failure: object, wanted: str) -> Softening:
 
 
 def softenings_of(test: str, body: Lattice, failure: FailureAssignment, wanted: str) -> tuple[Softening, ...]:
-    """Return the softening laws of the criteria that apply to any bond or element, in their order in `failure`.
+    """Return the softening laws of the criteria of any bond or element but open joints, in their order in `failure`.
 
     Raises:
         InputError: no criterion, or one without a required fracture energy.
     """
     softening_of(test, failure, wanted)
-    there = [part.criterion for part in failure_parts(body, failure) if len(part.bonds) or len(part.elements)]
-    return tuple(softening_of(test, one, wanted) for one in there)
+    there = [part for part in failure_parts(body, failure) if len(part.bonds) + len(part.elements) and not part.open]
+    return tuple(softening_of(test, part.criterion, wanted) for part in there)
 
 
 @dataclass(frozen=True)

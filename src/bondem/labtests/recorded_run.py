@@ -50,16 +50,9 @@ def step_of(model: Model, *, damping: AnyDamping | None = None, softening: float
 
 
 def run_test(
-    test: str,
-    model: Model,
-    read: Callable[[ExplicitResult], Result],
-    *,
-    duration: float,
-    every: int,
-    out: str | Path | None,
-    dt: float | None = None,
-    **options: Any,
-) -> Result:
+    test: str, model: Model, read: Callable[[ExplicitResult], Result], *, duration: float, every: int,
+    out: str | Path | None, dt: float | None = None, **options: Any,
+) -> Result:  # fmt: skip
     """Carry out the run of a test and evaluate it by the function `read`.
 
     Args:

@@ -50,14 +50,9 @@ def highest_frequency(
 
 @one_blas_thread
 def stiffest(
-    model: Model,
-    mass: PerElement,
-    inertia: PerElement,
-    *,
-    integrity: PerBond | None = None,
-    table: BondTable | None = None,
-    slips: tuple[LongSlip, ...] = (),
-) -> float:
+    model: Model, mass: PerElement, inertia: PerElement, *, integrity: PerBond | None = None,
+    table: BondTable | None = None, slips: tuple[LongSlip, ...] = (),
+) -> float:  # fmt: skip
     """Return a bound of ω² in K u = ω² M u [1/s²], for masses [kg] and inertias [kg·m²], (n,), internal order.
 
     Lanczos iteration finds the bound without a matrix: K u is the derivative of the forces of the bonds at rest along

@@ -35,7 +35,7 @@ from bondem.interactions.contact.contact_model import ContactModel
 from bondem.interactions.interaction import Interaction
 from bondem.interactions.law_catalogue import AnyLaw, kind_of
 from bondem.model.constraints import Constraints
-from bondem.model.state import State
+from bondem.model.state import State, require_strains
 from bondem.specimen.elements import Elements
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.local_origin import local_origin
@@ -155,8 +155,8 @@ class Model:
                 )
 
     def _check_strain(self) -> None:
-        if len(self.constraints.strain_part) and not self.interaction.strains:
-            raise InputError("Eigenstrain needs stored rest lengths; use formulation='total'")
+        if len(self.constraints.strain_part):
+            require_strains(self.interaction, "Eigenstrain")
         if len(self.constraints.strain_part) and self.fails and self.contact is not None:
             raise InputError("Eigenstrain shifts where broken bonds touch; leave out contact= or failure= beside it")
         if len(self.constraints.strain_part) and self.beam_softening is not None:

@@ -17,7 +17,7 @@ from bondem.damage.crack_columns import CRACK_COLUMNS, ONSET_STEP
 from bondem.damage.crushing import crushing_of
 from bondem.errors import InputError
 from bondem.interactions.contact.contact_columns import CONTACT_COLUMNS, in_contact
-from bondem.interactions.interaction import Arrays
+from bondem.interactions.interaction import Arrays, Interaction
 from bondem.model.state_compatibility import Origin, difference
 from bondem.model.state_motion import StateMotion
 from bondem.model.state_walls import known_walls, rows_of_walls, set_off
@@ -311,8 +311,7 @@ class State(StateMotion):
         Raises:
             InputError: The shape is wrong, a value is not finite or not above -1, or the formulation is incremental.
         """
-        if not self.model.interaction.strains:
-            raise InputError("eigenstrain needs stored rest lengths; use formulation='total'")
+        require_strains(self.model.interaction, "eigenstrain")
         count = len(self.integrity)
         values = array("State", "eigenstrain", strain, wanted=f"values above -1, one or ({count},)")
         if values.shape not in ((), (count,)) or not (np.isfinite(values) & (values > -1.0)).all():
@@ -335,3 +334,10 @@ class State(StateMotion):
                 part = condition.parts(self.model.lattice)[self.layout.bond_order]
                 strain = (strain if strain.size else 0.0) + condition.schedule.at(self.time) * part
         return strain
+
+
+def require_strains(law: Interaction, owner: str) -> None:
+    """Raise InputError if bonds of a law have no rest lengths, which the stress-free strains of `owner` change."""
+    if not law.strains:
+        cure = "use formulation='total'" if law.evaluated == "force" else f"{law.name} has none; use bd.CellBond"
+        raise InputError(f"{owner} needs stored rest lengths; {cure}")

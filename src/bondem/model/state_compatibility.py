@@ -71,7 +71,8 @@ def difference(one: Origin, other: Origin) -> str:
     if not np.array_equal(one.lattice.centre, other.lattice.centre):
         return "law: elements of cells are not where spheres are"
     if not np.array_equal(one.mass, other.mass):
-        return "density of the elements"
+        ratio = float(one.mass.sum() / other.mass.sum())
+        return f"density of the elements, {ratio:.4g} times that of the model (laboratory tests take density=)"
     names = ("kn", "ks", "kb", "kt", "lever")
     constants = ((getattr(law.bonds, name), getattr(new.bonds, name)) for name in names)
     if law.formulation == "incremental" and not all(np.array_equal(p, q) for p, q in constants):

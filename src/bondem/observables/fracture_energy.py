@@ -66,6 +66,8 @@ def fracture_energies(state: State) -> tuple[FractureEnergy, ...]:
     of_bond = np.zeros(len(state.integrity), dtype=np.int64)
     for number, part in enumerate(parts):
         of_bond[part.bonds] = number
+        if part.open:
+            absorbed[np.isin(bond, part.bonds)] = np.inf
     crushed = np.maximum(dissipated - absorbed, 0.0)
     each = [np.bincount(of_bond[bond], one, len(parts)) for one in (area, dissipated, crushed, absorbed)]
     regions = tuple(model.failure) if isinstance(model.failure, dict) else (None,)

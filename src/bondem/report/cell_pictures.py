@@ -30,16 +30,9 @@ class CellSection:
 
 
 def draw_cells(
-    ax: Axes,
-    solid: Polyhedra,
-    colour: Floats,
-    *,
-    view: View,
-    moved: Floats | None = None,
-    shown: Mask | None = None,
-    piece: np.ndarray | None = None,
-    scale: float = 1e3,
-) -> None:
+    ax: Axes, solid: Polyhedra, colour: Floats, *, view: View, moved: Floats | None = None, shown: Mask | None = None,
+    piece: np.ndarray | None = None, scale: float = 1e3,
+) -> None:  # fmt: skip
     """Draw the visible outer polygons of cells, including those next to cells that are not drawn.
 
     Args:

@@ -19,18 +19,9 @@ from bondem.specimen.lattice import Lattice
 
 
 def draw_fracture(
-    path: Path,
-    body: Lattice,
-    state: State,
-    *,
-    pieces: Fragments,
-    cracks: Cracks,
-    growth: CrackGrowth,
-    emission: AcousticEmission,
-    b_value: BValue | None = None,
-    view: View | None = None,
-    reach: float = 1.0,
-) -> None:
+    path: Path, body: Lattice, state: State, *, pieces: Fragments, cracks: Cracks, growth: CrackGrowth,
+    emission: AcousticEmission, b_value: BValue | None = None, view: View | None = None, reach: float = 1.0,
+) -> None:  # fmt: skip
     """Draw four panels: fragments, cracks, growth and acoustic emission.
 
     Args:

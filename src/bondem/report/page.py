@@ -92,12 +92,8 @@ def _embedded(file: Path) -> str:
 
 
 def write_report(
-    findings: Findings,
-    out: Path,
-    *,
-    figures: bool = True,
-    progress: Callable[[float], None] | None = None,
-) -> None:
+    findings: Findings, out: Path, *, figures: bool = True, progress: Callable[[float], None] | None = None,
+) -> None:  # fmt: skip
     """Write `report.html` and, optionally, `figures/*.png` into a folder.
 
     A figure that cannot be drawn is left out, with a warning.

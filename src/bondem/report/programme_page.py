@@ -40,17 +40,10 @@ class Chapter:
 
 
 def write_programme(
-    title: str,
-    material: Material,
-    failures: Mapping[str, Criterion],
-    rows: Sequence[Mapping[str, Any]],
-    chapters: Sequence[Chapter],
-    out: Path,
-    *,
-    figures: bool,
-    origin: Mapping[str, Any],
+    title: str, material: Material, failures: Mapping[str, Criterion], rows: Sequence[Mapping[str, Any]],
+    chapters: Sequence[Chapter], out: Path, *, figures: bool, origin: Mapping[str, Any],
     source: tuple[str, str] | None = None,
-) -> None:
+) -> None:  # fmt: skip
     """Write `report.html` and, optionally, `figures/targets.png`.
 
     Args:

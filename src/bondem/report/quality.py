@@ -42,13 +42,9 @@ def quality_rows(specimens: Sequence[Examined]) -> list[QualityRow]:
 
 
 def _row(
-    packings: Sequence[Fabric],
-    name: str,
-    measure: Callable[[Fabric], float],
-    write: Callable[[float], str],
-    limit: float | None,
-    meaning: str,
-) -> QualityRow:
+    packings: Sequence[Fabric], name: str, measure: Callable[[Fabric], float], write: Callable[[float], str],
+    limit: float | None, meaning: str,
+) -> QualityRow:  # fmt: skip
     values = [float(measure(one)) for one in packings]
     known = [value for value in values if math.isfinite(value)]
     ends = [write(value) for value in (min(known), max(known))] if known else ["–"]

@@ -7,8 +7,9 @@ import numpy as np
 from scipy.spatial import KDTree
 
 from bondem._checks import choice, instance, number
+from bondem._names import warn_user
 from bondem._progress import staged
-from bondem.errors import InputError
+from bondem.errors import FillingWarning, InputError
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles
 from bondem.specimen.tessellation.cutting import tessellate
@@ -49,6 +50,9 @@ def connect(
         InputError: Both `tolerance` and `reach` are given, or one with "laguerre"; they reach too far, or no pair is
             near enough; a centre lies outside the shape to be cut, or an element has no Laguerre cell.
         DisconnectedError: The specimen consists of two large pieces.
+
+    Warns:
+        FillingWarning: Equal spheres have so few bonds that they are probably centres of cells.
     """
     choice("connect", "method", method, Method)
     instance("connect", "particles", particles, Particles, "bd.Particles")
@@ -84,4 +88,10 @@ def connect(
     pairs = near[gap <= stretch * (r[near[:, 0]] + r[near[:, 1]]) + slack]
     if len(pairs) == 0:
         raise InputError("no two elements are near enough to bond; raise tolerance= or check the units (metres)")
+    if tolerance is None and reach is None and len(pairs) < len(r) / 2 and np.ptp(r) == 0.0:
+        warn_user(
+            f"connect: {len(r)} equal spheres touch in only {len(pairs)} places; if they are centres of cells,"
+            ' as of bd.pack(method="even"), give method="laguerre"; for bonded spheres pack without method="even"',
+            FillingWarning,
+        )
     return Lattice(particles, pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))])

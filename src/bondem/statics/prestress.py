@@ -39,7 +39,8 @@ def about_equilibrium(model: Model, system: System, prestress: StaticResult | St
     if system.loose.shape[1]:
         raise InputError("prestress= needs a specimen that is held; fix all six rigid motions with Fix")
     if model.formulation == "incremental":
-        raise InputError("prestress= needs a potential; use formulation='total'")
+        cure = "formulation='total'" if model.interaction.evaluated == "force" else "bd.CellBond"
+        raise InputError(f"prestress= needs a potential; use {cure}")
     if isinstance(prestress, State):
         loaded, pose = _of_state(model, prestress), prestress.pose.copy()
     else:

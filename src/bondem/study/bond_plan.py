@@ -90,6 +90,14 @@ class BondPlan:
     def require_calibrated(self) -> None:
         """Check that the law is calibrated, so that [calibration] applies; a cell law raises StudyError."""
 
+    def require_centres(self) -> None:
+        """Raise StudyError for spheres that hardly touch, bonded where they touch."""
+        if not self.tolerance and self.reach is None:
+            raise StudyError(
+                "'specimen.method' = \"even\" gives centres of cells, spheres that hardly touch; set law ="
+                ' "CellBond" in [bond], or leave out method'
+            )
+
     def require_criterion(self, failure: Criterion, tests: list[str]) -> None:
         """Raise StudyError for a criterion or a test to failure that bonds of spheres do not support."""
         if not isinstance(failure, BondCriterion):
@@ -147,6 +155,9 @@ class CellPlan(BondPlan):
             f"'calibration': law = \"{self.cells.__name__}\" uses E and nu of the material without"
             " calibration; leave out [calibration]"
         )
+
+    def require_centres(self) -> None:
+        return
 
     def require_criterion(self, failure: Criterion, tests: list[str]) -> None:
         """Raise StudyError for a criterion of beams, or one that lacks properties which cells or the tests need."""

@@ -4,6 +4,7 @@ The reader (`TomlTable`) checks values by them, and `schema()` is their JSON sch
 strict than `bondem check`, which also knows how keys depend on each other.
 """
 
+import math
 from functools import partial
 from typing import get_args
 
@@ -59,7 +60,7 @@ FAILURE = KeyTable("failure criterion", {
     "criterion": Text("kind of criterion", tuple(CRITERIA)),
     "tension": _strength("strength in tension"), "compression": _strength("strength in compression"),
     "hydrostatic": _strength("strength in hydrostatic tension"), "cohesion": _strength("cohesion c"),
-    "friction_angle": Number("friction angle φ", "rad"),
+    "friction_angle": Number("friction angle φ", "rad", above=0.0, below=0.5 * math.pi, closed=True),
     "shear": _strength("shear strength of a bond"), "beta": Number("share of the bending moment that counts, β", "-"),
     "force": Number("largest tensile force of a bond", "N", above=0.0),
     "shear_force": Number("largest shear force of a bond", "N", above=0.0),

@@ -163,14 +163,9 @@ def _require_tests(failing: bool, targets: Mapping[str, float], studies: Sequenc
 
 
 def _series(
-    title: str,
-    shared: Mapping[str, Any],
-    table: Mapping[str, Any],
-    k: int,
-    *,
-    targets: Mapping[str, float],
+    title: str, shared: Mapping[str, Any], table: Mapping[str, Any], k: int, *, targets: Mapping[str, float],
     folder: Path,
-) -> Series:
+) -> Series:  # fmt: skip
     """Create the study of specimen k, from its own table and the shared ones."""
     where = TomlTable(table, SEVERAL, f"specimens[{k}]")
     name = where.text("name")

@@ -111,6 +111,8 @@ class Study:
                 if asked:
                     raise StudyError(f"'{key}' needs calibrated bonds; give [material], or leave out '{key}'")
         require_strength(self.tests, self.failure, self.bond.require_criterion)
+        if self.tests and isinstance(self.specimen, SpecimenPlan) and self.specimen.method == EVEN:
+            self.bond.require_centres()
         if self.aggregates is not None:
             self._require_matrix(self.aggregates)
         if self.specimen.shape is not None:

@@ -67,7 +67,7 @@ class TomlTable:
         if key in self._data:
             return self._data[key]
         if default is NEEDED:
-            misspelt = difflib.get_close_matches(key, [name for name in self._data if name not in self._asked], n=1)
+            misspelt = difflib.get_close_matches(key, [name for name in self._data if name not in self._keys], n=1)
             if misspelt:
                 raise StudyError(f"unknown key '{self.name(misspelt[0])}'; did you mean '{self.name(key)}'?")
             raise StudyError(f"key '{self.name(key)}' is missing; give {wanted}")
@@ -131,7 +131,8 @@ class TomlTable:
         if isinstance(found, bool) or not isinstance(found, int | float):
             raise StudyError(f"'{name}' = {shown(value)}; give {wanted}, or a text with a unit")
         if not (above < found < below and abs(found) <= _LARGEST and (found == 0 or abs(found) >= 1.0 / _LARGEST)):
-            raise StudyError(f"'{name}' = {shown(value)}; give {wanted}")
+            hint = "" if unit != "rad" or isinstance(value, str) else f'; if degrees are meant, write "{found:g} deg"'
+            raise StudyError(f"'{name}' = {shown(value)}; give {wanted}{hint}")
         return float(found)
 
     def has_text(self, *keys: str) -> bool:

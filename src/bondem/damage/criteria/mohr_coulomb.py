@@ -12,6 +12,9 @@ from bondem._types import Floats, PerBond
 from bondem.damage.bilinear import Bilinear
 from bondem.damage.cohesive_softening import Slip, Softening, check_crack, check_slip
 from bondem.damage.criteria.criterion import BondCriterion, Joint, columns
+from bondem.errors import InputError
+
+_STRENGTH = "a positive strength in Pa, or 0 for both tension and cohesion of a joint without cohesion"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -35,7 +38,8 @@ class MohrCoulomb(BondCriterion):
     break.
 
     An entry of `failure=` for a pair of regions describes a plane between them, by the traction of its facets. A
-    facet opens from t_n = tension on and slips from |t_s| + t_n tan φ = c on, with G_f and G_II per facet area.
+    facet opens from t_n = tension on and slips from |t_s| + t_n tan φ = c on, with G_f and G_II per facet area. A
+    joint without cohesion has tension = 0, cohesion = 0 and no energies; every load opens it or lets it slip.
 
     Bonds of the non-local law break at once where the mean stress of their two elements reaches the criterion in any
     direction, after Celigueta et al. (2020), eq (9):
@@ -45,12 +49,12 @@ class MohrCoulomb(BondCriterion):
     Their paper has no separate tensile strength: with tension = c / tan φ, the tip of the cone, it has no effect.
 
     Attributes:
-        tension: tensile strength [Pa].
+        tension: tensile strength [Pa]; 0, as `cohesion`, for a joint without cohesion.
         cohesion: c [Pa].
         friction_angle: φ [rad], in [0, π/2).
         fracture_energy: G_f of tension [J/m²]; None for bonds or facets that break at once, by their traction.
         fracture_energy_shear: G_II of slip [J/m²], for cells inf for a constant cohesion; 10 G_f by default.
-        dilatancy: ψ of cells [rad], in [0, φ].
+        dilatancy: ψ of cells [rad], in [0, φ]; 0 for a pair of regions, as planes do not dilate.
         band_width: width of shear bands between cells [m], by which G_II becomes a work per volume; None for four
             cells, of the size of each.
         curve: softening curve of cracks between cells; None for a straight line, the only one for beams.
@@ -74,16 +78,27 @@ class MohrCoulomb(BondCriterion):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        physical("MohrCoulomb", "tension", self.tension)
-        physical("MohrCoulomb", "cohesion", self.cohesion)
+        strengths = {"tension": self.tension, "cohesion": self.cohesion}
+        least = [number("MohrCoulomb", *one, unit="Pa", least=0.0, advice=_STRENGTH) for one in strengths.items()]
+        for name, value in strengths.items() if any(least) else ():
+            physical("MohrCoulomb", name, value, advice=_STRENGTH)
         number(
             "MohrCoulomb", "friction_angle", self.friction_angle, unit="rad", least=0.0, below=0.5 * math.pi,
             advice="an angle in [0, π/2) rad",
         )  # fmt: skip
         number("MohrCoulomb", "dilatancy", self.dilatancy, unit="rad", least=0.0, advice="an angle in [0, φ] rad")
         number("MohrCoulomb", "friction_angle - dilatancy", self.friction_angle - self.dilatancy, least=0.0)
+        if not any(least):
+            self._check_joint()
         check_crack("MohrCoulomb", self.fracture_energy, 0.0, self.curve)
         check_slip("MohrCoulomb", self.fracture_energy, self.fracture_energy_shear, self.dilatancy, self.band_width)
+
+    def _check_joint(self) -> None:
+        """Raise InputError for options that a joint without strength does not have."""
+        options = "on", "fracture_energy", "fracture_energy_shear", "dilatancy", "band_width", "curve"
+        given = [name for name in options if getattr(self, name) is not None and getattr(self, name) != 0.0]
+        if given:
+            raise InputError(f"MohrCoulomb: a joint of tension = 0 and cohesion = 0 has no {given[0]}; leave it out")
 
     @property
     def principal(self) -> tuple[float, float, float] | None:

@@ -73,15 +73,9 @@ class StressCriterion(Criterion):
     parameters: Mapping[str, float] = field(hash=False)
 
     def __init__(
-        self,
-        function: Callable[..., Any] | int,
-        *,
-        fracture_energy: float | None = None,
-        friction: float = 0.0,
-        curve: Bilinear | None = None,
-        scatter: Weibull | Normal | None = None,
-        **parameters: float,
-    ) -> None:
+        self, function: Callable[..., Any] | int, *, fracture_energy: float | None = None, friction: float = 0.0,
+        curve: Bilinear | None = None, scatter: Weibull | Normal | None = None, **parameters: float,
+    ) -> None:  # fmt: skip
         own = _own_parameters(function, parameters)
         given = {"fracture_energy": fracture_energy, "friction": friction, "curve": curve, "scatter": scatter}
         for name, value in {"function": function, **given, "parameters": own}.items():

@@ -65,13 +65,9 @@ def _changing_strain(model: Model, state: State) -> Strain | None:
 
 
 def _loads(
-    moving: Moving,
-    table: Beams,
-    uniform: UniformBeams | None,
-    blocks: StepBlocks,
-    damage: DamageTables | None,
+    moving: Moving, table: Beams, uniform: UniformBeams | None, blocks: StepBlocks, damage: DamageTables | None,
     soft: SofteningTables | None,
-) -> StepEntry:
+) -> StepEntry:  # fmt: skip
     """Return the pass of forces of beams with shared or separate constants, which break, soften or do neither."""
     if damage is None:
         if uniform is None:

@@ -64,15 +64,9 @@ class BodyOfCells(NamedTuple):
 
 
 def cells(
-    shared: SharedTables,
-    model: Model,
-    state: State,
-    body: BodyOfCells,
-    stored: FacetForces | None = None,
-    damage: DamageTables | None = None,
-    stretch: Sequence[StepEntry] = (),
-    powers: Sequence[StepEntry] = (),
-) -> Part:
+    shared: SharedTables, model: Model, state: State, body: BodyOfCells, stored: FacetForces | None = None,
+    damage: DamageTables | None = None, stretch: Sequence[StepEntry] = (), powers: Sequence[StepEntry] = (),
+) -> Part:  # fmt: skip
     """Return the part of an elastic body of cells.
 
     Args:

@@ -32,14 +32,9 @@ class BondStrain:
 
     @classmethod
     def of(
-        cls,
-        lattice: Lattice,
-        lever: PerBond,
-        displacement: PerElement3,
-        rotation: PerElement3,
-        *,
+        cls, lattice: Lattice, lever: PerBond, displacement: PerElement3, rotation: PerElement3, *,
         slip: Floats | float = -0.0,
-    ) -> "BondStrain":
+    ) -> "BondStrain":  # fmt: skip
         """Return the deformation under displacements [m] and rotations [rad], (n, 3) each.
 
         Args:

@@ -47,13 +47,9 @@ _REACH = 6.0
 
 
 def punch_specimen(
-    *,
-    diameter: float = 150e-3,
-    height: float = 80e-3,
-    ring: float = _RING,
-    width: float = _WIDTH,
+    *, diameter: float = 150e-3, height: float = 80e-3, ring: float = _RING, width: float = _WIDTH,
     depth: float = _DEPTH,
-) -> Shape:
+) -> Shape:  # fmt: skip
     """Create a cylinder along x with a ring boring in each end; the borings are the face "boring".
 
     Args:

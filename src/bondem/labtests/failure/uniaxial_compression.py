@@ -76,17 +76,9 @@ def uniaxial_compression(
 
 
 def compressed(
-    test: str,
-    body: Lattice,
-    law: AnyLaw,
-    failure: FailureAssignment,
-    *,
-    pressure: float,
-    platen_friction: float,
-    contact: ContactLaw | None,
-    reach: float | None,
-    options: RunOptions,
-) -> StrengthTest:
+    test: str, body: Lattice, law: AnyLaw, failure: FailureAssignment, *, pressure: float, platen_friction: float,
+    contact: ContactLaw | None, reach: float | None, options: RunOptions,
+) -> StrengthTest:  # fmt: skip
     """Run the compression test named `test` as `uniaxial_compression` does; its other arguments are in `options`."""
     owner = f"labtests.{test}"
     number(owner, "pressure", pressure, unit="Pa", least=0.0)
