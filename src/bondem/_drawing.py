@@ -4,8 +4,10 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any, NamedTuple, Protocol
 
+import numpy as np
+
 from bondem._outlets import OUTLETS
-from bondem._types import Floats
+from bondem._types import Floats, Mask
 
 
 class Coloured(NamedTuple):
@@ -88,6 +90,30 @@ class PlottedState(Plotted):
     @property
     def _pictures(self: _WithState) -> tuple[Present, ...]:
         return (Present(self.state),)
+
+
+class PlottedPath(PlottedState):
+    """Base of results along a path of equilibria, which may go back at single events."""
+
+    load: Floats
+
+    @property
+    def envelope(self) -> dict[str, Floats]:
+        """Rows of `table` that a laboratory would record, by name and unit: on the envelope of the loads.
+
+        No earlier, or no later, row of `table` has a larger load. Rows at which the first column goes back are left
+        out, so that `numpy.interp` accepts it.
+        """
+        outer, table = np.flatnonzero(enveloping(self.load)), self.table
+        first = next(iter(table.values()))[outer]
+        outer = outer[first > np.append(-np.inf, np.maximum.accumulate(first)[:-1])]
+        return {name: column[outer] for name, column in table.items()}
+
+
+def enveloping(load: Floats) -> Mask:
+    """Return a mask of points on the envelope of a path, (k,): no earlier, or no later, point has a larger load."""
+    rising, falling = np.maximum.accumulate(load), np.maximum.accumulate(load[::-1])[::-1]
+    return load >= np.minimum(rising, falling)
 
 
 def columns_of(pattern: str, names: Iterable[str], values: Floats) -> dict[str, Floats]:
