@@ -43,16 +43,9 @@ def shown(value: object) -> str:
 
 
 def number(
-    owner: str,
-    name: str,
-    value: object,
-    *,
-    unit: str = "",
-    above: float | None = None,
-    least: float | None = None,
-    below: float | None = None,
-    advice: str = "",
-) -> float:
+    owner: str, name: str, value: object, *, unit: str = "", above: float | None = None, least: float | None = None,
+    below: float | None = None, advice: str = "",
+) -> float:  # fmt: skip
     """Return a finite number within bounds.
 
     Args:

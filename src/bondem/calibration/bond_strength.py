@@ -23,14 +23,8 @@ _LARGEST = 20.0
 
 
 def calibrate_bond_strength(
-    lattices: Sequence[Lattice],
-    law: BondLaw,
-    *,
-    ucs: float,
-    tension: float,
-    friction_angle: float,
-    density: float,
-) -> StrengthCalibration:
+    lattices: Sequence[Lattice], law: BondLaw, *, ucs: float, tension: float, friction_angle: float, density: float,
+) -> StrengthCalibration:  # fmt: skip
     """Calibrate tensile strength and cohesion of `bd.MohrCoulomb` bonds to mean strengths of several specimens.
 
     Args:

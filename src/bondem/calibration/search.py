@@ -21,14 +21,9 @@ class Search:
     high: float
 
     def solve(
-        self,
-        measure: Callable[[float], tuple[float, float]],
-        target: float,
-        *,
-        start: float | None = None,
-        tolerance: float,
-        who: str,
-    ) -> float:
+        self, measure: Callable[[float], tuple[float, float]], target: float, *, start: float | None = None,
+        tolerance: float, who: str,
+    ) -> float:  # fmt: skip
         """Find the parameter value at which ν is within `tolerance` of the target.
 
         Newton's method is applied to the logarithm of the value. From the second step on the method uses the cubic

@@ -88,13 +88,9 @@ class StrengthCalibration:
         return Sample(self.nearest.parameters[parameter] * np.exp(shift))
 
     def interval(
-        self,
-        parameter: str,
-        measured: Mapping[str, Sequence[float]] | None = None,
-        *,
-        kind: Kind = "confidence",
+        self, parameter: str, measured: Mapping[str, Sequence[float]] | None = None, *, kind: Kind = "confidence",
         level: float = 0.95,
-    ) -> tuple[float, float]:
+    ) -> tuple[float, float]:  # fmt: skip
         """Compute an interval of a parameter from the scatter of packings.
 
         The logarithms of the values of `sample` are taken as normally distributed; see `Sample.interval`.
@@ -168,18 +164,11 @@ class StrengthCalibration:
 
 @staged("calibration of strengths", shares=False)
 def calibrate_strength(
-    tests: Mapping[str, Test],
-    targets: Mapping[str, tuple[float, float]],
-    start: Mapping[str, float],
-    *,
-    strengths: Sequence[str] = (),
-    bounds: Mapping[str, tuple[float, float]] | None = None,
-    most: int = 15,
-    out: str | Path | None = None,
-    about: str = "",
-    progress: Callable[[str], None] | None = None,
+    tests: Mapping[str, Test], targets: Mapping[str, tuple[float, float]], start: Mapping[str, float], *,
+    strengths: Sequence[str] = (), bounds: Mapping[str, tuple[float, float]] | None = None, most: int = 15,
+    out: str | Path | None = None, about: str = "", progress: Callable[[str], None] | None = None,
     executor: Executor | None = None,
-) -> StrengthCalibration:
+) -> StrengthCalibration:  # fmt: skip
     """Calibrate failure parameters so that tests give target strengths.
 
     The method is Broyden's secant method in logarithms, in which products of powers of the parameters are linear. The

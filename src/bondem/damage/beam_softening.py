@@ -41,13 +41,9 @@ class BeamSoftening:
 
     @classmethod
     def of(
-        cls,
-        lattice: Lattice,
-        layout: Layout,
-        parts: tuple[FailurePart, ...],
-        stiffness: BondStiffness,
+        cls, lattice: Lattice, layout: Layout, parts: tuple[FailurePart, ...], stiffness: BondStiffness,
         at_contact: bool,
-    ) -> "BeamSoftening | None":
+    ) -> "BeamSoftening | None":  # fmt: skip
         """Return the table of a lattice of beams, or None if they break at once.
 
         Args:

@@ -32,18 +32,11 @@ _PATIENCE, _WORK = 1.0, 20_000_000
 
 
 def integrate(
-    model: Model,
-    plan: Plan,
-    *,
-    state: State | None = None,
-    history: History | None = None,
-    sink: Sink | None = None,
+    model: Model, plan: Plan, *, state: State | None = None, history: History | None = None, sink: Sink | None = None,
     progress: Callable[[float], None] | None = None,
-    loop_of: Callable[[Model, Plan, State, float], Loop] | None = None,
-    callback: Callback | None = None,
-    remark: str = "",
-    halt: Halt | None = None,
-) -> ExplicitResult:
+    loop_of: Callable[[Model, Plan, State, float], Loop] | None = None, callback: Callback | None = None,
+    remark: str = "", halt: Halt | None = None,
+) -> ExplicitResult:  # fmt: skip
     """Carry out a plan from rest, or continue from `state` and `history` of the same plan.
 
     A given dt is not checked, because `settled` has done so.

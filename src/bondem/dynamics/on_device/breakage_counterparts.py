@@ -37,14 +37,9 @@ def counted(run: Translation, candidates: Candidates, log: EventLog) -> Launch:
 
 
 def _break(
-    run: Translation,
-    moving: Moving,
-    beams: Beams,
-    integrity: BeamIntegrity,
-    candidates: Candidates,
-    postponed: Postponed,
-    log: EventLog,
-) -> list[Launch]:
+    run: Translation, moving: Moving, beams: Beams, integrity: BeamIntegrity, candidates: Candidates,
+    postponed: Postponed, log: EventLog,
+) -> list[Launch]:  # fmt: skip
     return [
         (kernels.remove_failing_beam(run.span, moving, beams, integrity, candidates, log, run.loads), run.span.m),
         (kernels.take_beams_off_element(run.bonds, marks_of(run), run.loads, candidates, postponed), run.span.n),

@@ -12,14 +12,9 @@ from bondem.dynamics.on_device.translation import Counterpart, Translation, in_o
 
 
 def _break(
-    run: Translation,
-    moving: Moving,
-    facets: ElasticFacets,
-    walls: WallConstraints,
-    release: FacetRelease,
-    candidates: Candidates,
-    log: EventLog,
-) -> list[Launch]:
+    run: Translation, moving: Moving, facets: ElasticFacets, walls: WallConstraints, release: FacetRelease,
+    candidates: Candidates, log: EventLog,
+) -> list[Launch]:  # fmt: skip
     removed = moving, facets, walls, release, marks_of(run), candidates
     return [
         (kernels.write_facet_failure(run.span, *removed, log), run.span.m),

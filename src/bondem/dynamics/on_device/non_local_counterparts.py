@@ -12,14 +12,9 @@ from bondem.dynamics.on_device.translation import Counterpart, Translation, in_o
 
 
 def _break_pairs(
-    run: Translation,
-    moving: Moving,
-    beams: Beams,
-    bonds: NonLocalBonds,
-    candidates: Candidates,
-    postponed: Postponed,
-    log: EventLog,
-) -> list[Launch]:
+    run: Translation, moving: Moving, beams: Beams, bonds: NonLocalBonds, candidates: Candidates,
+    postponed: Postponed, log: EventLog,
+) -> list[Launch]:  # fmt: skip
     return [
         (kernels.write_pair_failure(run.span, moving, beams, bonds, candidates, log), run.span.m),
         (kernels.take_pairs_off_element(bonds, run.bonds, marks_of(run), candidates, postponed), run.span.n),

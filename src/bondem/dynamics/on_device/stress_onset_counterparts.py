@@ -22,14 +22,9 @@ _MARKED = counts.length_of(CandidateFacets, lambda onset: onset.bond)
 
 
 def _find_candidates(
-    run: Translation,
-    moving: Moving,
-    facets: ElasticFacets,
-    stored: FacetForces,
-    stresses: StressesOfCells,
-    cracks: CrackOnset,
-    onset: CandidateFacets,
-) -> list[Launch]:
+    run: Translation, moving: Moving, facets: ElasticFacets, stored: FacetForces, stresses: StressesOfCells,
+    cracks: CrackOnset, onset: CandidateFacets,
+) -> list[Launch]:  # fmt: skip
     run.scratch += [onset.bond, onset.stress, onset.found]
     tables = run.span, moving, facets, stored, stresses, cracks, onset
     return [(kernels.clear_candidates(onset), 1), (kernels.find_stress_candidate(*tables), run.span.m)]

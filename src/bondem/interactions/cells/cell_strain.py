@@ -30,16 +30,9 @@ class CellStrain:
 
     @classmethod
     def of(
-        cls,
-        body: Lattice,
-        constants: CellConstants,
-        displacement: PerElement3,
-        rotation: PerElement3,
-        *,
-        slip: Floats | float = -0.0,
-        wall: Floats | None = None,
-        pressed: PerElement | None = None,
-    ) -> "CellStrain":
+        cls, body: Lattice, constants: CellConstants, displacement: PerElement3, rotation: PerElement3, *,
+        slip: Floats | float = -0.0, wall: Floats | None = None, pressed: PerElement | None = None,
+    ) -> "CellStrain":  # fmt: skip
         """Return the deformation under displacements [m] and rotations [rad], (n, 3) each.
 
         Args:
