@@ -257,7 +257,7 @@ CAPS = (
     Cap("device counterparts written by hand", _counterparts_by_hand, 9),
     Cap("lines of Python", lambda: _lines(".py"), 58000, step=500),
     Cap("lines of C++", lambda: _lines(".hpp", ".cpp", ".cu"), 19500, step=500),
-    Cap("lines of the longest function", _longest_function, 146),
+    Cap("lines of the longest function", _longest_function, 142),
     Cap("names of an upper layer in strings", _named_from_below, 0),
 )
 
