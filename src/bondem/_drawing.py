@@ -32,6 +32,15 @@ class _WithState(Protocol):
     def state(self) -> Any: ...
 
 
+class _Path(Protocol):
+    @property
+    def load(self) -> Floats: ...
+    @property
+    def table(self) -> Mapping[str, Floats]: ...
+    @property
+    def _outer(self) -> Mask: ...
+
+
 class Plotted:
     """Base of results that can be drawn and written as a table."""
 
@@ -52,6 +61,11 @@ class Plotted:
     def _pictures(self) -> "tuple[Coloured | Present, ...]":
         """Pictures of the body beside the curve."""
         return ()
+
+    @property
+    def _outer(self) -> Mask | None:
+        """Rows of the envelope of a path that may go back; None for other results."""
+        return None
 
     def plot(
         self, path: str | Path | None = None, *, reach: float | None = None, view: tuple[float, float] = (28.0, 24.0)
@@ -95,16 +109,18 @@ class PlottedState(Plotted):
 class PlottedPath(PlottedState):
     """Base of results along a path of equilibria, which may go back at single events."""
 
-    load: Floats
+    @property
+    def _outer(self: _Path) -> Mask:
+        return enveloping(self.load)
 
     @property
-    def envelope(self) -> dict[str, Floats]:
+    def envelope(self: _Path) -> dict[str, Floats]:
         """Rows of `table` that a laboratory would record, by name and unit: on the envelope of the loads.
 
         No earlier, or no later, row of `table` has a larger load. Rows at which the first column goes back are left
         out, so that `numpy.interp` accepts it.
         """
-        outer, table = np.flatnonzero(enveloping(self.load)), self.table
+        outer, table = np.flatnonzero(self._outer), self.table
         first = next(iter(table.values()))[outer]
         outer = outer[first > np.append(-np.inf, np.maximum.accumulate(first)[:-1])]
         return {name: column[outer] for name, column in table.items()}

@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from bondem._checks import array, number, place, shown
-from bondem._drawing import Coloured, Plotted, PlottedPath, Present, enveloping
+from bondem._drawing import Coloured, Plotted, Present
 from bondem._types import ArrayLike, Floats
 from bondem.boundary.conditions import Drive, Fix, Load
 from bondem.boundary.loads import Absorbing, BodyForce, Pressure
@@ -133,7 +133,7 @@ def draw_result(result: Plotted, path: Any, *, reach: float | None, view: tuple[
     eye, drawn, pictures = _view(who, view), result.drawn, result._pictures
     with _figure(who, path, bool(drawn) + len(pictures)) as (figure, axes):
         if drawn:
-            draw_columns(axes[0], drawn, enveloping(result.load) if isinstance(result, PlottedPath) else None)
+            draw_columns(axes[0], drawn, result._outer)
         for ax, picture in zip(axes[bool(drawn) :], pictures, strict=True):
             _draw_picture(figure, ax, picture, reach, eye)
             ax.autoscale_view()
