@@ -57,7 +57,8 @@ def refuse_turned(test: str, specimen: Lattice, faces: str) -> None:
     "top" and "bottom" are along y. Other faces that the shape does not have are not checked.
     """
     shape = specimen.particles.envelope
-    if "x_min" in faces and "x_min" not in shape.faces:
+    missing = [name for name in ("x_min", "x_max") if "x_min" in faces and name not in shape.faces]
+    if missing:
         for axis, order in (("y", [1, 2, 0]), ("z", [2, 0, 1])):
             if {f"{axis}_min", f"{axis}_max"} <= set(shape.faces):
                 raise InputError(
@@ -65,7 +66,7 @@ def refuse_turned(test: str, specimen: Lattice, faces: str) -> None:
                     f" before packing: bd.Surface(vertices=part.vertices[:, {order}], triangles=part.triangles)"
                 )
         raise InputError(
-            f"labtests.{test}: a {type(shape).__name__} has no face 'x_min'; give a body with flat ends, such as"
+            f"labtests.{test}: a {type(shape).__name__} has no face '{missing[0]}'; give a body with flat ends, such as"
             " bd.Box(...), or bd.Box(...) & part"
         )
     for face in (name for name in faces.split() if name in shape.faces):
