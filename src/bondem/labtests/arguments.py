@@ -66,8 +66,8 @@ def refuse_turned(test: str, specimen: Lattice, faces: str) -> None:
                     f" before packing: bd.Surface(vertices=part.vertices[:, {order}], triangles=part.triangles)"
                 )
         raise InputError(
-            f"labtests.{test}: a {type(shape).__name__} has no face '{missing[0]}'; give a body with flat ends, such as"
-            " bd.Box(...), or bd.Box(...) & part"
+            f"labtests.{test}: a {type(shape).__name__} has no face '{missing[0]}'; give a body with flat ends, as"
+            " bd.Box(...) or bd.Box(...) & part"
         )
     for face in (name for name in faces.split() if name in shape.faces):
         axis = {"top": 1, "bottom": 1}.get(face, "xyz".find(face[0]))
