@@ -50,6 +50,9 @@ _SHOWN: dict[str, tuple[str, ...]] = {
     "State": ("displacement", "velocity", "angular_velocity", "bond_integrity", "contacts", "wall_force"),
     "Model": ("bond", "density", "failure", "boundary", "contact", "walls"),
     "BrazilianTest": ("peak", "tension", "E", "work", "centre", "factor", "half_angle", "cracking", "test"),
+    "SphereImpact": ("damage", "peak", "restitution", "velocity", "broken", "momentum", "residual", "run"),
+    "SphereCrushing": ("peak", "force", "work", "broken", "asymmetry", "residual", "run"),
+    "SpallTest": ("peak", "pull_back", "highest", "place", "first", "lengths", "residual", "run"),
     "TriaxialTest": ("peak", "deviator", "pressure", "E", "work", "cracking", "test"),
 }
 

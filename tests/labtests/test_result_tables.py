@@ -175,6 +175,12 @@ def test_a_path_that_goes_back_has_the_envelope_that_a_laboratory_measures() -> 
     assert (len(lines["every failure event"].get_xdata()), len(lines["envelope"].get_xdata())) == (7, 5)
 
 
+def test_tests_of_balls_and_spalled_bars_show_their_results_first() -> None:
+    for result, first in ((struck(), "  damage: "), (crushed(), "  peak: "), (spalled(), "  peak: ")):
+        assert repr(result).split("\n")[1].startswith(first)
+    assert "peak: 0.199922 N" in repr(struck())  # 1e3 times the time of the last record
+
+
 def test_columns_of_one_unit_are_drawn_together() -> None:
     table = {"time [s]": np.ones(2), "a [J]": np.ones(2), "b [N]": np.ones(2), "c [J]": np.ones(2)}
     assert list(of_one_unit(table)) == ["time [s]", "a [J]", "c [J]"]
