@@ -42,12 +42,18 @@ _HEADLINES: dict[str, Callable[[Any], str]] = {
     "History": lambda o: f"{len(o.time)} records from {o.time[0]:.4g} to {o.time[-1]:.4g} s",
     "BrokenBonds": lambda o: f"{len(o)} broken bonds",
     "Fragments": lambda o: f"{len(o.mass)} fragments",
+    "Cracking": lambda o: f"{o.mode}: {o.pieces} {'piece' if o.pieces == 1 else 'pieces'}",
     "Placed": _extent, "Joined": _extent, "Overlap": _extent, "Cut": _extent,
 }  # fmt: skip
 # Properties of these classes are more informative than their attributes.
 _SHOWN: dict[str, tuple[str, ...]] = {
     "State": ("displacement", "velocity", "angular_velocity", "bond_integrity", "contacts", "wall_force"),
     "Model": ("bond", "density", "failure", "boundary", "contact", "walls"),
+    "BrazilianTest": ("peak", "tension", "E", "work", "centre", "factor", "half_angle", "cracking", "test"),
+    "SphereImpact": ("damage", "peak", "restitution", "velocity", "broken", "momentum", "residual", "run"),
+    "SphereCrushing": ("peak", "force", "work", "broken", "asymmetry", "residual", "run"),
+    "SpallTest": ("peak", "pull_back", "highest", "place", "first", "lengths", "residual", "run"),
+    "TriaxialTest": ("peak", "deviator", "pressure", "E", "work", "cracking", "test"),
 }
 
 
@@ -107,7 +113,7 @@ def as_html(thing: object) -> str:
     cells = "".join(
         f"<tr><th style='text-align:left'>{html.escape(row.name)}</th>"
         f"<td style='text-align:left'>{html.escape(row.value + row.unit)}</td>"
-        f"<td style='text-align:left'>{html.escape(described.get(row.name, ('', ''))[1])}</td></tr>"
+        f"<td style='text-align:left'>{html.escape(described.get(row.name, ''))}</td></tr>"
         for row in _rows(thing)
     )
     return (
@@ -126,11 +132,14 @@ class _Row:
         simple: True if the text is the complete value.
     """
 
-    def __init__(self, name: str, value: object, unit: str) -> None:
+    def __init__(self, name: str, value: object, meaning: str) -> None:
         self.name = name
         self.value, self.simple = _summary(value)
-        numeric = not isinstance(value, str | bool) and self.value != "None" and unit not in ("", "-")
-        self.unit = f" {unit}" if numeric else ""
+        units = _UNIT.findall(meaning) or ["-"]
+        several = hasattr(value, "dtype") and len(set(units)) > 1  # columns of different units
+        numeric = isinstance(value, int | float) or hasattr(value, "dtype") or self.value.startswith("(")
+        shown = numeric and not several and not isinstance(value, bool) and units[0] != "-"
+        self.unit = f" {units[0]}" if shown else ""
 
 
 def _rows(thing: object) -> list[_Row]:
@@ -146,7 +155,7 @@ def _rows(thing: object) -> list[_Row]:
         except Exception:
             continue
         if not callable(value) or is_dataclass(value):
-            found.append(_Row(name, value, described.get(name, ("", ""))[0]))
+            found.append(_Row(name, value, described.get(name, "")))
         else:
             found.append(_Row(name, getattr(value, "__name__", type(value).__name__), ""))
     return found
@@ -224,18 +233,16 @@ def _in_shape(particles: Any) -> str:
 
 
 @cache
-def _described(cls: type) -> dict[str, tuple[str, str]]:
-    """Return unit and meaning of each attribute, from the docstrings of a class and its base classes."""
-    found: dict[str, tuple[str, str]] = {}
+def _described(cls: type) -> dict[str, str]:
+    """Return the meaning of each attribute, with its unit, from the docstrings of a class and its base classes."""
+    found: dict[str, str] = {}
     for one in cls.__mro__[:-1]:
         for name, text in _entries(inspect.cleandoc(one.__doc__ or "")):
-            unit = _UNIT.search(text)
-            found.setdefault(name, (unit.group(1) if unit else "", text))
+            found.setdefault(name, text)
         for name, thing in vars(one).items():
             text = (getattr(thing, "__doc__", "") or "").split("\n", 1)[0] if hasattr(thing, "fget") else ""
-            unit = _UNIT.search(text)
             if text:
-                found.setdefault(name, (unit.group(1) if unit else "", text))
+                found.setdefault(name, text)
     return found
 
 

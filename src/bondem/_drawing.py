@@ -4,8 +4,10 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any, NamedTuple, Protocol
 
+import numpy as np
+
 from bondem._outlets import OUTLETS
-from bondem._types import Floats
+from bondem._types import Floats, Mask
 
 
 class Coloured(NamedTuple):
@@ -30,6 +32,15 @@ class _WithState(Protocol):
     def state(self) -> Any: ...
 
 
+class _Path(Protocol):
+    @property
+    def load(self) -> Floats: ...
+    @property
+    def table(self) -> Mapping[str, Floats]: ...
+    @property
+    def _outer(self) -> Mask: ...
+
+
 class Plotted:
     """Base of results that can be drawn and written as a table."""
 
@@ -50,6 +61,11 @@ class Plotted:
     def _pictures(self) -> "tuple[Coloured | Present, ...]":
         """Pictures of the body beside the curve."""
         return ()
+
+    @property
+    def _outer(self) -> Mask | None:
+        """Rows of the envelope of a path that may go back; None for other results."""
+        return None
 
     def plot(
         self, path: str | Path | None = None, *, reach: float | None = None, view: tuple[float, float] = (28.0, 24.0)
@@ -88,6 +104,32 @@ class PlottedState(Plotted):
     @property
     def _pictures(self: _WithState) -> tuple[Present, ...]:
         return (Present(self.state),)
+
+
+class PlottedPath(PlottedState):
+    """Base of results along a path of equilibria, which may go back at single events."""
+
+    @property
+    def _outer(self: _Path) -> Mask:
+        return enveloping(self.load)
+
+    @property
+    def envelope(self: _Path) -> dict[str, Floats]:
+        """Rows of `table` that a laboratory would record, by name and unit: on the envelope of the loads.
+
+        No earlier, or no later, row of `table` has a larger load. Rows at which the first column goes back are left
+        out, so that `numpy.interp` accepts it.
+        """
+        outer, table = np.flatnonzero(self._outer), self.table
+        first = next(iter(table.values()))[outer]
+        outer = outer[first > np.append(-np.inf, np.maximum.accumulate(first)[:-1])]
+        return {name: column[outer] for name, column in table.items()}
+
+
+def enveloping(load: Floats) -> Mask:
+    """Return a mask of points on the envelope of a path, (k,): no earlier, or no later, point has a larger load."""
+    rising, falling = np.maximum.accumulate(load), np.maximum.accumulate(load[::-1])[::-1]
+    return load >= np.minimum(rising, falling)
 
 
 def columns_of(pattern: str, names: Iterable[str], values: Floats) -> dict[str, Floats]:

@@ -269,6 +269,7 @@ def _over(saved: Checkpoint) -> ExplicitResult | None:
     return ExplicitResult(
         status=status, iterations=state.step, residual=saved.history.imbalance, state=state, history=saved.history,
         dt=plan.dt or 0.0, message=message, quasistatic=measured(saved.model, plan, saved.history, state),
+        gauges=plan.gauges,
     )  # fmt: skip
 
 

@@ -43,7 +43,7 @@ def grid_of(scale=1.0, radius=0.5e-3, shift=0.0):
 
 
 OTHERS = {
-    "masses": ("density", lambda: model_of(density=3000.0)),
+    "masses": ("density of the elements, 2000 and not 3000 kg/m³ .* density=", lambda: model_of(density=3000.0)),
     "masses by element": ("density", lambda: model_of(density=np.linspace(2000.0, 2100.0, 45))),
     "bonds": ("other bonds", lambda: model_of(lattice=bd.Lattice(LATTICE.particles, LATTICE.pairs[:-1]))),
     "bonds in another order": ("other bonds", lambda: model_of(

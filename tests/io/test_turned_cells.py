@@ -94,6 +94,22 @@ def test_pictures_of_files_old_and_new_have_cells_turned(tmp_path: Path, monkeyp
         np.testing.assert_allclose(drawn._corners(grid, pieces["elements"]), place, atol=1e-5)
 
 
+@pytest.mark.parametrize(("field", "title", "value"), [
+    ("stress", "von Mises stress", 5.0), ("von_mises_stress", "von Mises stress", 5.0), ("s1", "stress s1", 4.0),
+])  # fmt: skip
+def test_a_stress_is_drawn_as_a_scalar_of_no_axes(field: str, title: str, value: float) -> None:
+    """Principal stresses 4, 4 and -1 Pa, and the same turned about y."""
+    scene, pyvista = pytest.importorskip("bondem.report.scene"), pytest.importorskip("pyvista")
+    turned = np.array([[0.6, 0.0, 0.8], [0.0, 1.0, 0.0], [-0.8, 0.0, 0.6]])
+    both = [np.diag([4.0, 4.0, -1.0]), turned @ np.diag([4.0, 4.0, -1.0]) @ turned.T]
+    mesh = pyvista.PolyData(np.zeros((2, 3)))
+    mesh.point_data["stress"] = np.array([one[[0, 1, 2, 0, 1, 0], [0, 1, 2, 1, 2, 2]] for one in both])
+    drawn = scene.Scene.__new__(scene.Scene)
+    drawn._field = field
+    assert drawn._coloured(mesh) == title
+    np.testing.assert_allclose(mesh.point_data[title], value)
+
+
 def test_walls_have_their_sizes() -> None:
     """Areas of polygons against those of discs, rings, tubes and spheres; a growing radius moves corners outwards."""
     low, high = np.zeros(3), np.ones(3)

@@ -1,6 +1,7 @@
 """Cracks of a test to failure and the energy that they took: one crack, several, or none in compression."""
 
 import math
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -56,6 +57,18 @@ def test_a_prism_in_compression_tells_how_it_fails() -> None:
     assert not one.sectioned
     assert math.isnan(one.stored_ratio)
     assert one.numbers()["single_crack"] is None
+
+
+def test_a_test_that_ends_before_a_body_splits_says_so() -> None:
+    """A crack through half of a prism in compression, and the load at the end of the test."""
+    body = bar(120, 20e-3)
+    state = bd.Model(body, LAW, density=2400.0, failure=CONCRETE).state()
+    left, low = body.centre[:, 0] < 10e-3, body.centre[:, 1] < 5e-3
+    gone = (left[body.pairs[:, 0]] != left[body.pairs[:, 1]]) & low[body.pairs].all(axis=1)
+    state.integrity[state.layout.bond_order.argsort()[gone]] = 0.0
+    one = Cracking(body, state, 0.1, dissipated=0.01, slipped=0.0, stored=0.005, fracture_energy=100.0)
+    assert (one.pieces, one.mode) == (1, "cracks and does not split")
+    assert replace(one, ended=0.9).mode == "cracks and does not split before its end at 0.90 of the peak"
 
 
 def test_pieces_crumbs_and_cracks_are_counted_by_their_sizes() -> None:

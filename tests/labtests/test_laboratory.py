@@ -79,7 +79,7 @@ WRONG: dict[str, tuple[str, str, dict[str, Any]]] = {
     "no pressure": ("triaxial", "uniaxial_compression", {"pressure": 0.0}),
     "a text": ("triaxial", "pressure = '5 MPa'", {"pressure": "5 MPa"}),
     "cells that do not yield": ("triaxial", "shear strength", {"failure": bd.Rankine(tension=4e6)}),
-    "a ball in bending": ("three_point_bending", "not a beam", {"specimen": "ball"}),
+    "a ball in bending": ("three_point_bending", "no face 'x_min'", {"specimen": "ball"}),
     "a hole in place of a notch": ("three_point_bending", "cut a single notch", {"specimen": "holed"}),
     "a span too long": ("three_point_bending", "half a strip beyond each support", {"span": 40e-3}),
     "a span too short": ("three_point_bending", "at least the depth", {"span": 5e-3}),

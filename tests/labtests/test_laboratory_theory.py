@@ -1,15 +1,19 @@
 """Tests of the laboratory against closed forms: elastic stresses and stiffnesses, Mohr–Coulomb's line, energies."""
 
 import math
+import tomllib
 
 import numpy as np
 import pytest
 from scipy.integrate import quad
 
 import bondem as bd
+from bondem.errors import StrengthWarning
 from bondem.labtests.beam_tests import CrossSection
 from bondem.labtests.failure.brazilian import flattened, splitting_strength, stamped
 from bondem.labtests.failure.shear import _Core
+from bondem.study.study_file import parse_study
+from bondem.study.template_files import template
 from tests.specimens import cells
 
 LAW = bd.CellBond(E=40e9, nu=0.2)
@@ -54,6 +58,17 @@ def test_flats_of_twenty_degrees_have_the_published_factor() -> None:
     assert flattened(math.radians(10.0)) == pytest.approx(0.960, abs=1e-3)
 
 
+def test_a_disc_that_yields_before_it_cracks_has_no_splitting_strength() -> None:
+    """Published constants of concrete; those of `bondem new brazilian` crack at the tensile strength."""
+    body = cells(bd.Cylinder(radius=RADIUS, length=20e-3), 150)
+    with pytest.warns(StrengthWarning, match="no splitting strength: the disc yields in shear and does not split"):
+        bd.labtests.brazilian(body, LAW, CONCRETE)
+    found = parse_study(tomllib.loads(template("brazilian", "b.toml"))).failure
+    assert isinstance(found, bd.MohrCoulomb)
+    assert found.softening is not None
+    assert splitting_strength(found.softening) == found.tension
+
+
 def test_what_a_disc_bears_is_where_its_centre_meets_the_criterion() -> None:
     """(σ1 - σ3)/2 + (σ1 + σ3)/2 sin φ = c cos φ with σ1 = s and σ3 = -3 s; Drucker–Prager likewise."""
     softening = CONCRETE.softening
@@ -71,6 +86,7 @@ def test_what_a_disc_bears_is_where_its_centre_meets_the_criterion() -> None:
     assert reached == pytest.approx(cone.strength, rel=1e-5)
 
 
+@pytest.mark.filterwarnings("ignore:.*the disc yields in shear:bondem.errors.StrengthWarning")
 @pytest.mark.parametrize("shape", [
     bd.Cylinder(radius=RADIUS, length=20e-3), pytest.param(flat_disc(math.radians(10.0)), marks=pytest.mark.validate),
 ])  # fmt: skip

@@ -40,7 +40,7 @@ WRONG: dict[str, tuple[str, str, dict[str, Any]]] = {
     "another wall": ("sphere_impact", "PlaneWall", {"wall": bd.SphereWall(1.0)}),
     "a ball that flies away": ("sphere_impact", "points away", {"velocity": (1.0, 0.0, 0.0)}),
     "no speed": ("sphere_impact", "velocity = 0", {"velocity": 0.0}),
-    "a ball that spalls": ("spall", "no ends x_min", {"specimen": "ball"}),
+    "a ball that spalls": ("spall", "no face 'x_min'", {"specimen": "ball"}),
     "a pulse longer than there and back": ("spall", "shorter pulse", {"fall": 60e-6}),
     "no pressure": ("spall", "pressure = 0", {"pressure": 0.0}),
     "no bins": ("spall", "bins = 0", {"bins": 0}),

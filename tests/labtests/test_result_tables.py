@@ -13,6 +13,7 @@ import pytest
 
 import bondem as bd
 from bondem._drawing import Plotted, of_one_unit
+from bondem.boundary.gauges import units_of
 from bondem.errors import InputError
 from bondem.labtests.ball import FragmentSizes
 from bondem.labtests.cracking import Cracking
@@ -101,7 +102,7 @@ RESULTS: dict[str, tuple[Any, set[str], int]] = {
     "FreeVibration": (ringing, {"time [s]", "torsion [rad]", "work [J]"}, 1),
     "BrokenBall": (broken_ball, {"diameter [m]"}, 1),
     "FragmentSizes": (lambda: broken_ball().sizes, {"diameter [m]"}, 1),
-    "ExplicitResult": (run, {"time [s]", "work [J]", "balance [J]", "one x [SI]"}, 2),
+    "ExplicitResult": (run, {"time [s]", "work [J]", "balance [J]", "one x [m]"}, 2),
     "Outcome without curve": (of_signal, {"measured [Hz]", "theory [Hz]"}, 1),
     "Outcome": (lambda: of_signal(x=np.arange(3.0), profile=np.arange(3.0)), {"x [m]"}, 1),
     "Tension": (lambda: bd.labtests.static_tension(small(), LAW), {"E [Pa]", "nu [-]", "strain xx [-]"}, 3),
@@ -149,6 +150,35 @@ def test_a_table_needs_neither_pandas_nor_a_place_that_is_none(tmp_path: Path, m
         ringing().to_csv(tmp_path)
     with pytest.raises(InputError, match=r"FreeVibration\.to_csv: path = 3"):
         ringing().to_csv(3)  # pyrefly: ignore[bad-argument-type]
+
+
+@pytest.mark.parametrize(("gauge", "units"), [
+    (bd.Gauge(bd.Everything(), "angular_velocity"), ("rad/s",) * 3), (bd.StrainGauge(bd.Everything()), ("-",) * 3),
+    (bd.WallGauge(0, "growth"), ("m", "N", "N")), (bd.WallGauge(0, "torque"), ("N·m",) * 3),
+    (bd.WallGauge(0, "power"), ("W",) * 3), (bd.Gauge(bd.Everything(), "force"), ("N",) * 3),
+])  # fmt: skip
+def test_columns_of_gauges_have_the_unit_of_their_quantity(gauge: Any, units: tuple[str, ...]) -> None:
+    assert units_of(gauge) == units
+
+
+def test_a_path_that_goes_back_has_the_envelope_that_a_laboratory_measures() -> None:
+    """Loads and openings by hand: the events at 1 and 4 are below others, and the row of 9 N goes back."""
+    mouth, load = np.array([0.0, 2.0, 1.0, 4.0, 3.0, 3.5, 5.0]), np.array([0.0, 8.0, 5.0, 10.0, 7.0, 9.0, 6.0])
+    base = bending(True)
+    curve = np.column_stack([mouth, load])
+    found = replace(base, load=load, cmod=mouth, deflection=mouth, curve=curve)
+    np.testing.assert_array_equal(found.envelope["CMOD [m]"], [0.0, 2.0, 4.0, 5.0])
+    np.testing.assert_array_equal(found.envelope["load [N]"], [0.0, 8.0, 10.0, 6.0])
+    assert list(found.envelope) == list(found.table)
+    lines = {str(one.get_label()): one for one in found.plot().axes[0].get_lines()}
+    assert set(lines) == {"every failure event", "envelope"}
+    assert (len(lines["every failure event"].get_xdata()), len(lines["envelope"].get_xdata())) == (7, 5)
+
+
+def test_tests_of_balls_and_spalled_bars_show_their_results_first() -> None:
+    for result, first in ((struck(), "  damage: "), (crushed(), "  peak: "), (spalled(), "  peak: ")):
+        assert repr(result).split("\n")[1].startswith(first)
+    assert "peak: 0.199922 N" in repr(struck())  # 1e3 times the time of the last record
 
 
 def test_columns_of_one_unit_are_drawn_together() -> None:

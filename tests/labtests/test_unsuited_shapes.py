@@ -2,7 +2,9 @@
 
 import functools
 import math
+import re
 
+import numpy as np
 import pytest
 
 import bondem as bd
@@ -99,3 +101,31 @@ def test_a_disc_turned_about_its_axis_has_the_same_diameter():
 def test_a_missing_face_has_no_centre(shape):
     with pytest.raises(InputError, match="has no face 'x_min'"):
         shape.face_centre("x_min")
+
+
+def test_a_core_of_a_file_along_z_is_turned_as_the_message_says():
+    """Faces keep their names when a shape is turned, so that turning the surface or the cells did not help."""
+    place = bd.Box((1e-2, 1e-2, 2e-2))
+    corners = np.array([[x, y, z] for x in (-5e-3, 5e-3) for y in (-5e-3, 5e-3) for z in (0.0, 2e-2)])
+    corners[:, :2] = corners[:, :2] @ np.array([[0.8, 0.6], [-0.6, 0.8]])  # no sides along x and y
+    triangles = [[0, 1, 3], [0, 3, 2], [4, 7, 5], [4, 6, 7], [0, 5, 1], [0, 4, 5], [2, 3, 7], [2, 7, 6],
+                 [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]]  # fmt: skip
+    part = bd.Surface(vertices=corners, triangles=triangles)
+    assert part.volume == pytest.approx(place.volume)
+    core = body(part)
+    for refused in (core, core.rotated("y", 0.5 * math.pi)):
+        with pytest.raises(InputError, match=r"uniaxial_compression: the ends are z_min and z_max") as caught:
+            TESTS["uniaxial_compression"](refused)
+    told = re.search(r"bd\.Surface\(.*\)$", str(caught.value))
+    assert told is not None
+    turned = eval(told[0], {"bd": bd, "part": part})
+    assert turned.volume == pytest.approx(place.volume)
+    assert pytest.approx(LAW.E, rel=1e-6) == TESTS["static_tension"](body(turned)).E
+
+
+def test_flat_ends_are_cut_as_the_message_says():
+    round_part = bd.Ball(5e-3)
+    with pytest.raises(InputError, match=r"has no face 'x_min'; .* bd\.Box\(\.\.\.\) & part"):
+        TESTS["direct_tension"](body(round_part))
+    flat = bd.Box((6e-3, 2e-2, 2e-2)).moved((-3e-3, -1e-2, -1e-2)) & round_part
+    assert {"x_min", "x_max"} <= set(flat.faces)

@@ -1,6 +1,7 @@
 """What public objects show of themselves: at most twelve lines, with units, and a table in notebooks."""
 
 import inspect
+import re
 import typing
 from dataclasses import fields, is_dataclass
 from functools import cache
@@ -9,6 +10,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.labtests.cracking import Cracking
 from tests.specimens import bar, spheres
 
 LINES, WIDTH = 12, 118
@@ -98,6 +100,23 @@ def test_what_an_object_is_stands_there_with_units(thing, words):
     shown = repr(thing())
     for one in words:
         assert one in shown
+
+
+def test_results_of_tests_begin_with_what_they_measure():
+    """Strengths, moduli and the failure; numbers of several units, and what is no number, have no unit."""
+    body = bar(60, 20e-3)
+    state = bd.Model(body, bd.CellBond(E=1e9, nu=0.2), 1000.0).state()
+    cracking = Cracking(body, state, 0.1, 0.0, 0.0, 1.0, 100.0)
+    inner = bd.labtests.StrengthTest(4e6, 4e9, np.ones((9, 2)), 1.0, 0.0, 0.0, 0.0, 0.0, cracking, objects()[9])
+    split, pressed = bd.labtests.BrazilianTest(inner, 0.95, 0.5, 0.1), bd.labtests.TriaxialTest(inner, 1e6)
+    first = repr(split).split("\n")[1:4]
+    assert first == ["  peak: 4e+06 Pa", "  tension: 2e+06 Pa", "  E: 4e+09 Pa"]
+    assert "cracking: Cracking: does not split: 1 piece" in repr(split)
+    assert "deviator: 3e+06 Pa" in repr(pressed)
+    assert "curve: shape (9, 2), 1 … 1\n" in repr(inner)
+    history = repr(objects()[11])
+    assert re.search(r"records: shape \(\d+, 15\), \S+ … \S+\n", history)
+    assert "servo=none," in repr(objects()[9])
 
 
 def test_a_table_says_what_the_quantities_are():

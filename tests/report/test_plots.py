@@ -47,6 +47,10 @@ def test_a_model_shows_supports_loads_and_walls() -> None:
     text = words(model.plot())
     assert "fixed x y z" in text
     assert "load 5 N" in text
+    pushed = bd.Pressure(bd.Face("x_max"), 1e3, bd.Table((0.0, 1e-3), (0.0, 2e3))), bd.Pressure(bd.Face("x_min"), 5e5)
+    pressed = words(bd.Model(held.lattice, held.bond, 1e3, boundary=pushed).plot())
+    assert "pressure 0 Pa … 2.00 MPa" in pressed
+    assert "pressure 500 kPa" in pressed
     polygons = [one for one in model.plot().axes[0].collections if isinstance(one, PolyCollection)]
     assert len(polygons) == 3  # the cells and both walls
     driven = bd.Model(held.lattice, held.bond, 1e3, boundary=[bd.Drive(bd.Index([1]), vx=1.0)])
@@ -74,6 +78,9 @@ def test_runs_and_tests_are_drawn() -> None:
     text = words(run.plot())
     assert "energy [µJ]" in text
     assert "pieces, motion × " in text
+    assert "integrity" not in text
+    run.state.integrity[run.state.integrity == 0.0] = 0.05  # parted facets that still hold a little
+    assert "pieces (integrity ≤ 0.1), motion × " in words(run.plot())
     curve = np.column_stack([np.linspace(0.0, 1e-3, 5), np.linspace(0.0, 4e6, 5)])
     cracking = Cracking(run.state.model.lattice, run.state, 0.0, 0.0, 0.0, 1.0, 100.0)
     test = bd.labtests.StrengthTest(

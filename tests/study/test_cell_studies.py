@@ -4,13 +4,15 @@ import dataclasses
 import json
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
 import bondem as bd
-from bondem.errors import InputError, StudyError
+from bondem.cli.terminal import _tests
+from bondem.errors import InputError, StrengthWarning, StudyError
 from bondem.labtests.faces import specimen_faces
 from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.labtests.tension import tension_model
@@ -249,6 +251,28 @@ def test_a_section_through_cells_has_the_area_of_the_shape(body):
 def test_keys_that_cells_do_not_have_are_refused(changed, told):
     with pytest.raises(StudyError, match=told):
         parse_study(STUDY | changed)
+
+
+def test_the_report_says_that_a_disc_yields_before_it_splits(tmp_path):
+    failure = {"criterion": "MohrCoulomb", "tension": 4e6, "cohesion": 7.4e6, "friction_angle": "59.8 deg",
+               "fracture_energy": 100.0}  # fmt: skip
+    changed = {
+        "tests": ["brazilian"], "failure": failure, "material": {"name": "rock", "E": 4e10, "nu": 0.2, "rho": RHO},
+        "specimen": {"shape": "cylinder", "radius": 25e-3, "length": 20e-3, "count": 150, "method": "even"},
+        "output": {"figures": False},
+    }  # fmt: skip
+    with pytest.warns(StrengthWarning, match="the disc yields in shear"):
+        run_study(parse_study(STUDY | changed), tmp_path / "out")
+    report = " ".join((tmp_path / "out" / "report.html").read_text(encoding="utf-8").split())
+    assert "it yields in shear and does not split: 1 piece" in report
+    assert "Its peak is no splitting strength: enter a larger cohesion." in report
+
+
+def test_a_share_without_a_unit_is_named_on_the_terminal():
+    row = {"measured": 0.4545, "unit": "-", "theory": None, "error": None, "scatter": None}
+    packing = {"tests": {"sphere_impact": {"error_timoshenko": None, "error_refined": None}}}
+    table = _tests(SimpleNamespace(reference=None), {"tests": {"sphere_impact": row}, "packings": [packing]})
+    assert list(table.columns[0].cells) == ["  sphere_impact, share of broken facets"]
 
 
 def test_templates_are_the_examples_and_can_be_read(tmp_path):

@@ -238,6 +238,7 @@ def test_what_has_changed_is_run_again(ran: list[str], tmp_path: Path) -> None:
     assert "± scatter" in (tmp_path / "report.html").read_text()
 
 
+@pytest.mark.filterwarnings("ignore:.*the disc yields in shear:bondem.errors.StrengthWarning")
 def test_the_command_runs_a_programme(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     text = (EXAMPLES / "concrete.toml").read_text().split("[[specimens]]")
     shared = text[0].replace('ucs = "55 MPa"\n', "").replace("figures = true", "figures = false")

@@ -11,6 +11,11 @@ WallQuantity = Literal[
     "displacement", "velocity", "force", "growth", "rotation", "angular_velocity", "torque", "power"
 ]
 Reduction = Literal["", "mean", "sum", "max_abs"]
+# SI unit of each quantity but "growth", whose components have different ones.
+_UNITS = {
+    "displacement": "m", "velocity": "m/s", "rotation": "rad", "angular_velocity": "rad/s", "force": "N",
+    "torque": "N·m", "power": "W",
+}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -78,3 +83,10 @@ class StrainGauge:
 
 
 AnyGauge = Gauge | WallGauge | StrainGauge
+
+
+def units_of(gauge: AnyGauge) -> tuple[str, str, str]:
+    """Return the SI units of the three components of a gauge."""
+    quantity = "" if isinstance(gauge, StrainGauge) else gauge.quantity
+    one = _UNITS.get(quantity, "-")
+    return ("m", "N", "N") if quantity == "growth" else (one, one, one)

@@ -218,18 +218,10 @@ class Calibration:
 
 @staged("calibration")
 def calibrate(
-    lattice: Lattice | Sequence[Lattice],
-    material: Material,
-    *,
-    law: type[BondLaw] | None = None,
-    nu_mu: float = 0.3,
-    search: tuple[float, float] | None = None,
-    tolerance: float = 1e-5,
-    ucs: float | None = None,
-    tension: float | None = None,
-    friction_angle: float = math.radians(35.0),
-    **parameters: Any,
-) -> Calibration:
+    lattice: Lattice | Sequence[Lattice], material: Material, *, law: type[BondLaw] | None = None, nu_mu: float = 0.3,
+    search: tuple[float, float] | None = None, tolerance: float = 1e-5, ucs: float | None = None,
+    tension: float | None = None, friction_angle: float = math.radians(35.0), **parameters: Any,
+) -> Calibration:  # fmt: skip
     """Calibrate a family of bond laws to E, ν and ρ of a material, and optionally to its strengths.
 
     In linear elasticity ν does not depend on E_μ, and E is proportional to E_μ. The free parameter of the law (r̃ of

@@ -164,18 +164,11 @@ class StrengthCalibration:
 
 @staged("calibration of strengths", shares=False)
 def calibrate_strength(
-    tests: Mapping[str, Test],
-    targets: Mapping[str, tuple[float, float]],
-    start: Mapping[str, float],
-    *,
-    strengths: Sequence[str] = (),
-    bounds: Mapping[str, tuple[float, float]] | None = None,
-    most: int = 15,
-    out: str | Path | None = None,
-    about: str = "",
-    progress: Callable[[str], None] | None = None,
+    tests: Mapping[str, Test], targets: Mapping[str, tuple[float, float]], start: Mapping[str, float], *,
+    strengths: Sequence[str] = (), bounds: Mapping[str, tuple[float, float]] | None = None, most: int = 15,
+    out: str | Path | None = None, about: str = "", progress: Callable[[str], None] | None = None,
     executor: Executor | None = None,
-) -> StrengthCalibration:
+) -> StrengthCalibration:  # fmt: skip
     """Calibrate failure parameters so that tests give target strengths.
 
     The method is Broyden's secant method in logarithms, in which products of powers of the parameters are linear. The

@@ -24,14 +24,9 @@ Report = Callable[[str, float], None]
 
 
 def run_campaign(
-    campaign: Campaign,
-    out: str | Path,
-    *,
-    workers: int | None = None,
-    address: str | None = None,
-    progress: Report | None = None,
-    dashboard: Callable[[str], None] | None = None,
-) -> dict[str, Any]:
+    campaign: Campaign, out: str | Path, *, workers: int | None = None, address: str | None = None,
+    progress: Report | None = None, dashboard: Callable[[str], None] | None = None,
+) -> dict[str, Any]:  # fmt: skip
     """Run a campaign; specimens already finished in the folder are not run again.
 
     Each specimen has a folder `specimens/NAME/` with the results of `bondem run`, as soon as they are complete.

@@ -12,7 +12,7 @@ from bondem.cli.pictures import SHOWN, pictures
 @click.argument("run_file", metavar="RUN.h5", type=click.Path(path_type=Path))
 @click.option("--out", type=click.Path(path_type=Path),
               help="Output file: PNG, or MP4 or GIF of all snapshots.  [RUN.png]")  # fmt: skip
-@click.option("--field", help="Field that colours elements: a field of the file, or 'fragment'.  [displacement]")
+@click.option("--field", help="Field that colours elements: one of the file, 's1' or 'fragment'.  [displacement]")
 @click.option("--show", type=click.Choice(SHOWN), default="auto", help="Objects to draw.")
 @click.option("--snapshot", type=int, default=-1, help="Index of the snapshot; -1 is the last.")
 @click.option("--section", type=click.Choice(("x", "y", "z")),

@@ -15,6 +15,7 @@ from bondem._threads import most_threads, threads
 from bondem.dynamics.progress import RunProgress, listening
 from bondem.errors import InputError
 from bondem.interactions.law_catalogue import LAWS
+from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.report.numbers import many, percent, signed_percent, with_unit
 from bondem.study.study_file import TESTS, Study
 
@@ -210,7 +211,8 @@ def _tests(study: Study, results: Mapping[str, Any]) -> Table:
         ]
         if published:
             cells.append(percent(published[name]) if name in published else "")
-        table.add_row(f"  {name}", *cells)
+        of = f", {FAILURE_TESTS[name].figure.quantity}" if row["unit"] == "-" and name in FAILURE_TESTS else ""
+        table.add_row(f"  {name}{of}", *cells)
     return table
 
 

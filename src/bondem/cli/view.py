@@ -10,7 +10,7 @@ from bondem.cli.pictures import SHOWN, pictures
 
 @click.command("view", context_settings={"show_default": True})
 @click.argument("run_file", metavar="RUN.h5", type=click.Path(path_type=Path))
-@click.option("--field", help="Field that colours elements: a field of the file, or 'fragment'.  [displacement]")
+@click.option("--field", help="Field that colours elements: one of the file, 's1' or 'fragment'.  [displacement]")
 @click.option("--show", type=click.Choice(SHOWN), default="auto", help="Objects to draw.")
 @click.option("--snapshot", type=int, default=-1, help="Index of the snapshot; -1 is the last.")
 @click.option("--warp", type=click.FloatRange(min=0.0), default=1.0, help="Magnification of displacements.")

@@ -55,12 +55,9 @@ class ExplainedStep:
 
 
 def explain_step(
-    model: Model,
-    *,
-    damping: AnyDamping | tuple[AnyDamping, ...] | None = None,
-    gauges: Mapping[str, AnyGauge] | None = None,
-    state: State | None = None,
-) -> ExplainedStep:
+    model: Model, *, damping: AnyDamping | tuple[AnyDamping, ...] | None = None,
+    gauges: Mapping[str, AnyGauge] | None = None, state: State | None = None,
+) -> ExplainedStep:  # fmt: skip
     """Return the passes that the core calls in one step of `solve_explicit`, with the purpose of each.
 
     The step is composed from a state as in a run, and none of its passes is called. The step of a model

@@ -65,6 +65,7 @@ def integrate(
     names = tuple(plan.gauges)
     state = State(model) if state is None else state
     history = History.empty(names) if history is None else history
+    began_at = state.step
     midway = plan.every > 0 and state.step % plan.every > 0 and state.step < plan.steps
     if midway and len(history) and history.time[-1] == state.time:
         history = History(history.records[:-1], names)  # a record at the end of a part, between two of the run
@@ -164,11 +165,13 @@ def integrate(
         written.append(end)
     history = written.so_far
     if sink is not None and status is not Status.UNSTABLE:
+        if plan.snapshot_every and state.step % plan.snapshot_every and state.step > began_at and ended:
+            sink.snapshot(state)  # the end of the run
         sink.checkpoint(state, history)
     return ExplicitResult(
         status=status, iterations=state.step, residual=history.imbalance, state=state, history=history, dt=dt,
         message=message + _fractured(state) + turned + warning,
-        quasistatic=measured(model, plan, history, state),
+        quasistatic=measured(model, plan, history, state), gauges=plan.gauges,
     )  # fmt: skip
 
 

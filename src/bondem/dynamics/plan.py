@@ -7,9 +7,9 @@ from typing import Protocol
 import numpy as np
 
 from bondem._checks import count, instance, number, several, shown
-from bondem._drawing import PlottedState, columns_of
+from bondem._drawing import PlottedState
 from bondem._types import Floats
-from bondem.boundary.gauges import AnyGauge, Gauge, StrainGauge, WallGauge
+from bondem.boundary.gauges import AnyGauge, Gauge, StrainGauge, WallGauge, units_of
 from bondem.dynamics.damping import AnyDamping, DampingTerms
 from bondem.dynamics.events import Event
 from bondem.dynamics.history import History
@@ -125,6 +125,7 @@ class ExplicitResult(Solution, PlottedState):
         dt: time step [s].
         message: one line about the end of the run.
         quasistatic: kinetic over elastic energy, difference of the forces at both ends, forces of servo walls.
+        gauges: gauges of the run, by name.
     """
 
     state: State
@@ -132,6 +133,7 @@ class ExplicitResult(Solution, PlottedState):
     dt: float
     message: str
     quasistatic: Quasistatic
+    gauges: Mapping[str, AnyGauge]
 
     @property
     def events(self) -> BrokenBonds:
@@ -163,7 +165,8 @@ class ExplicitResult(Solution, PlottedState):
         history = self.history
         found = {"time [s]": history.time} | {f"{name} [J]": values for name, values in history.energy.items()}
         for name in history.gauges:
-            found |= columns_of(f"{name} {{}} [SI]", "xyz", history[name])
+            ends = zip("xyz", units_of(self.gauges[name]), history[name].T, strict=True)
+            found |= {f"{name} {end} [{unit}]": column for end, unit, column in ends}
         return found
 
     @property

@@ -29,12 +29,9 @@ _PER_CONTACT, _PER_FACE = 20, 50
 
 
 def critical_step(
-    model: Model,
-    scheme: Scheme,
-    damping: AnyDamping | tuple[AnyDamping, ...] | None = None,
-    *,
+    model: Model, scheme: Scheme, damping: AnyDamping | tuple[AnyDamping, ...] | None = None, *,
     integrity: PerBond | None = None,
-) -> float:
+) -> float:  # fmt: skip
     """Return the largest stable time step of a scheme on a model [s]; infinite without bonds and contacts.
 
     The step is also stable for contacts that form later, because every element is assumed to have as many contacts as
@@ -133,13 +130,9 @@ class Step:
 
 
 def choose_step(
-    model: Model,
-    scheme: Scheme,
-    dt: float | None,
-    *,
-    safety: float,
+    model: Model, scheme: Scheme, dt: float | None, *, safety: float,
     damping: AnyDamping | tuple[AnyDamping, ...] | None = None,
-) -> Step:
+) -> Step:  # fmt: skip
     """Return a time step: the given dt [s] after a check, or a chosen one if dt is None.
 
     The chosen step is the share `safety` [-] of the critical one, or less to resolve short collisions.

@@ -36,13 +36,9 @@ class CrackGrowth:
 
 
 def crack_speed(
-    events: BrokenBonds,
-    origin: Sequence[float],
-    direction: Sequence[float],
-    *,
-    between: tuple[float, float] | None = None,
-    beyond: float = 0.0,
-) -> CrackGrowth:
+    events: BrokenBonds, origin: Sequence[float], direction: Sequence[float], *,
+    between: tuple[float, float] | None = None, beyond: float = 0.0,
+) -> CrackGrowth:  # fmt: skip
     """Measure the length of a crack over time, and its speed.
 
     The front is the largest (x - origin)·direction of all broken bonds or facets so far. The speed is the slope of

@@ -38,17 +38,10 @@ _ACROSS = 1.3
 
 
 def read_particles(
-    path: str | Path,
-    *,
-    unit: str | float | None = None,
-    shape: Shape | None = None,
-    period: ArrayLike | None = None,
-    columns: Sequence[str | int] | None = None,
-    radius: str | float | None = None,
-    diameters: bool = False,
-    periodic: bool | None = None,
-    frame: int = -1,
-) -> Particles:
+    path: str | Path, *, unit: str | float | None = None, shape: Shape | None = None, period: ArrayLike | None = None,
+    columns: Sequence[str | int] | None = None, radius: str | float | None = None, diameters: bool = False,
+    periodic: bool | None = None, frame: int = -1,
+) -> Particles:  # fmt: skip
     """Read spheres from a file, in the format of its suffix.
 
     `.h5` is the format of `bd.save_particles`. `.csv` has a header, or columns x, y, z, radius. `.txt` is a file of
@@ -92,14 +85,9 @@ def read_particles(
 
 
 def read_lattice(
-    path: str | Path,
-    *,
-    unit: str | float | None = None,
-    shape: Shape | None = None,
-    period: ArrayLike | None = None,
-    radius: str | None = None,
-    periodic: bool | None = None,
-) -> Lattice:
+    path: str | Path, *, unit: str | float | None = None, shape: Shape | None = None, period: ArrayLike | None = None,
+    radius: str | None = None, periodic: bool | None = None,
+) -> Lattice:  # fmt: skip
     """Read spheres and their bonds from a file of bondem, a LAMMPS data file with bonds, or VTKHDF with lines.
 
     Bonds are intact and at rest at the lengths that they have in the file, without the broken bonds of a state.

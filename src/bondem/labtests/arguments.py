@@ -52,11 +52,23 @@ def check(test: str, lattice: object, *, faces: str = "x_min x_max", **given: ob
 
 
 def refuse_turned(test: str, specimen: Lattice, faces: str) -> None:
-    """Raise InputError if a face of a specimen, such as "x_max", does not point along its axis.
+    """Raise InputError if a face of a specimen, such as "x_max", does not point along its axis, or has no end x_min.
 
-    "top" and "bottom" are along y. Faces that the shape does not have are not checked.
+    "top" and "bottom" are along y. Other faces that the shape does not have are not checked.
     """
     shape = specimen.particles.envelope
+    missing = [name for name in ("x_min", "x_max") if "x_min" in faces and name not in shape.faces]
+    if missing:
+        for axis, order in (("y", [1, 2, 0]), ("z", [2, 0, 1])):
+            if {f"{axis}_min", f"{axis}_max"} <= set(shape.faces):
+                raise InputError(
+                    f"labtests.{test}: the ends are {axis}_min and {axis}_max, not x_min and x_max; turn the surface"
+                    f" before packing: bd.Surface(vertices=part.vertices[:, {order}], triangles=part.triangles)"
+                )
+        raise InputError(
+            f"labtests.{test}: a {type(shape).__name__} has no face '{missing[0]}'; give a body with flat ends, as"
+            " bd.Box(...) or bd.Box(...) & part"
+        )
     for face in (name for name in faces.split() if name in shape.faces):
         axis = {"top": 1, "bottom": 1}.get(face, "xyz".find(face[0]))
         out = face_patches(shape, face, 0.1 * float(np.ptp(shape.bounds, axis=0).max()))[1].sum(axis=0)

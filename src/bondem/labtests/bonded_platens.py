@@ -114,21 +114,14 @@ class BondedSpecimen:
     @classmethod
     def of(
         cls, test: str, lattice: Lattice, law: AnyLaw, failure: FailureAssignment, *, density: float,
-        contact: ContactLaw | None, faces: tuple[str, ...] = ("x_min", "x_max"),
+        contact: ContactLaw | None,
     ) -> "BondedSpecimen":  # fmt: skip
-        """Check the arguments of a test that loads given `faces`, and create its specimen.
+        """Check the arguments of a test, and create its specimen.
 
         Raises:
-            InputError: no criterion, no such faces, turned ends, an invalid density, no bonds, or several bodies.
+            InputError: no criterion, no face x_min, turned ends, an invalid density, no bonds, or several bodies.
         """
         check(test, lattice, density=density)
-        shape = lattice.particles.envelope
-        missing = [name for name in faces if name not in shape.faces]
-        if missing:
-            raise InputError(
-                f"labtests.{test}: a {type(shape).__name__} has no face '{missing[0]}'; pack a bd.Box or"
-                " a bd.Cylinder"
-            )
         if failure is None:
             raise InputError(
                 f"labtests.{test}: failure = None; give a criterion such as bd.PeripheralStress(tension=...,"

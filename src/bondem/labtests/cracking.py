@@ -45,6 +45,7 @@ class Cracking:
         section: area that a single crack has to cross [m²]; NaN for a test in compression, which has no such section.
         axis: normal of that section, 0, 1 or 2.
         crushed: part of `dissipated` that facets released beyond G_f times their area, or without cohesion [J].
+        ended: load at the end of the test over its peak [-]; NaN if it is not known.
     """
 
     body: Lattice
@@ -57,6 +58,7 @@ class Cracking:
     section: float = math.nan
     axis: int = 0
     crushed: float = 0.0
+    ended: float = math.nan
 
     @cached_property
     def found(self) -> Cracks:
@@ -146,7 +148,8 @@ class Cracking:
         split = "splits" if self.pieces > 1 else "does not split"
         if self.slipped > self.dissipated:
             return f"yields in shear and {split}"
-        return split if self.pieces > 1 or not len(self.found) else f"cracks and {split}"
+        before = "" if math.isnan(self.ended) else f" before its end at {self.ended:.2f} of the peak"
+        return split if self.pieces > 1 or not len(self.found) else f"cracks and {split}{before}"
 
     @property
     def objection(self) -> str:

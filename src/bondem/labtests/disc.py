@@ -68,8 +68,8 @@ def require_disc(body: Lattice) -> Disc:
         return Disc(middle, diameter, length, math.acos(min(flat / (0.5 * diameter), 1.0 - 1e-6)))
     if not {"side", "x_min", "x_max"} <= set(shape.faces) or abs(height - diameter) > 1e-6 * diameter:
         raise InputError(
-            f"labtests.brazilian: {type(shape).__name__} is not a cylinder along x; use bd.Cylinder, or one whose"
-            ' flats across y are the faces "top" and "bottom"'
+            "labtests.brazilian: the body is not a cylinder along x; use bd.Cylinder, or one whose flats across y are"
+            ' the faces "top" and "bottom"'
         )
     return Disc(middle, diameter, length, None)
 

@@ -328,7 +328,8 @@ def _read(run: ExplicitResult, body: Lattice, rig: Rig, speed: float, begin: flo
     both = np.abs(far + near)[: top + 1] / rig.section
     cracking = Cracking(
         body=body, state=run.state, integrity=CRACKED, stored=float(elastic[top]), fracture_energy=G,
-        section=rig.torn if rig.sign > 0.0 else math.nan, axis=rig.axis, **dissipated_in(history),
+        section=rig.torn if rig.sign > 0.0 else math.nan, axis=rig.axis, ended=float(stress[-1]) / peak,
+        **dissipated_in(history),
     )  # fmt: skip
     return StrengthTest(
         peak=peak, E=initial_slope(strain, stress), curve=np.column_stack([moved / rig.length, stress]),

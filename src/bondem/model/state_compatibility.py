@@ -71,8 +71,11 @@ def difference(one: Origin, other: Origin) -> str:
     if not np.array_equal(one.lattice.centre, other.lattice.centre):
         return "law: elements of cells are not where spheres are"
     if not np.array_equal(one.mass, other.mass):
-        ratio = float(one.mass.sum() / other.mass.sum())
-        return f"density of the elements, {ratio:.4g} times that of the model (laboratory tests take density=)"
+        was, now = (each.mass.sum() / each.lattice.element_volume.sum() for each in (one, other))
+        return (
+            f"density of the elements, {was:.6g} and not {now:.6g} kg/m³ on average; give both the same density="
+            " (laboratory tests without one have 2000 kg/m³)"
+        )
     names = ("kn", "ks", "kb", "kt", "lever")
     constants = ((getattr(law.bonds, name), getattr(new.bonds, name)) for name in names)
     if law.formulation == "incremental" and not all(np.array_equal(p, q) for p, q in constants):

@@ -48,21 +48,12 @@ MOST = 100_000_000
 
 @staged("packing")
 def pack(
-    shape: Shape,
-    *,
-    count: int | None = None,
-    size: SizeField | None = None,
-    around: Around | Sequence[Around] | None = None,
-    spread: float | None = None,
-    sizes: SizeLaw | None = None,
-    method: Method = METHOD,
-    seed: int = SEED,
-    coordination_number: float | None = None,
-    volume_fraction: float | None = None,
-    jamming: bool = False,
-    cache: bool = True,
+    shape: Shape, *, count: int | None = None, size: SizeField | None = None,
+    around: Around | Sequence[Around] | None = None, spread: float | None = None, sizes: SizeLaw | None = None,
+    method: Method = METHOD, seed: int = SEED, coordination_number: float | None = None,
+    volume_fraction: float | None = None, jamming: bool = False, cache: bool = True,
     progress: Callable[[float], None] | None = None,
-) -> Particles:
+) -> Particles:  # fmt: skip
     """Fill a shape with spheres: dense, random and isotropic.
 
     Spheres lie inside the walls to rounding, except those of "even". The radii follow from count, shape and target.

@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from bondem._drawing import unit_of
-from bondem._types import Floats
+from bondem._types import Floats, Mask
 from bondem.report.style import BLUE, GREEN, GREY, ORANGE, PURPLE
 
 # Units that take prefixes, and the prefixes by powers of ten.
@@ -19,8 +19,11 @@ _KIND = {"J": "energy", "m": "displacement", "m/s": "velocity"}
 _FEW = 20
 
 
-def draw_columns(ax: Axes, drawn: Mapping[str, Floats]) -> None:
-    """Draw columns, named like "load [N]", as curves over the first one, or a single row as bars."""
+def draw_columns(ax: Axes, drawn: Mapping[str, Floats], outer: Mask | None = None) -> None:
+    """Draw columns, named like "load [N]", as curves over the first one, or a single row as bars.
+
+    Where the first column goes back, the rows of `outer` are drawn, above a thin line through all.
+    """
     names, values = list(drawn), [np.asarray(one, dtype=float) for one in drawn.values()]
     if len(values[0]) == 1:
         label, factor = _scaled(names[0], np.concatenate(values))
@@ -31,8 +34,15 @@ def draw_columns(ax: Axes, drawn: Mapping[str, Floats]) -> None:
     across, by = _scaled(names[0], values[0])
     label, up = _scaled(names[1], np.concatenate(values[1:]))
     marker, line = ("o", "none") if len(values[0]) < _FEW else ("", "-")
+    back = outer is not None and bool((np.diff(values[0]) < 0.0).any())
+    if back:
+        ax.plot(by * values[0], up * values[1], color=BLUE, alpha=0.3, linewidth=0.6, label="every failure event")
+        values = [one[outer] for one in values]
     for name, one, colour in zip(names[1:], values[1:], colours, strict=False):
-        ax.plot(by * values[0], up * one, color=colour, label=_quantity(name), marker=marker, linestyle=line)
+        words = "envelope" if back else _quantity(name)
+        ax.plot(by * values[0], up * one, color=colour, label=words, marker=marker, linestyle=line)
+    if back:
+        ax.legend(loc="best")
     if len(names) > 2:
         label = f"{_KIND.get(unit_of(names[1]), '')} {label.removeprefix(_quantity(names[1])).strip()}".strip()
         ax.legend(loc="best")

@@ -30,6 +30,7 @@ from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.report.column_curves import draw_columns
 from bondem.report.crack_pictures import draw_elements, piece_colours
+from bondem.report.numbers import with_unit
 from bondem.report.overlays import SCALE, draw_arrow, draw_box, draw_walls
 from bondem.report.piece_colours import piece_palette
 from bondem.report.spheres import View
@@ -114,7 +115,7 @@ def draw_model(
         if moved is None:
             colour, handles = _supports(model)
             _body(ax, lattice, colour, eye)
-            ax.legend(handles=handles, loc="upper left", bbox_to_anchor=(0.0, 0.0), fontsize=8.5) if handles else None
+            ax.legend(handles=handles, loc="lower left", bbox_to_anchor=(0.0, 1.0), fontsize=8.5) if handles else None
             for condition in model.boundary:
                 for start, along, tint in _arrows(lattice, condition):
                     draw_arrow(ax, start, along, *sides, eye, tint)
@@ -132,7 +133,7 @@ def draw_result(result: Plotted, path: Any, *, reach: float | None, view: tuple[
     eye, drawn, pictures = _view(who, view), result.drawn, result._pictures
     with _figure(who, path, bool(drawn) + len(pictures)) as (figure, axes):
         if drawn:
-            draw_columns(axes[0], drawn)
+            draw_columns(axes[0], drawn, result._outer)
         for ax, picture in zip(axes[bool(drawn) :], pictures, strict=True):
             _draw_picture(figure, ax, picture, reach, eye)
             ax.autoscale_view()
@@ -203,7 +204,9 @@ def _effect(condition: Any) -> tuple[str, str] | None:
         case Load():
             return f"load {np.linalg.norm(condition.force):.3g} N", ORANGE
         case Pressure():
-            return f"pressure {condition.pressure:.3g} Pa", ORANGE
+            least, most = (condition.pressure * pick(condition.schedule.table[1]) for pick in (min, max))
+            over = "" if least == most else f"{with_unit(least, 'Pa', 3)} … "
+            return f"pressure {over}{with_unit(most, 'Pa', 3)}", ORANGE
         case Absorbing():
             return "absorbing", PURPLE
     return None
@@ -250,7 +253,8 @@ def _broken_body(ax: Axes, state: State, pieces: Any, reach: float | None, view:
     reach = _reach(lattice, moved, reach)
     colour = piece_colours(pieces)
     _body(ax, lattice, colour, view, moved=moved, turned=state.orientation, reach=reach, piece=pieces.label)
-    ax.set_title(f"{len(pieces)} pieces, motion × {reach:.3g}")
+    cracked = "" if len(fragments(lattice, state)) == len(pieces) else f" (integrity ≤ {CRACKED:g})"
+    ax.set_title(f"{len(pieces)} pieces{cracked}, motion × {reach:.3g}")
 
 
 def _reach(lattice: Lattice, moved: Floats, reach: float | None) -> float:

@@ -17,6 +17,7 @@ from bondem.io.hdf5 import array_at
 from bondem.io.raw_spheres import snapshot_number
 from bondem.io.run_contents import read_contents
 from bondem.io.runfile import read_run, reading_run
+from bondem.observables.principal_stresses import principal_stresses, von_mises_stress
 from bondem.report.piece_colours import piece_palette
 from bondem.report.style import GREY, INK, ORANGE, SEQUENTIAL
 
@@ -27,14 +28,23 @@ _BAR: dict[str, Any] = {
 }  # fmt: skip
 _WALL: dict[str, Any] = {"color": "#9fb3c8", "opacity": 0.35, "ambient": 0.6, "diffuse": 0.4}
 _UNITS = {
-    "displacement": "m", "velocity": "m/s", "angular_velocity": "rad/s", "stress": "Pa", "normal_force": "N",
+    "displacement": "m", "velocity": "m/s", "angular_velocity": "rad/s", "normal_force": "N",
     "shear_force": "N", "bending_moment": "N·m", "twisting_moment": "N·m",
     "radius": "m", "length": "m", "volume": "m³", "opening": "m", "sliding": "m", "area": "m²",
+    "von Mises stress": "Pa", "stress s1": "Pa",
 }  # fmt: skip
+# Scalars of the stress by name of the field, with title and function of tensors; places of components in a tensor.
+_STRESSES = {
+    "stress": ("von Mises stress", von_mises_stress), "von_mises_stress": ("von Mises stress", von_mises_stress),
+    "s1": ("stress s1", lambda stress: principal_stresses(stress)[:, 0]),
+}  # fmt: skip
+_TENSOR = [[0, 3, 5], [3, 1, 4], [5, 4, 2]]
 # Units of coordinates, the finest first.
 _LENGTHS = ((1e6, "µm"), (1e3, "mm"), (1.0, "m"))
 # Sides of drawn spheres for few and for many elements, and the largest number of few elements.
 _FINE, _COARSE, _MANY = 24, 10, 20_000
+# Share of the longest side of a body below which a side has numbers at its ends only.
+_SHORT = 0.25
 # Azimuth and elevation of named cameras [degree].
 _CAMERAS = {
     "iso": (45.0, 30.0), "x": (0.0, 0.0), "-x": (180.0, 0.0), "y": (90.0, 0.0), "-y": (-90.0, 0.0),
@@ -115,9 +125,11 @@ class Scene:
     def _measured(self, plotter: Any, body: Any) -> None:
         """Draw the box about the body with its coordinates, in the unit that suits its size."""
         factor, unit = next((one for one in _LENGTHS if body.length * one[0] < 1000.0), _LENGTHS[-1])
+        sides = np.diff(np.reshape(body.bounds, (3, 2)))[:, 0]
+        x, y, z = (3 if side > _SHORT * sides.max() else 2 for side in sides)  # numbers of short sides would overlap
         plotter.show_bounds(
-            mesh=body, axes_ranges=[factor * end for end in body.bounds], fmt="%.3g", n_xlabels=3, n_ylabels=3,
-            n_zlabels=3, xtitle=f"x [{unit}]", ytitle=f"y [{unit}]", ztitle=f"z [{unit}]", font_size=10,
+            mesh=body, axes_ranges=[factor * end for end in body.bounds], fmt="%.3g", n_xlabels=x, n_ylabels=y,
+            n_zlabels=z, xtitle=f"x [{unit}]", ytitle=f"y [{unit}]", ztitle=f"z [{unit}]", font_size=10,
             color="#5b6875", location="outer",
         )  # fmt: skip
 
@@ -179,10 +191,16 @@ class Scene:
         """
         known = {*mesh.point_data.keys(), *mesh.cell_data.keys()}
         name = self._field or ("displacement" if "displacement" in known else "integrity")
+        if name in _STRESSES and "stress" in known:
+            data = mesh.cell_data if "stress" in mesh.cell_data else mesh.point_data
+            title, measure = _STRESSES[name]
+            data[title] = measure(np.asarray(data["stress"])[:, _TENSOR])
+            return title
         if name not in known:
             if self._field is None:
                 return None
-            raise InputError(f"field = '{name}': no such field; choose from {', '.join(sorted(known))}, and fragment")
+            known |= {*_STRESSES, "fragment"} if "stress" in known else {"fragment"}
+            raise InputError(f"field = '{name}': no such field; choose from {', '.join(sorted(known))}")
         data = mesh.cell_data if name in mesh.cell_data else mesh.point_data
         if data[name].ndim > 1 and name != "fragment":
             data[f"|{name}|"] = np.linalg.norm(data[name], axis=1)

@@ -29,7 +29,8 @@ def render_run(
     Args:
         run_file: run file with snapshots.
         out: picture or film to write.
-        field: field of the elements, or "fragment" (of the last state only); None for displacement or integrity.
+        field: field of the elements ("stress" is that of von Mises), "s1" for the largest principal stress, or
+            "fragment" (of the last state only); None for displacement or integrity.
         show: objects to draw: "auto", "elements", "cells", "cracks" or "bonds".
         snapshot: index of the snapshot; -1 is the last.
         section: axis "x", "y" or "z" of a section; the half in front of the middle plane is removed.

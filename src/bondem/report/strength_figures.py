@@ -13,7 +13,8 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 
-from bondem._types import Floats, Mask
+from bondem._drawing import enveloping
+from bondem._types import Floats
 from bondem.labtests.failure_record import TestFigure
 from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.report.crack_pictures import draw_magnified
@@ -60,12 +61,6 @@ def draw_curves(path: Path, findings: Findings) -> None:
         if lines:
             beside = legend_columns(2 if len(names) > 1 else 1)
             figure.legend(lines.values(), lines.keys(), loc="outside lower center", ncols=beside)
-
-
-def enveloping(load: Floats) -> Mask:
-    """Return a mask of points on the envelope of a path, (k,): no earlier, or no later, point has a larger load."""
-    rising, falling = np.maximum.accumulate(load), np.maximum.accumulate(load[::-1])[::-1]
-    return load >= np.minimum(rising, falling)
 
 
 def draw_broken(path: Path, specimen: Examined) -> None:

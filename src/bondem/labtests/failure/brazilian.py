@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from bondem._checks import number
+from bondem._names import warn_user
 from bondem._progress import staged
 from bondem._types import Floats
 from bondem.boundary.conditions import Drive, Fix
@@ -15,7 +16,7 @@ from bondem.boundary.gauges import Gauge, StrainGauge
 from bondem.boundary.schedules import Ramp
 from bondem.damage.cohesive_softening import Softening
 from bondem.damage.failure_assignment import FailureAssignment
-from bondem.errors import InputError
+from bondem.errors import InputError, StrengthWarning
 from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.interactions.contact.contact_law import ContactLaw
 from bondem.interactions.law_catalogue import AnyLaw
@@ -123,7 +124,8 @@ def brazilian(
 
     Warns:
         NotQuasistaticWarning: `.test.unbalance` is above 0.02 for bonded spheres; for cells as in `solve_explicit`.
-        StrengthWarning: the load of bonded spheres still rises at the limit of the motion.
+        StrengthWarning: the load of bonded spheres still rises at the limit of the motion, or cells yield in shear
+            and the disc does not split.
 
     Reference: ISRM, Int. J. Rock Mech. Min. Sci. 15 (1978) 99–103; Wang et al., ibid. 41 (2004) 245–253.
     """
@@ -133,7 +135,7 @@ def brazilian(
     rough = number(owner, "platen_friction", platen_friction, least=0.0) or None
     if not is_cells(body, law):
         rho = options.density
-        specimen = BondedSpecimen.of("brazilian", body, law, failure, density=rho, contact=contact, faces=())
+        specimen = BondedSpecimen.of("brazilian", body, law, failure, density=rho, contact=contact)
         test, centre, factor, angle = split_bonded(
             specimen, half_angle=half_angle, friction=rough or 0.0, ending=share, options=options
         )
@@ -166,6 +168,12 @@ def brazilian(
         gauge=StrainGauge(middle_of_disc(body, disc)), strain=_strained(matrix.nu),
     )  # fmt: skip
     test = run_to_failure("brazilian", body, law, failure, rig, options)
+    if test.cracking.pieces == 1 and test.cracking.slipped > test.cracking.dissipated:
+        warn_user(
+            f"{owner}: the peak of {test.peak:.4g} Pa is no splitting strength: the disc yields in shear and does not"
+            " split; give a larger cohesion in failure=",
+            StrengthWarning,
+        )
     return BrazilianTest(test=test, centre=centre, factor=jaws.factor, half_angle=jaws.half_angle)
 
 

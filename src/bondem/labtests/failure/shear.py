@@ -129,7 +129,7 @@ def shear(
     options.check_traverses("shear")
     share = number(owner, "ending", ending, least=0.0, below=1.0)
     if not is_cells(body, law):
-        specimen = BondedSpecimen.of("shear", body, law, failure, density=options.density, contact=contact, faces=())
+        specimen = BondedSpecimen.of("shear", body, law, failure, density=options.density, contact=contact)
         return _shear_bonded(specimen, share, options)
     law = as_cells("shear", law, contact)
     matrix = require_cells("shear", body, law, options.density)

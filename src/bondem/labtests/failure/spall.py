@@ -182,8 +182,6 @@ def spall(
         raise InputError(f"{owner}: bins = {parts}: too many; give at most {_MOST_BINS}")
     thin = ThinBar(law.E, density, pressure, rise, fall)
     shape = bar.particles.envelope
-    if not {"x_min", "x_max"} <= set(shape.faces):
-        raise InputError(f"{owner}: a {type(shape).__name__} has no ends x_min and x_max; use a bar along x")
     length, section = shape.extent, shape.section()
     way = length / thin.celerity
     if rise + fall > 2.0 * way:

@@ -135,7 +135,7 @@ def sphere_crushing(
     """
     density = constant("density", density)
     owner = "labtests.sphere_crushing"
-    check("sphere_crushing", ball, density=_DENSITY if density is None else density)
+    check("sphere_crushing", ball, faces="", density=_DENSITY if density is None else density)
     number(owner, "friction", friction, least=0.0)
     number(owner, "traverses", traverses, least=1.0, advice="a number of at least 1")
     share = number(owner, "ending", ending, least=0.0, below=1.0)

@@ -117,7 +117,7 @@ def sphere_impact(
     """
     density = constant("density", density)
     owner = "labtests.sphere_impact"
-    check("sphere_impact", ball, density=density)
+    check("sphere_impact", ball, faces="", density=density)
     number(owner, "friction", friction, least=0.0)
     number(owner, "fine", fine, above=0.0, below=1.0, advice="a share of the diameter in (0, 1)")
     if duration is not None:

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from bondem._checks import instance, number
-from bondem._drawing import PlottedState
+from bondem._drawing import PlottedPath
 from bondem._progress import staged
 from bondem._types import Floats
 from bondem.boundary.conditions import Load
@@ -44,7 +44,7 @@ _MOUTH, _STEEP = "cmod", 0.5
 
 
 @dataclass(frozen=True, eq=False)
-class BendingTest(PlottedState):
+class BendingTest(PlottedPath):
     """Result of a bending test: for cells a quasi-static path of failure events, for bonded spheres a run over time.
 
     Attributes:
@@ -169,7 +169,7 @@ def three_point_bending(
             )
         options = RunOptions.of(density, traverses, out, progress)
         specimen = BondedSpecimen.of(
-            "three_point_bending", body, law, failure, density=options.density, contact=contact, faces=()
+            "three_point_bending", body, law, failure, density=options.density, contact=contact
         )
         return _bend_bonded(specimen, span=span, friction=roller_friction, until=until, options=options)
     if traverses is not None or out is not None or roller_friction:

@@ -8,7 +8,7 @@ import numpy as np
 
 from bondem._blas import one_blas_thread
 from bondem._checks import count, instance, number
-from bondem._drawing import PlottedState, columns_of
+from bondem._drawing import PlottedPath, columns_of
 from bondem._names import warn_user
 from bondem._progress import staged
 from bondem._signals import Halt, noticing, stop_by
@@ -49,7 +49,7 @@ _ENDS = {
 
 
 @dataclass(frozen=True, eq=False)
-class QuasistaticResult(PlottedState):
+class QuasistaticResult(PlottedPath):
     """Path of equilibria, each at the load at which the next facets fail, with e events and f failures of facets.
 
     Attributes:
