@@ -30,6 +30,10 @@ MOTIONS = {
     for dof, name in enumerate(names.split())
 }  # fmt: skip
 
+#: Errors of conditions that contradict each other.
+DRIVEN_TWICE = "{} is driven twice in one component; remove one Drive"
+FIXED_AND_DRIVEN = "an element is both fixed and driven in one component; subtract the regions"
+
 
 def _components(owner: str, axes: str) -> tuple[int, ...]:
     instance(owner, "translation= or rotation", axes, str, "axes as text: a subset of 'xyz', or '' for none")
@@ -47,7 +51,8 @@ class Fix:
     Attributes:
         region: constrained elements.
         translation: axes along which the centres are constrained, a subset of "xyz".
-        rotation: axes about which the orientations are constrained, a subset of "xyz".
+        rotation: axes about which the orientations are constrained, a subset of "xyz". None is "xyz", but "" where
+            facets of a face of cells are held, which stay in their plane; name axes to hold their cells as well.
         friction: coefficient of friction μ of a platen [-], on a face of cells constrained along one axis. Facets
             do not slide along the face up to a shear force of μ times their normal force. None is a smooth platen,
             as is 0 in explicit runs. In static solutions facets do not slide for any number, also for 0.
@@ -58,7 +63,7 @@ class Fix:
 
     region: Region
     translation: str = "xyz"
-    rotation: str = "xyz"
+    rotation: str | None = None
     friction: float | None = None
 
     def __post_init__(self) -> None:
@@ -75,7 +80,7 @@ class Fix:
     @property
     def components(self) -> tuple[int, ...]:
         """Constrained degrees of freedom: 0, 1, 2 for translations and 3, 4, 5 for rotations."""
-        turns = tuple(3 + axis for axis in _components("Fix", self.rotation))
+        turns = tuple(3 + axis for axis in _components("Fix", "xyz" if self.rotation is None else self.rotation))
         return _components("Fix", self.translation) + turns
 
 
@@ -127,6 +132,12 @@ class Drive:
     def across(self) -> int:
         """Axis along which a platen with friction presses, 0, 1 or 2."""
         return self.motion[0][0]
+
+    @property
+    def arguments(self) -> dict[str, Schedule]:
+        """Schedules by the name of their component, such as "x" or "wz"."""
+        names = {number: name for name, number in MOTIONS.items()}
+        return {names[dof, rate]: schedule for dof, schedule, rate in self.motion}
 
 
 def _check_friction(owner: str, region: Region, components: tuple[int, ...], friction: object) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 from bondem._checks import shown
 from bondem._tables.step_tables import Drives, RowLoads, Rows, Timeline
 from bondem._types import Floats, PerBond, PerElement
-from bondem.boundary.conditions import BoundaryCondition, Drive, Fix, Load
+from bondem.boundary.conditions import DRIVEN_TWICE, FIXED_AND_DRIVEN, BoundaryCondition, Drive, Fix, Load
 from bondem.boundary.couples import Couple
 from bondem.boundary.loads import Absorbing, BodyForce, Eigenstrain, Pressure
 from bondem.boundary.schedules import Schedule, joined_tables
@@ -102,8 +102,7 @@ class Constraints:
                     chosen = layout.rank[condition.region.select(lattice)]
                     for dof, schedule, rate in condition.motion:
                         if driven[chosen, dof].any():
-                            where = shown(condition.region)
-                            raise InputError(f"{where} is driven twice in one component; remove one Drive")
+                            raise InputError(DRIVEN_TWICE.format(shown(condition.region)))
                         driven[chosen, dof] = True
                         drives.append((chosen, dof, len(schedules), rate))
                         schedules.append(schedule)
@@ -135,7 +134,7 @@ class Constraints:
                     raise AssertionError(f"unreachable: a model refuses {condition!r}")
             owns[chosen] = True
         if (fixed.astype(bool) & driven).any():
-            raise InputError("an element is both fixed and driven in one component; subtract the regions")
+            raise InputError(FIXED_AND_DRIVEN)
         fixed |= driven.astype(np.uint8)
         owns[layout.rank[law.supports.cell]] = True
         element = np.flatnonzero(owns)
