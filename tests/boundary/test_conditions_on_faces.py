@@ -117,3 +117,67 @@ def test_files_keep_whether_rotations_were_named(rotation):
     support = bd.Fix(NEAR, "x", rotation)
     assert decode(encode(support)) == support
     assert encode(bd.Fix(NEAR))["rotation"] == "xyz"  # as earlier versions wrote it
+
+
+# ---- unions of faces
+
+
+LOW, HIGH = bd.Face("z_min"), bd.Face("z_max")
+EDGE = NEAR & HALF
+
+
+def stretched(*boundary: bd.BoundaryCondition) -> float:
+    """Return the force of a bar that is stretched by u over E A u / L [-]."""
+    u = 1e-5
+    energy = bd.solve_static(model(*boundary)).energy.total
+    return 2.0 * energy / u / (E * H * H * u / LENGTH)
+
+
+@pytest.mark.parametrize(
+    "near", [NEAR | EDGE, NEAR | NEAR, (NEAR | HIGH) - HIGH | NEAR, (NEAR | EDGE) & bd.Everything()]
+)
+@pytest.mark.parametrize("far", [FAR, FAR | FAR])
+def test_a_bar_whose_ends_are_unions_of_parts_of_faces_is_as_stiff_as_theory(near, far):
+    assert stretched(bd.Fix(near), bd.Drive(far, x=1e-5)) == pytest.approx(1.0, rel=1e-6)
+
+
+def test_a_union_of_faces_acts_as_one_condition_for_each():
+    ends = bd.Fix(NEAR, "x"), bd.Fix(bd.Face("y_min"), "y"), bd.Drive(FAR, x=1e-5)
+    law = bd.CellBond(E=E, nu=0.3)
+    found = [
+        bd.solve_static(bd.Model(BAR, law, 2400.0, boundary=[*ends, *sides])).displacement
+        for sides in ([bd.Fix(LOW | HIGH, "z")], [bd.Fix(LOW, "z"), bd.Fix(HIGH, "z")])
+    ]
+    np.testing.assert_array_equal(*found)
+
+
+def test_a_load_on_two_faces_is_a_traction_on_their_facets():
+    load = bd.Load(NEAR | FAR, force=(0.0, 0.0, 6.0), moment=(0.0, 0.5, 0.0))
+    one = model(bd.Fix(LOW), load)
+    facet, force = load.on_facets(BAR)
+    free = BAR.cells.free
+    assert set(facet) == {*BAR.on_face("x_min"), *BAR.on_face("x_max")}
+    np.testing.assert_allclose(force.sum(axis=0), (0.0, 0.0, 6.0), atol=1e-12)
+    arm = free.centroid[facet] - (NEAR | FAR).anchor(BAR)
+    np.testing.assert_allclose(np.cross(arm, force).sum(axis=0), (0.0, 0.5, 0.0), atol=1e-12)
+    np.testing.assert_allclose(bd.solve_static(one).reaction[:, :3].sum(axis=0), (0.0, 0.0, -6.0), atol=1e-6)
+
+
+@pytest.mark.parametrize("condition", [bd.Fix, lambda region: bd.Drive(region, x=1e-6)])
+@pytest.mark.parametrize("region", [NEAR | bd.Index([7]), (bd.Within(bd.Box((20e-3, H, H))) | NEAR) - bd.Index([7])])
+def test_a_union_of_a_face_and_other_cells_is_refused_where_cells_are_constrained(condition, region):
+    with pytest.raises(InputError, match="joins a face, whose facets are constrained, with other cells"):
+        model(condition(region))
+
+
+def test_platens_with_friction_and_pressures_are_on_one_face():
+    with pytest.raises(InputError, match="friction is that of a platen"):
+        bd.Fix(NEAR | FAR, "x", "", friction=0.3)
+    with pytest.raises(InputError, match="one Pressure for each face"):
+        bd.Pressure(NEAR | FAR, 1e6)
+
+
+def test_spheres_accept_any_union():
+    spheres = bd.connect(bd.pack(bd.Box((LENGTH, H, H)), count=400, seed=1))
+    law = bd.Timoshenko(E=E, nu=0.2, radius_ratio=0.6)
+    bd.solve_static(bd.Model(spheres, law, 2400.0, boundary=[bd.Fix(NEAR | bd.Index([7])), bd.Load(FAR | FAR)]))

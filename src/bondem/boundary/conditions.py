@@ -13,8 +13,8 @@ from bondem.boundary.loads import (
     Eigenstrain,
     Pressure,
     acts_on_facets,
+    faces_in,
     facet_numbers,
-    is_face,
     on_nodes,
     patches_on,
 )
@@ -145,7 +145,7 @@ def _check_friction(owner: str, region: Region, components: tuple[int, ...], fri
     if friction is None:
         return
     number(owner, "friction", friction, least=0.0, advice="a coefficient of zero or more, or None")
-    if len(components) != 1 or components[0] > 2 or not is_face(region):
+    if len(components) != 1 or components[0] > 2 or len(faces_in(region)) != 1:
         raise InputError(
             f"{owner}: friction is that of a platen, which is constrained along one axis on a face; give one axis and"
             ' a bd.Face, such as bd.Fix(bd.Face("x_min"), translation="x", rotation="", friction=0.3)'

@@ -14,7 +14,7 @@ from bondem._checks import shown
 from bondem._tables.cell_tables import WallConstraints
 from bondem._types import Floats, Ints, Mask, PerElement, PerElement3, PerElement6
 from bondem.boundary.conditions import DRIVEN_TWICE, FIXED_AND_DRIVEN, MOTIONS, BoundaryCondition, Drive, Fix
-from bondem.boundary.loads import facet_numbers, is_face
+from bondem.boundary.loads import facet_numbers, is_face, is_mixed
 from bondem.boundary.schedules import Schedule, joined_tables
 from bondem.errors import InputError
 from bondem.geometry.rotations import cross_matrices, turned_vectors
@@ -126,8 +126,18 @@ def on_centres(condition: BoundaryCondition) -> list[BoundaryCondition]:
 
 
 def supports_facets(condition: Fix | Drive) -> bool:
-    """Return True if a condition constrains facets by a wall: if it prescribes translations on a face."""
+    """Return True if a condition constrains facets by a wall: if it prescribes translations on a face.
+
+    Raises:
+        InputError: It prescribes translations of a face and of other cells.
+    """
     first = condition.components if isinstance(condition, Fix) else [dof for dof, *_ in condition.motion]
+    if min(first) < 3 and is_mixed(condition.region):
+        name = type(condition).__name__
+        raise InputError(
+            f"{name}: {shown(condition.region)} joins a face, whose facets are constrained, with other cells, whose"
+            f" centres are; give one {name} for each"
+        )
     return is_face(condition.region) and min(first) < 3
 
 
