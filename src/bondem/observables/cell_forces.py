@@ -132,20 +132,17 @@ def _failing(model: Model, state: State) -> CellForces:
     body, constants, layout = model.lattice, _grown(model, state), model.layout
     _, cells = body_of(body)
     i, j = body.pairs.T
-    q, supports, free = state.orientation, constants.supports, cells.free
+    q, free = state.orientation, cells.free
     force = np.empty((len(i), 3))
     force[layout.bond_order] = np.where(layout.flipped[:, None], -1.0, 1.0) * state.facet_force.T
-    arm = turned_vectors(q[supports.cell], _deformed(state, supports.cell, supports.arm))
-    opened = supports.axes * (wall_places(model, state) - (state.displacement[supports.cell] + arm - supports.lever))
-    stress = state.pose[layout.rank, STRESS]
     return CellForces(
         force=force,
         arm_i=turned_vectors(q[i], _deformed(state, i, constants.lever_i)),
         arm_j=turned_vectors(q[j], _deformed(state, j, constants.lever_j)),
-        wall=supports.k[:, None] * opened + stress[supports.cell, None] * supports.share, wall_arm=arm,
+        wall=wall_forces(model, state), wall_arm=wall_arms(model, state),
         load=loads_on_facets(model, state.time, q),
         load_arm=turned_vectors(q[free.cell], free.centroid - cells.centroid[free.cell]),
-        stress=stress,
+        stress=state.pose[layout.rank, STRESS],
     )  # fmt: skip
 
 
@@ -172,6 +169,14 @@ def wall_arms(model: Model, state: State) -> Floats:
     """Return the arms from the centres of mass to the facets that walls constrain, in a state [m], (g, 3)."""
     supports = _grown(model, state).supports
     return turned_vectors(state.orientation[supports.cell], _deformed(state, supports.cell, supports.arm))
+
+
+def wall_forces(model: Model, state: State) -> Floats:
+    """Return the forces of walls on the facets that they constrain, after the last step of a state [N], (g, 3)."""
+    supports, arm = _grown(model, state).supports, wall_arms(model, state)
+    opened = supports.axes * (wall_places(model, state) - (state.displacement[supports.cell] + arm - supports.lever))
+    stress = state.pose[model.layout.rank, STRESS]
+    return supports.k[:, None] * opened + stress[supports.cell, None] * supports.share
 
 
 def wall_places(model: Model, state: State, base: Floats | None = None) -> Floats:
