@@ -1,17 +1,21 @@
 """Force gauges on faces of cells that other conditions act on too, evaluated outside the core at each record."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from bondem._tables.columns import HistoryColumn
 from bondem._types import Floats, Ints
 from bondem.boundary.conditions import Load
+from bondem.boundary.couples import Couple
 from bondem.boundary.gauges import Gauge
 from bondem.boundary.loads import Pressure, facet_numbers, is_face
 from bondem.dynamics.plan import Plan
+from bondem.geometry.rotations import turned_vectors
+from bondem.model.constraints import couple_of
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observables.cell_forces import wall_forces
-from bondem.observables.facet_loads import loads_on_facets
 
 _REDUCED = {"sum": np.sum, "mean": np.mean, "max_abs": lambda force, axis: np.abs(force).max(axis=axis)}
 
@@ -24,42 +28,48 @@ class FaceGauges:
     """
 
     def __init__(self, model: Model, plan: Plan) -> None:
-        self._model, self._parts = model, list[tuple[int, str, Ints, Ints]]()
-        law, surface = model.interaction, model.lattice.elements.surface
-        acting = np.zeros(len(surface), dtype=bool)
-        acting[law.supports.fixed.facet] = True
-        for condition in model.boundary:
-            if isinstance(condition, Load | Pressure):
-                acting[law.facet_forces(condition)[0]] = True
+        self._model, self._gauges = model, list[tuple[int, str, Ints, Ints]]()
+        self._loads: list[tuple[Load | Pressure, Ints, Floats, Couple | None]] = []
+        law, lattice = model.interaction, model.lattice
+        surface = lattice.elements.surface
+        acting = np.isin(np.arange(len(surface)), law.supports.fixed.facet)
+        for one in model.boundary if law.on_facets else ():
+            if isinstance(one, Load | Pressure):
+                couple = couple_of(one, lattice, model.layout, 0)
+                straight = one if couple is None else replace(one, moment=(0.0, 0.0, 0.0))
+                at, force = law.facet_forces(straight) if is_face(one.region) else straight.nodal(lattice)
+                acting[at if is_face(one.region) else []] = True
+                self._loads.append((one, at, force[:, :3], couple))
         for g, gauge in enumerate(plan.gauges.values()):
             if isinstance(gauge, Gauge) and gauge.quantity == "force" and is_face(gauge.region) and acting.any():
-                cell, own = gauge.region.select(model.lattice), facet_numbers(gauge.region, model.lattice)
+                cell, own = gauge.region.select(lattice), facet_numbers(gauge.region, lattice)
                 if np.isin(surface[np.setdiff1d(np.flatnonzero(acting), own)], cell).any():
-                    self._parts.append((HistoryColumn.COUNT + 3 * g, gauge.reduction, own, cell))
+                    self._gauges.append((HistoryColumn.COUNT + 3 * g, gauge.reduction, own, cell))
 
     def __bool__(self) -> bool:
-        return bool(self._parts)
+        return bool(self._gauges)
 
     def fill(self, records: Floats, state: State) -> None:
         """Write the forces in a state into the last row of `records`, (s, columns), in place."""
-        if not self._parts or not len(records):
+        if not self._gauges or not len(records):
             return
-        model, force = self._model, loads_on_facets(self._model, state.time, state.orientation)
-        force[model.interaction.supports.fixed.facet] += wall_forces(model, state)
-        on_centre = self._on_centres(state)
-        for column, reduction, own, cell in self._parts:
+        on_facet, on_centre, surface = *self._forces(state), self._model.lattice.elements.surface
+        for column, reduction, own, cell in self._gauges:
             each = on_centre[cell]
-            np.add.at(each, np.searchsorted(cell, model.lattice.elements.surface[own]), force[own])
+            np.add.at(each, np.searchsorted(cell, surface[own]), on_facet[own])
             records[-1, column : column + 3] = _REDUCED[reduction](each, axis=0)
 
-    def _on_centres(self, state: State) -> Floats:
-        """Return the forces of loads and supports on the centres of all cells [N], (n, 3)."""
-        model, held = self._model, self._model.constraints
-        force = np.zeros((len(state.pose), 3))
-        for condition in model.boundary:
-            if isinstance(condition, Load) and not is_face(condition.region):
-                chosen, nodal = condition.nodal(model.lattice)
-                force[chosen] += condition.schedule.at(state.time) * nodal[:, :3]
+    def _forces(self, state: State) -> tuple[Floats, Floats]:
+        """Return the forces of loads and supports on free facets, (k, 3), and on the centres of cells, (n, 3) [N]."""
+        model, held, surface = self._model, self._model.constraints, self._model.lattice.elements.surface
+        on_facet, on_centre = np.zeros((len(surface), 3)), np.zeros((len(state.pose), 3))
+        for load, at, force, couple in self._loads:
+            if isinstance(load, Pressure) and load.follows:
+                force = turned_vectors(state.orientation[surface[at]], force)
+            turning = 0.0 if couple is None else couple.forces(state.pose)[0]
+            to = on_facet if is_face(load.region) else on_centre
+            to[at] += load.schedule.at(state.time) * (force + turning)
+        on_facet[model.interaction.supports.fixed.facet] += wall_forces(model, state)
         row = model.layout.order[held.element]
-        force[row] = np.where(held.fixed[:, :3], state.reaction[:, :3], force[row])
-        return force
+        on_centre[row] = np.where(held.fixed[:, :3], state.reaction[:, :3], on_centre[row])
+        return on_facet, on_centre

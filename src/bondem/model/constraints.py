@@ -107,7 +107,7 @@ class Constraints:
                         drives.append((chosen, dof, len(schedules), rate))
                         schedules.append(schedule)
                 case Load() | Pressure():
-                    couple = _couple(condition, lattice, layout, len(schedules))
+                    couple = couple_of(condition, lattice, layout, len(schedules))
                     if couple is not None:
                         couples.append(couple)
                     turns = couple is not None and isinstance(condition, Load)
@@ -242,7 +242,7 @@ class Constraints:
         return found
 
 
-def _couple(condition: Load | Pressure, lattice: Lattice, layout: Layout, schedule: int) -> Couple | None:
+def couple_of(condition: Load | Pressure, lattice: Lattice, layout: Layout, schedule: int) -> Couple | None:
     """Return the moment of a load as forces at its points; None without a moment, or if all points coincide."""
     if not isinstance(condition, Load) or not any(condition.moment):
         return None
