@@ -166,7 +166,7 @@ def test_a_load_on_two_faces_is_a_traction_on_their_facets():
 @pytest.mark.parametrize("condition", [bd.Fix, lambda region: bd.Drive(region, x=1e-6)])
 @pytest.mark.parametrize("region", [NEAR | bd.Index([7]), (bd.Within(bd.Box((20e-3, H, H))) | NEAR) - bd.Index([7])])
 def test_a_union_of_a_face_and_other_cells_is_refused_where_cells_are_constrained(condition, region):
-    with pytest.raises(InputError, match="joins a face, whose facets are constrained, with other cells"):
+    with pytest.raises(InputError, match="joins a face, held by its facets, with other cells; give one"):
         model(condition(region))
 
 

@@ -298,14 +298,10 @@ def is_face(region: Region) -> bool:
 
 def is_mixed(region: Region) -> bool:
     """Return True if a region joins faces with elements that are not on faces."""
-    match region:
-        case Union(first=first, second=second):
-            return not is_face(region) and any(is_face(one) or is_mixed(one) for one in (first, second))
-        case Difference(first=first):
-            return is_mixed(first)
-        case Intersection(first=first, second=second):
-            return is_mixed(first) or is_mixed(second)
-    return False
+    if is_face(region) or not isinstance(region, Union | Intersection | Difference):
+        return False
+    sides = (region.first,) if isinstance(region, Difference) else (region.first, region.second)
+    return any(is_face(one) or is_mixed(one) for one in sides)
 
 
 def acts_on_facets(region: Region, lattice: Lattice) -> bool:

@@ -128,16 +128,12 @@ def on_centres(condition: BoundaryCondition) -> list[BoundaryCondition]:
 def supports_facets(condition: Fix | Drive) -> bool:
     """Return True if a condition constrains facets by a wall: if it prescribes translations on a face.
 
-    Raises:
-        InputError: It prescribes translations of a face and of other cells.
+    Translations of a union of a face and other cells raise InputError.
     """
     first = condition.components if isinstance(condition, Fix) else [dof for dof, *_ in condition.motion]
     if min(first) < 3 and is_mixed(condition.region):
-        name = type(condition).__name__
-        raise InputError(
-            f"{name}: {shown(condition.region)} joins a face, whose facets are constrained, with other cells, whose"
-            f" centres are; give one {name} for each"
-        )
+        where = shown(condition.region)
+        raise InputError(f"{where} joins a face, held by its facets, with other cells; give one condition for each")
     return is_face(condition.region) and min(first) < 3
 
 
