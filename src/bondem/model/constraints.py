@@ -63,13 +63,9 @@ class Constraints:
 
     @classmethod
     def of(
-        cls,
-        lattice: Lattice,
-        layout: Layout,
-        boundary: Sequence[BoundaryCondition],
-        mass: PerElement,
+        cls, lattice: Lattice, layout: Layout, boundary: Sequence[BoundaryCondition], mass: PerElement,
         law: Interaction,
-    ) -> "Constraints":
+    ) -> "Constraints":  # fmt: skip
         """Resolve the boundary conditions of a model whose elements have masses `mass` [kg], (n,), user's order.
 
         `boundary` excludes conditions on facets (`bondem.boundary.wall_constraints`), which the law resolves. The
