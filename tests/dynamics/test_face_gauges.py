@@ -1,4 +1,4 @@
-"""Force gauges on faces of bodies of cells: the forces on that face, also where cells have facets on several faces."""
+"""Force gauges on faces of cells: the forces on that face, also where cells have facets on several faces."""
 
 import numpy as np
 import pytest
@@ -85,7 +85,10 @@ CASES = {
     "elastic": (STRETCHED, {}),
     "cracks": (STRETCHED, {"failure": bd.Rankine(tension=1e5, fracture_energy=1.0)}),
     "breaks": (STRETCHED, {"failure": bd.Rankine(tension=1e5)}),
-    "yields": (STRETCHED, {"failure": bd.MohrCoulomb(cohesion=2e5, friction_angle=0.3, tension=1e6, fracture_energy=50.0)}),
+    "yields": (
+        STRETCHED,
+        {"failure": bd.MohrCoulomb(cohesion=2e5, friction_angle=0.3, tension=1e6, fracture_energy=50.0)},
+    ),
     "grows": ([*STRETCHED, bd.Eigenstrain(1e-4, schedule=bd.Ramp(0.0, 1.0, 1e-4))], {}),
     "slides": (
         [bd.Fix(bd.Face("x_min"), "x", "", friction=0.1), bd.Drive(bd.Face("x_max"), x=bd.Ramp(0, -1e-5, 1e-4))], {},

@@ -36,7 +36,8 @@ class FaceGauges:
         for one in model.boundary if law.on_facets else ():
             if isinstance(one, Load | Pressure):
                 couple = couple_of(one, lattice, model.layout, 0)
-                straight = one if couple is None else replace(one, moment=(0.0, 0.0, 0.0))
+                turns = couple is not None and isinstance(one, Load)
+                straight = replace(one, moment=(0.0, 0.0, 0.0)) if turns else one
                 at, force = law.facet_forces(straight) if is_face(one.region) else straight.nodal(lattice)
                 acting[at if is_face(one.region) else []] = True
                 self._loads.append((one, at, force[:, :3], couple))

@@ -52,6 +52,7 @@ _TYPES: dict[str, type] = {
 _MOST_BITS = 64
 # Files write the default rotation of a Fix as "xyz", as earlier versions did, and "xyz", if it was named, as "zyx".
 _WRITTEN: dict[Any, Any] = {None: "xyz", "xyz": "zyx"}
+_READ: dict[Any, Any] = {"xyz": None, "zyx": "xyz"}
 
 
 def encode(value: Any) -> Any:
@@ -122,7 +123,7 @@ def _rebuild(name: str, given: dict[str, Any]) -> Any:
     if name == Servo.__name__:
         given = {"damping": 0.0} | given  # files of versions whose platens were not damped
     if name == Fix.__name__:
-        given |= {"rotation": {"xyz": None, "zyx": "xyz"}.get(given["rotation"], given["rotation"])}
+        given |= {"rotation": _READ.get(given.get("rotation"), given.get("rotation"))}
     try:
         return _TYPES[name](**{key: decode(item) for key, item in given.items()})
     except TypeError as error:

@@ -19,18 +19,10 @@ from bondem.specimen.material import Material, constant
 
 @staged("impact")
 def impact(
-    lattice: Lattice,
-    law: AnyLaw,
-    *,
-    density: float | Material,
-    E: float | Material,
-    nu: float | Material,
-    rho: float | Material,
-    velocity: float = 0.1,
-    depth: float = 0.02,
-    out: str | Path | None = None,
+    lattice: Lattice, law: AnyLaw, *, density: float | Material, E: float | Material, nu: float | Material,
+    rho: float | Material, velocity: float = 0.1, depth: float = 0.02, out: str | Path | None = None,
     progress: Callable[[float], None] | None = None,
-) -> Outcome:
+) -> Outcome:  # fmt: skip
     """Measure the speed of a longitudinal wave along a bar and compare it with √(E/ρ).
 
     The face x_max moves at a prescribed velocity v. The free face x_min then moves at a plateau velocity of 2 v,

@@ -90,19 +90,10 @@ class FreeVibration(Plotted):
 
 @staged("free vibration")
 def free_vibration(
-    lattice: Lattice,
-    law: AnyLaw,
-    *,
-    density: float | Material,
-    E: float | Material,
-    nu: float | Material,
-    rho: float | Material,
-    periods: float = 3.0,
-    stress: float = 1e5,
-    depth: float = 0.02,
-    out: str | Path | None = None,
-    progress: Callable[[float], None] | None = None,
-) -> FreeVibration:
+    lattice: Lattice, law: AnyLaw, *, density: float | Material, E: float | Material, nu: float | Material,
+    rho: float | Material, periods: float = 3.0, stress: float = 1e5, depth: float = 0.02,
+    out: str | Path | None = None, progress: Callable[[float], None] | None = None,
+) -> FreeVibration:  # fmt: skip
     """Load a clamped specimen, release it and record its vibration.
 
     The run starts at rest from the static equilibrium under an axial force, a transverse force and a moment about x.

@@ -42,19 +42,10 @@ class Wave:
 
 
 def strike(
-    lattice: Lattice,
-    law: AnyLaw,
-    *,
-    density: float,
-    duration: float,
-    velocity: float = 0.1,
-    held: bool = True,
-    slices: int = 0,
-    moments: tuple[float, ...] = (),
-    depth: float = 0.02,
-    out: str | Path | None = None,
+    lattice: Lattice, law: AnyLaw, *, density: float, duration: float, velocity: float = 0.1, held: bool = True,
+    slices: int = 0, moments: tuple[float, ...] = (), depth: float = 0.02, out: str | Path | None = None,
     progress: Callable[[float], None] | None = None,
-) -> Wave:
+) -> Wave:  # fmt: skip
     """Strike the elements at x_max with a velocity towards x_min and record the wave.
 
     Args:
