@@ -33,7 +33,7 @@ class FaceGauges:
         law, lattice = model.interaction, model.lattice
         surface = lattice.elements.surface
         acting = np.isin(np.arange(len(surface)), law.supports.fixed.facet)
-        for one in model.boundary if law.on_facets else ():
+        for one in model.boundary if len(surface) else ():
             if isinstance(one, Load | Pressure):
                 couple = couple_of(one, lattice, model.layout, 0)
                 turns = couple is not None and isinstance(one, Load)
