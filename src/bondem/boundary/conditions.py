@@ -13,8 +13,8 @@ from bondem.boundary.loads import (
     Eigenstrain,
     Pressure,
     acts_on_facets,
+    faces_in,
     facet_numbers,
-    is_face,
     on_nodes,
     patches_on,
 )
@@ -29,6 +29,10 @@ MOTIONS = {
     name: (dof, rate) for rate, names in ((False, "x y z rx ry rz"), (True, "vx vy vz wx wy wz"))
     for dof, name in enumerate(names.split())
 }  # fmt: skip
+
+#: Errors of conditions that contradict each other.
+DRIVEN_TWICE = "{} is driven twice in one component; remove one Drive"
+FIXED_AND_DRIVEN = "an element is both fixed and driven in one component; subtract the regions"
 
 
 def _components(owner: str, axes: str) -> tuple[int, ...]:
@@ -47,7 +51,8 @@ class Fix:
     Attributes:
         region: constrained elements.
         translation: axes along which the centres are constrained, a subset of "xyz".
-        rotation: axes about which the orientations are constrained, a subset of "xyz".
+        rotation: axes about which the orientations are constrained, a subset of "xyz". None is "xyz", but "" where
+            facets of a face of cells are held, which stay in their plane; name axes to hold their cells as well.
         friction: coefficient of friction μ of a platen [-], on a face of cells constrained along one axis. Facets
             do not slide along the face up to a shear force of μ times their normal force. None is a smooth platen,
             as is 0 in explicit runs. In static solutions facets do not slide for any number, also for 0.
@@ -58,7 +63,7 @@ class Fix:
 
     region: Region
     translation: str = "xyz"
-    rotation: str = "xyz"
+    rotation: str | None = None
     friction: float | None = None
 
     def __post_init__(self) -> None:
@@ -75,7 +80,7 @@ class Fix:
     @property
     def components(self) -> tuple[int, ...]:
         """Constrained degrees of freedom: 0, 1, 2 for translations and 3, 4, 5 for rotations."""
-        turns = tuple(3 + axis for axis in _components("Fix", self.rotation))
+        turns = tuple(3 + axis for axis in _components("Fix", "xyz" if self.rotation is None else self.rotation))
         return _components("Fix", self.translation) + turns
 
 
@@ -128,13 +133,19 @@ class Drive:
         """Axis along which a platen with friction presses, 0, 1 or 2."""
         return self.motion[0][0]
 
+    @property
+    def arguments(self) -> dict[str, Schedule]:
+        """Schedules by the name of their component, such as "x" or "wz"."""
+        names = {number: name for name, number in MOTIONS.items()}
+        return {names[dof, rate]: schedule for dof, schedule, rate in self.motion}
+
 
 def _check_friction(owner: str, region: Region, components: tuple[int, ...], friction: object) -> None:
     """Raise InputError if a friction is negative, or its condition is not along a single axis on a face."""
     if friction is None:
         return
     number(owner, "friction", friction, least=0.0, advice="a coefficient of zero or more, or None")
-    if len(components) != 1 or components[0] > 2 or not is_face(region):
+    if len(components) != 1 or components[0] > 2 or len(faces_in(region)) != 1:
         raise InputError(
             f"{owner}: friction is that of a platen, which is constrained along one axis on a face; give one axis and"
             ' a bd.Face, such as bd.Fix(bd.Face("x_min"), translation="x", rotation="", friction=0.3)'

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from bondem.boundary.conditions import MOTIONS, BoundaryCondition, Drive, Load
+from bondem.boundary.conditions import BoundaryCondition, Drive, Load
 from bondem.boundary.loads import BodyForce, Eigenstrain, Pressure
 from bondem.boundary.schedules import Constant
 
@@ -23,7 +23,6 @@ def frozen_conditions(boundary: Sequence[BoundaryCondition], factor: float = 1.0
 
 def _frozen(one: BoundaryCondition, factor: float) -> BoundaryCondition:
     if isinstance(one, Drive):
-        names = {number: name for name, number in MOTIONS.items()}
-        motion = {names[dof, False]: Constant(factor * schedule.final) for dof, schedule, _ in one.motion}
+        motion = {name: Constant(factor * schedule.final) for name, schedule in one.arguments.items()}
         return Drive(one.region, friction=one.friction, **motion)
     return replace(one, schedule=Constant(factor * one.schedule.final)) if isinstance(one, Scheduled) else one

@@ -25,7 +25,9 @@ class Gauge:
     Attributes:
         region: elements to observe.
         quantity: "displacement" [m], "velocity" [m/s], "rotation" [rad], "angular_velocity" [rad/s] or
-            "force" [N], that of loads and supports on the region; a run raises InputError if it has none.
+            "force" [N], that of loads and supports on the region; a run raises InputError if it has none. On a face
+            of cells it is that on the facets of the face; a run stops at each record to find it where other facets
+            of its cells are loaded or held.
         reduction: "mean", "sum" or "max_abs" over the elements, component by component. The default is the sum for
             forces and the mean for all other quantities. Unknown names raise InputError.
     """

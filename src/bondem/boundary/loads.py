@@ -15,7 +15,7 @@ from bondem.boundary.schedules import Constant, Schedule, as_schedule, refuse_sc
 from bondem.errors import InputError
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material, of_material
-from bondem.specimen.regions import Difference, Everything, Face, Intersection, Region, as_region
+from bondem.specimen.regions import Difference, Everything, Face, Intersection, Region, Union, as_region
 
 
 @dataclass(frozen=True)
@@ -295,8 +295,16 @@ class Eigenstrain:
 
 
 def is_face(region: Region) -> bool:
-    """Return True if a region is a face or part of one."""
-    return _face_in(region) is not None
+    """Return True if a region is a face, part of one, or a union of such regions."""
+    return bool(faces_in(region))
+
+
+def is_mixed(region: Region) -> bool:
+    """Return True if a region joins faces with elements that are not on faces."""
+    if is_face(region) or not isinstance(region, Union | Intersection | Difference):
+        return False
+    sides = (region.first,) if isinstance(region, Difference) else (region.first, region.second)
+    return any(is_face(one) or is_mixed(one) for one in sides)
 
 
 def acts_on_facets(region: Region, lattice: Lattice) -> bool:
@@ -306,36 +314,45 @@ def acts_on_facets(region: Region, lattice: Lattice) -> bool:
 
 def face_of(owner: str, region: Region) -> Face:
     """Return the face that a region equals or is part of; raise InputError if there is none."""
-    face = _face_in(as_region(owner, region))
-    if face is None:
+    faces = faces_in(as_region(owner, region))
+    if len(faces) != 1:
         raise InputError(
             f'{owner}: {region} is not a face; give bd.Face("x_min") or a part of one, and one {owner} for each face'
         )
-    return face
+    return faces[0][1]
 
 
-def _face_in(region: Region) -> Face | None:
+def faces_in(region: Region) -> list[tuple[Region, Face]]:
+    """Return the parts of a region that each lie on one face, with this face; [] if not all of it is on faces."""
     match region:
         case Face():
-            return region
-        case Difference(first=first):
-            return _face_in(first)
+            return [(region, region)]
+        case Union(first=first, second=second):
+            parts = faces_in(first), faces_in(second)
+            return parts[0] + parts[1] if all(parts) else []
+        case Difference(first=first, second=second):
+            return [(part - second, face) for part, face in faces_in(first)]
         case Intersection(first=first, second=second):
-            face = _face_in(first)
-            return _face_in(second) if face is None else face
-    return None
+            found = [(part & second, face) for part, face in faces_in(first)]
+            return found or [(first & part, face) for part, face in faces_in(second)]
+    return []
 
 
 def facet_numbers(region: Region, body: Lattice) -> Ints:
-    """Return the facets of a face, or of a part of one, as indices into `cells.free`."""
-    face = face_of("facet_numbers", region)
-    chosen = region.select(body)
-    free, found = body.elements.require_cells().cells.free, body.on_face(face.name, face.body)
-    return found[np.isin(free.cell[found], chosen)]
+    """Return the facets of a face, of a part of one, or of a union, as indices into `cells.free`, ascending."""
+    cell, chosen, found = body.elements.surface, region.select(body), []
+    parts = faces_in(region)
+    for part, face in parts:
+        inside = chosen if len(parts) == 1 else np.intersect1d(chosen, np.flatnonzero(part.mask(body)))
+        on = body.on_face(face.name, face.body)
+        found.append(on[np.isin(cell[on], inside)])
+    return np.unique(np.concatenate(found))
 
 
 def patches_on(owner: str, region: Region, lattice: Lattice) -> tuple[Ints, Ints, Floats, Floats]:
     """Return the elements on a face or on a part of one, and their patches, which are facets for cells.
+
+    Cells may be on a union of faces.
 
     Returns:
         The elements (k,), and for each of p patches the index of its element among these, (p,), its centroid [m],
@@ -344,7 +361,12 @@ def patches_on(owner: str, region: Region, lattice: Lattice) -> tuple[Ints, Ints
     Raises:
         InputError: The region is not on a face, or no patch is nearest to its elements.
     """
-    face, chosen = face_of(owner, region), region.select(lattice)
+    chosen = region.select(lattice)
+    if acts_on_facets(region, lattice):
+        free, found = lattice.elements.require_cells().cells.free, facet_numbers(region, lattice)
+        owner_of = np.searchsorted(chosen, free.cell[found])
+        return chosen, owner_of, free.centroid[found], free.area[found, None] * free.normal[found]
+    face = face_of(owner, region)
     whole = chosen if region is face else face.select(lattice)
     patches = lattice.elements.face_patches(face.name, face.body, whole, chosen)
     if not len(patches[0]):

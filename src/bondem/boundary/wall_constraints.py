@@ -10,11 +10,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from bondem._checks import shown
 from bondem._tables.cell_tables import WallConstraints
 from bondem._types import Floats, Ints, Mask, PerElement, PerElement3, PerElement6
-from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
-from bondem.boundary.loads import facet_numbers, is_face
+from bondem.boundary.conditions import DRIVEN_TWICE, FIXED_AND_DRIVEN, MOTIONS, BoundaryCondition, Drive, Fix
+from bondem.boundary.loads import facet_numbers, is_face, is_mixed
 from bondem.boundary.schedules import Schedule, joined_tables
+from bondem.errors import InputError
 from bondem.geometry.rotations import cross_matrices, turned_vectors
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.ordering import Layout
@@ -59,9 +61,14 @@ class FixedFacets:
 
     @classmethod
     def of(cls, body: Lattice, boundary: Sequence[BoundaryCondition]) -> "FixedFacets":
-        """Return the facets of a body that its conditions on faces constrain."""
+        """Return the facets of a body that its conditions on faces constrain.
+
+        Raises:
+            InputError: A facet is driven twice or both fixed and driven along an axis, or has two platens.
+        """
         count = len(body.elements.require_cells().cells.free.cell)
         axes, drive = np.zeros((count, 3), dtype=bool), np.full((count, 3), -1)
+        held = np.zeros((count, 3), dtype=bool)
         friction, across = np.full(count, np.nan), np.zeros(count, dtype=np.int64)
         drives: list[Schedule] = []
         rate: list[bool] = []
@@ -70,17 +77,24 @@ class FixedFacets:
                 continue
             found = facet_numbers(condition.region, body)
             if condition.friction is not None:
+                other = (friction[found] != condition.friction) | (across[found] != condition.across)
+                if other[~np.isnan(friction[found])].any():
+                    raise InputError(f"{shown(condition.region)} has two platens with friction; remove one of them")
                 axes[found], friction[found], across[found] = True, condition.friction, condition.across
             if isinstance(condition, Fix):
                 for axis in condition.components:
                     if axis < 3:
-                        axes[found, axis] = True
+                        axes[found, axis] = held[found, axis] = True
                 continue
             for axis, schedule, is_rate in condition.motion:
                 if axis < 3:
+                    if (drive[found, axis] >= 0).any():
+                        raise InputError(DRIVEN_TWICE.format(shown(condition.region)))
                     axes[found, axis], drive[found, axis] = True, len(drives)
                     drives.append(schedule)
                     rate.append(is_rate)
+        if (held & (drive >= 0)).any():
+            raise InputError(FIXED_AND_DRIVEN)
         facet = np.flatnonzero(axes.any(axis=1))
         return cls(facet, axes[facet], tuple(drives), drive[facet], tuple(rate), friction[facet], across[facet])
 
@@ -101,9 +115,25 @@ class FixedFacets:
         return np.where(self.axes, last[self.drive], 0.0)
 
 
+def on_centres(condition: BoundaryCondition) -> list[BoundaryCondition]:
+    """Return what a condition does to the centres of cells: itself, or its rotations if it constrains facets."""
+    if not isinstance(condition, Fix | Drive) or not supports_facets(condition):
+        return [condition]
+    if isinstance(condition, Fix):
+        return [Fix(condition.region, "", condition.rotation)] if condition.rotation else []
+    turns = {name: schedule for name, schedule in condition.arguments.items() if MOTIONS[name][0] > 2}
+    return [Drive(condition.region, friction=None, **turns)] if turns else []
+
+
 def supports_facets(condition: Fix | Drive) -> bool:
-    """Return True if a condition constrains facets by a wall: if it prescribes translations on a face."""
+    """Return True if a condition constrains facets by a wall: if it prescribes translations on a face.
+
+    Translations of a union of a face and other cells raise InputError.
+    """
     first = condition.components if isinstance(condition, Fix) else [dof for dof, *_ in condition.motion]
+    if min(first) < 3 and is_mixed(condition.region):
+        where = shown(condition.region)
+        raise InputError(f"{where} joins a face, held by its facets, with other cells; give one condition for each")
     return is_face(condition.region) and min(first) < 3
 
 

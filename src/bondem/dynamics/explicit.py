@@ -16,7 +16,7 @@ from bondem.dynamics.pressure_check import PressureCheck
 from bondem.dynamics.progress import RunProgress, has_listener, send
 from bondem.dynamics.quasistatic_check import measured
 from bondem.dynamics.sink import Sink
-from bondem.dynamics.strain_gauges import StrainGauges
+from bondem.dynamics.state_gauges import StateGauges
 from bondem.errors import InputError
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -77,9 +77,9 @@ def integrate(
     joined = f"{model.interaction.bond}s"
     status, message = Status.COMPLETED, f"{total} steps of {dt:.4g} s"
     copies = (state.copy(),)
-    strains = StrainGauges(model, plan)
+    outside = StateGauges(model, plan)
     start = loop.record_present()  # also if it is not kept, because guards need its energy
-    strains.fill(start, state)
+    outside.fill(start, state)
     fresh = plan.every > 0 and len(written.so_far) == 0
     if fresh:
         written.append(start)
@@ -100,7 +100,7 @@ def integrate(
     pace = max(_WORK // (len(state.pose) + len(state.integrity)), 1)
     while state.step < total and not stop and not missed:
         goal = min(total, copies[-1].step + _CHUNK, state.step + pace)
-        watched = plan.every if plan.events or callback is not None or strains else 0
+        watched = plan.every if plan.events or callback is not None or outside else 0
         for interval in (plan.save_every, plan.snapshot_every if sink is not None else 0, watched):
             if interval:
                 goal = min(goal, (state.step // interval + 1) * interval)
@@ -110,7 +110,7 @@ def integrate(
         pace = max(round(steps * _PATIENCE / max(taken, 1e-9)), 1)
         if state.step == total and plan.every and total % plan.every and not lost and sick == FINE:
             records = np.vstack([records, loop.record_present()])  # the end of the run
-        strains.fill(records, state)
+        outside.fill(records, state)
         written.append(records)
         if lost or sick != FINE:
             cause = _CAUSES.get(sick, f"{lost} unbroken {joined} are turned beyond 90 degrees")
@@ -161,7 +161,7 @@ def integrate(
     ended = status is not Status.UNSTABLE and not message.startswith("interrupted")
     if ended and plan.every and written.so_far.time[-1] < state.time:  # stopped between two records
         end = loop.record_present()
-        strains.fill(end, state)
+        outside.fill(end, state)
         written.append(end)
     history = written.so_far
     if sink is not None and status is not Status.UNSTABLE:

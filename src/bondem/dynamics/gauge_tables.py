@@ -28,7 +28,7 @@ def _entry(model: Model, gauge: AnyGauge) -> tuple[np.ndarray, int, int]:
     Raises:
         InputError: The wall does not exist.
     """
-    if isinstance(gauge, StrainGauge):  # the core writes a motion there, which `StrainGauges` overwrites
+    if isinstance(gauge, StrainGauge):  # the core writes a motion there, which `StateGauges` overwrites
         return np.zeros(1, dtype=np.int64), GaugeQuantity.DISPLACEMENT, GaugeReduction.MEAN
     if isinstance(gauge, Gauge):
         elements = np.sort(model.layout.rank[gauge.region.select(model.lattice)])

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from bondem.boundary.conditions import MOTIONS, Drive, Fix, Load
+from bondem.boundary.conditions import Drive, Fix, Load
 from bondem.boundary.gauges import Gauge, StrainGauge, WallGauge
 from bondem.boundary.loads import Absorbing, BodyForce, Eigenstrain, Pressure
 from bondem.boundary.schedules import Constant, Ramp, Table
@@ -50,6 +50,9 @@ _TYPES: dict[str, type] = {
 }  # fmt: skip
 
 _MOST_BITS = 64
+# Files write the default rotation of a Fix as "xyz", as earlier versions did, and "xyz", if it was named, as "zyx".
+_WRITTEN: dict[Any, Any] = {None: "xyz", "xyz": "zyx"}
+_READ: dict[Any, Any] = {"xyz": None, "zyx": "xyz"}
 
 
 def encode(value: Any) -> Any:
@@ -82,9 +85,9 @@ def _arguments(value: Any) -> dict[str, Any]:
         parts = ("fracture_energy", "friction", "curve", "scatter", "parameters")
         return {"function": value.name} | {name: getattr(value, name) for name in parts}
     if isinstance(value, Drive):
-        names = {number: name for name, number in MOTIONS.items()}
-        motion = {names[dof, rate]: schedule for dof, schedule, rate in value.motion}
-        return {"region": value.region, "friction": value.friction} | motion
+        return {"region": value.region, "friction": value.friction} | value.arguments
+    if isinstance(value, Fix):
+        return vars(value) | {"rotation": _WRITTEN.get(value.rotation, value.rotation)}
     if isinstance(value, Driven):
         return value.components | ({"axis": value.axis, "about": value.about} if value.turns else {})
     return {item.name: getattr(value, item.name) for item in fields(value)}
@@ -119,6 +122,8 @@ def _rebuild(name: str, given: dict[str, Any]) -> Any:
         )
     if name == Servo.__name__:
         given = {"damping": 0.0} | given  # files of versions whose platens were not damped
+    if name == Fix.__name__:
+        given |= {"rotation": _READ.get(given.get("rotation"), given.get("rotation"))}
     try:
         return _TYPES[name](**{key: decode(item) for key, item in given.items()})
     except TypeError as error:

@@ -137,15 +137,9 @@ def mass_gyration(lattice: Lattice, density: float | PerElement = 1.0) -> Floats
 
 @staged("clamped tension")
 def clamped_tension(
-    lattice: Lattice,
-    law: AnyLaw,
-    *,
-    E: float | Material,
-    nu: float | Material,
-    gyration: Floats | None = None,
-    stress: float = 1e6,
-    depth: float = 0.02,
-) -> Outcome:
+    lattice: Lattice, law: AnyLaw, *, E: float | Material, nu: float | Material, gyration: Floats | None = None,
+    stress: float = 1e6, depth: float = 0.02,
+) -> Outcome:  # fmt: skip
     """Compare the mean axial displacement of the face x_max under an axial force with F L / (E S).
 
     Args:
@@ -178,15 +172,9 @@ def clamped_tension(
 
 @staged("static bending")
 def static_bending(
-    lattice: Lattice,
-    law: AnyLaw,
-    *,
-    E: float | Material,
-    nu: float | Material,
-    gyration: Floats | None = None,
-    stress: float = 1e6,
-    depth: float = 0.02,
-) -> Outcome:
+    lattice: Lattice, law: AnyLaw, *, E: float | Material, nu: float | Material, gyration: Floats | None = None,
+    stress: float = 1e6, depth: float = 0.02,
+) -> Outcome:  # fmt: skip
     """Compare the mean deflection along y of the face x_max under a transverse force with beam theory.
 
     Theory is F L³ / (3 E I), plus F L / (k G S) with shear. `theory_refined` is Timoshenko's beam, with the force at
@@ -226,15 +214,9 @@ def static_bending(
 
 @staged("static torsion")
 def static_torsion(
-    lattice: Lattice,
-    law: AnyLaw,
-    *,
-    E: float | Material,
-    nu: float | Material,
-    gyration: Floats | None = None,
-    stress: float = 1e6,
-    depth: float = 0.02,
-) -> Outcome:
+    lattice: Lattice, law: AnyLaw, *, E: float | Material, nu: float | Material, gyration: Floats | None = None,
+    stress: float = 1e6, depth: float = 0.02,
+) -> Outcome:  # fmt: skip
     """Compare the rotation of the face x_max under a moment about x with T L / (G J).
 
     The rotation of the face is the rigid rotation closest to the displacements of its elements.

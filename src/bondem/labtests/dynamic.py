@@ -17,18 +17,10 @@ from bondem.specimen.material import Material, constant
 
 @staged("dynamic tension")
 def dynamic_tension(
-    lattice: Lattice,
-    law: AnyLaw,
-    *,
-    density: float | PerElement | Material,
-    E: float | Material,
-    nu: float | Material,
-    rho: float | Material,
-    gyration: Floats | None = None,
-    modes: NaturalFrequencies | None = None,
-    vibration: FreeVibration | None = None,
-    depth: float = 0.02,
-) -> Outcome:
+    lattice: Lattice, law: AnyLaw, *, density: float | PerElement | Material, E: float | Material,
+    nu: float | Material, rho: float | Material, gyration: Floats | None = None,
+    modes: NaturalFrequencies | None = None, vibration: FreeVibration | None = None, depth: float = 0.02,
+) -> Outcome:  # fmt: skip
     """Compare the first axial frequency of a clamped specimen with √(E/ρ) / (4 L).
 
     The measured value is the natural frequency of the modes, which needs no signal processing. Given a free
@@ -63,18 +55,10 @@ def dynamic_tension(
 
 @staged("dynamic bending")
 def dynamic_bending(
-    lattice: Lattice,
-    law: AnyLaw,
-    *,
-    density: float | PerElement | Material,
-    E: float | Material,
-    nu: float | Material,
-    rho: float | Material,
-    gyration: Floats | None = None,
-    modes: NaturalFrequencies | None = None,
-    vibration: FreeVibration | None = None,
-    depth: float = 0.02,
-) -> Outcome:
+    lattice: Lattice, law: AnyLaw, *, density: float | PerElement | Material, E: float | Material,
+    nu: float | Material, rho: float | Material, gyration: Floats | None = None,
+    modes: NaturalFrequencies | None = None, vibration: FreeVibration | None = None, depth: float = 0.02,
+) -> Outcome:  # fmt: skip
     """Compare the first bending frequency of a clamped specimen with Euler–Bernoulli's and Timoshenko's cantilevers.
 
     `Outcome.curves` has the signal, spectrum and frequency of the free vibration, if it is given.
@@ -108,18 +92,10 @@ def dynamic_bending(
 
 @staged("dynamic torsion")
 def dynamic_torsion(
-    lattice: Lattice,
-    law: AnyLaw,
-    *,
-    density: float | PerElement | Material,
-    E: float | Material,
-    nu: float | Material,
-    rho: float | Material,
-    gyration: Floats | None = None,
-    modes: NaturalFrequencies | None = None,
-    vibration: FreeVibration | None = None,
-    depth: float = 0.02,
-) -> Outcome:
+    lattice: Lattice, law: AnyLaw, *, density: float | PerElement | Material, E: float | Material,
+    nu: float | Material, rho: float | Material, gyration: Floats | None = None,
+    modes: NaturalFrequencies | None = None, vibration: FreeVibration | None = None, depth: float = 0.02,
+) -> Outcome:  # fmt: skip
     """Compare the first torsional frequency of a clamped specimen with √(G J / (ρ I_p)) / (4 L).
 
     `Outcome.curves` has the signal, spectrum and frequency of the free vibration, if it is given.

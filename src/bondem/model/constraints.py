@@ -8,7 +8,7 @@ import numpy as np
 from bondem._checks import shown
 from bondem._tables.step_tables import Drives, RowLoads, Rows, Timeline
 from bondem._types import Floats, PerBond, PerElement
-from bondem.boundary.conditions import BoundaryCondition, Drive, Fix, Load
+from bondem.boundary.conditions import DRIVEN_TWICE, FIXED_AND_DRIVEN, BoundaryCondition, Drive, Fix, Load
 from bondem.boundary.couples import Couple
 from bondem.boundary.loads import Absorbing, BodyForce, Eigenstrain, Pressure
 from bondem.boundary.schedules import Schedule, joined_tables
@@ -98,13 +98,12 @@ class Constraints:
                     chosen = layout.rank[condition.region.select(lattice)]
                     for dof, schedule, rate in condition.motion:
                         if driven[chosen, dof].any():
-                            where = shown(condition.region)
-                            raise InputError(f"{where} is driven twice in one component; remove one Drive")
+                            raise InputError(DRIVEN_TWICE.format(shown(condition.region)))
                         driven[chosen, dof] = True
                         drives.append((chosen, dof, len(schedules), rate))
                         schedules.append(schedule)
                 case Load() | Pressure():
-                    couple = _couple(condition, lattice, layout, len(schedules))
+                    couple = couple_of(condition, lattice, layout, len(schedules))
                     if couple is not None:
                         couples.append(couple)
                     turns = couple is not None and isinstance(condition, Load)
@@ -131,7 +130,7 @@ class Constraints:
                     raise AssertionError(f"unreachable: a model refuses {condition!r}")
             owns[chosen] = True
         if (fixed.astype(bool) & driven).any():
-            raise InputError("an element is both fixed and driven in one component; subtract the regions")
+            raise InputError(FIXED_AND_DRIVEN)
         fixed |= driven.astype(np.uint8)
         owns[layout.rank[law.supports.cell]] = True
         element = np.flatnonzero(owns)
@@ -239,7 +238,7 @@ class Constraints:
         return found
 
 
-def _couple(condition: Load | Pressure, lattice: Lattice, layout: Layout, schedule: int) -> Couple | None:
+def couple_of(condition: Load | Pressure, lattice: Lattice, layout: Layout, schedule: int) -> Couple | None:
     """Return the moment of a load as forces at its points; None without a moment, or if all points coincide."""
     if not isinstance(condition, Load) or not any(condition.moment):
         return None

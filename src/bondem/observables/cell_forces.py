@@ -7,6 +7,7 @@ import numpy as np
 
 from bondem._checks import shown
 from bondem._types import Floats, Ints, PerBond3, PerElement, PerElement3
+from bondem.boundary.wall_constraints import Supports
 from bondem.errors import InputError
 from bondem.geometry.rotations import turned_vectors
 from bondem.interactions.cells.cell_body import body_of
@@ -93,60 +94,42 @@ def _small(model: Model, result: SmallMotion) -> CellForces:
 
 
 def _turned(model: Model, state: State) -> CellForces:
-    body, constants = model.lattice, model.cell_constants
+    body, constants = model.lattice, _grown(model, state)
     _, cells = body_of(body)
     i, j = body.pairs.T
+    q, free, supports = state.orientation, cells.free, constants.supports
+    a = turned_vectors(q[i], _deformed(state, i, constants.lever_i))
+    b = turned_vectors(q[j], _deformed(state, j, constants.lever_j))
     if model.softening is not None and (len(state.cracks) or state.plastic.any()):
-        return _failing(model, state)
-    q, constants = state.orientation, _grown(model, state)
-    a, b = turned_vectors(q[i], constants.lever_i), turned_vectors(q[j], constants.lever_j)
-    gap = body.particles.nearest(state.local_position[j] - state.local_position[i]) + b - a
-    share_i, share_j = turned_vectors(q[i], constants.share_i), turned_vectors(q[j], constants.share_j)
-    supports, n = constants.supports, len(cells.volume)
-    arm = turned_vectors(q[supports.cell], supports.arm)
-    moved = state.displacement[supports.cell] + arm - supports.lever
-    opened = supports.axes * (wall_places(model, state) - moved)
-    whole = state.bond_integrity
-    constants = constants.damaged(whole, i, j)
-    swelling = constants.pressed_by(loads_on_facets(model, state.time))
-    swelling += np.bincount(i, weights=whole * (share_i * gap).sum(axis=1), minlength=n)
-    swelling += np.bincount(j, weights=whole * (share_j * gap).sum(axis=1), minlength=n)
-    swelling += np.bincount(supports.cell, weights=(supports.share * opened).sum(axis=1), minlength=n)
-    stress = constants.stress_of(swelling)
-    force = constants.k[:, None] * gap + stress[i, None] * share_i + stress[j, None] * share_j
-    free = cells.free
-    outwards = free.centroid - cells.centroid[free.cell]
+        force, stress = _stored(model, state), state.pose[model.layout.rank, STRESS]
+    else:
+        gap = body.particles.nearest(state.local_position[j] - state.local_position[i]) + b - a
+        share_i, share_j = turned_vectors(q[i], constants.share_i), turned_vectors(q[j], constants.share_j)
+        whole, n = state.bond_integrity, len(cells.volume)
+        constants = constants.damaged(whole, i, j)
+        opened = (supports.share * _openings(model, state, supports)).sum(axis=1)
+        swelling = constants.pressed_by(loads_on_facets(model, state.time))
+        swelling += np.bincount(i, weights=whole * (share_i * gap).sum(axis=1), minlength=n)
+        swelling += np.bincount(j, weights=whole * (share_j * gap).sum(axis=1), minlength=n)
+        swelling += np.bincount(supports.cell, weights=opened, minlength=n)
+        stress = constants.stress_of(swelling)
+        force = constants.k[:, None] * gap + stress[i, None] * share_i + stress[j, None] * share_j
+        force *= whole[:, None]
     return CellForces(
-        force=whole[:, None] * force, arm_i=a, arm_j=b,
-        wall=supports.k[:, None] * opened + stress[supports.cell, None] * supports.share, wall_arm=arm,
-        load=loads_on_facets(model, state.time, q),
-        load_arm=turned_vectors(q[free.cell], outwards),
-        stress=stress,
-    )  # fmt: skip
-
-
-def _failing(model: Model, state: State) -> CellForces:
-    """Return the forces of the last step of a state with cracks or yielded cells, as stored by the run."""
-    if state.stale:
-        raise InputError("cell_stress: the state has cracks and was changed after its last step; run a step first")
-    body, constants, layout = model.lattice, _grown(model, state), model.layout
-    _, cells = body_of(body)
-    i, j = body.pairs.T
-    q, supports, free = state.orientation, constants.supports, cells.free
-    force = np.empty((len(i), 3))
-    force[layout.bond_order] = np.where(layout.flipped[:, None], -1.0, 1.0) * state.facet_force.T
-    arm = turned_vectors(q[supports.cell], _deformed(state, supports.cell, supports.arm))
-    opened = supports.axes * (wall_places(model, state) - (state.displacement[supports.cell] + arm - supports.lever))
-    stress = state.pose[layout.rank, STRESS]
-    return CellForces(
-        force=force,
-        arm_i=turned_vectors(q[i], _deformed(state, i, constants.lever_i)),
-        arm_j=turned_vectors(q[j], _deformed(state, j, constants.lever_j)),
-        wall=supports.k[:, None] * opened + stress[supports.cell, None] * supports.share, wall_arm=arm,
+        force=force, arm_i=a, arm_j=b, wall=wall_forces(model, state, stress), wall_arm=wall_arms(model, state),
         load=loads_on_facets(model, state.time, q),
         load_arm=turned_vectors(q[free.cell], free.centroid - cells.centroid[free.cell]),
         stress=stress,
     )  # fmt: skip
+
+
+def _stored(model: Model, state: State) -> Floats:
+    """Return the facet forces of the last step of a state with cracks or yielded cells, as stored by the run."""
+    if state.stale:
+        raise InputError("cell_stress: the state has cracks and was changed after its last step; run a step first")
+    layout, force = model.layout, np.empty((len(model.lattice.pairs), 3))
+    force[layout.bond_order] = np.where(layout.flipped[:, None], -1.0, 1.0) * state.facet_force.T
+    return force
 
 
 def _deformed(state: State, owner: Ints, arm: Floats) -> Floats:
@@ -172,6 +155,22 @@ def wall_arms(model: Model, state: State) -> Floats:
     """Return the arms from the centres of mass to the facets that walls constrain, in a state [m], (g, 3)."""
     supports = _grown(model, state).supports
     return turned_vectors(state.orientation[supports.cell], _deformed(state, supports.cell, supports.arm))
+
+
+def wall_forces(model: Model, state: State, stress: PerElement | None = None) -> Floats:
+    """Return the forces of walls on the facets that they constrain in a state [N], (g, 3).
+
+    λ θ of each cell [Pa], (n,), is `stress`; None for that of the last step.
+    """
+    supports = _grown(model, state).supports
+    stress = state.pose[model.layout.rank, STRESS] if stress is None else stress
+    opened = supports.k[:, None] * _openings(model, state, supports)
+    return opened + stress[supports.cell, None] * supports.share
+
+
+def _openings(model: Model, state: State, supports: Supports) -> Floats:
+    moved = state.displacement[supports.cell] + wall_arms(model, state) - supports.lever
+    return supports.axes * (wall_places(model, state) - moved)
 
 
 def wall_places(model: Model, state: State, base: Floats | None = None) -> Floats:

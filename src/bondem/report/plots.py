@@ -194,7 +194,8 @@ def _effect(condition: Any) -> tuple[str, str] | None:
     """Return words for the effect of a condition, and its colour; None for conditions that act everywhere."""
     match condition:
         case Fix():
-            turns = f", rotation {' '.join(condition.rotation)}" if condition.rotation else ""
+            held = "xyz" if condition.rotation is None else condition.rotation
+            turns = f", rotation {' '.join(held)}" if held else ""
             moves = " ".join(condition.translation)
             return (f"fixed {moves}{turns}" if moves else f"fixed{turns[1:]}"), BLUE
         case Drive():

@@ -218,7 +218,7 @@ class Elements:
         return chosen
 
     def face_patches(self, name: str, body: Which | None, whole: Ints, part: Ints) -> tuple[Ints, Floats, Floats]:
-        """Return the patches of a face that are nearest to some of its elements, or the facets of some cells.
+        """Return the patches of a face that are nearest to some of its elements.
 
         Args:
             name: name of the face.
@@ -367,12 +367,6 @@ class CellElements(Elements):
         chosen = np.zeros(len(self.particles), dtype=bool)
         chosen[self.cells.free.cell[self.on_face(name, body)]] = True
         return chosen
-
-    def face_patches(self, name: str, body: Which | None, whole: Ints, part: Ints) -> tuple[Ints, Floats, Floats]:
-        free, found = self.cells.free, self.on_face(name, body)
-        found = found[np.isin(free.cell[found], part)]
-        owner = np.searchsorted(part, free.cell[found])
-        return owner, free.centroid[found], free.area[found, None] * free.normal[found]
 
     def face_centre(self, name: str, body: Which | None) -> Vector:
         free, on = self.cells.free, self.on_face(name, body)

@@ -15,9 +15,9 @@ from bondem._passes import calls
 from bondem._tables.stiffness_tables import DilatationRows, FacetRows
 from bondem._threads import current_threads
 from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement, PerElement3, PerElement6
-from bondem.boundary.conditions import Drive, Fix, Load
+from bondem.boundary.conditions import Load
 from bondem.boundary.loads import Pressure, is_face
-from bondem.boundary.wall_constraints import FixedFacets, Supports, supports_facets
+from bondem.boundary.wall_constraints import FixedFacets, Supports, on_centres
 from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.interactions.beams.bond_table import BondTable
@@ -77,7 +77,7 @@ class CellInteraction(CellsAtAnyPose):
         raise InputError(refusal)
 
     def on_elements(self, boundary: Boundary) -> Boundary:
-        return [one for one in boundary if not (isinstance(one, Fix | Drive) and supports_facets(one))]
+        return [one for given in boundary for one in on_centres(given)]
 
     def facet_forces(self, load: Load | Pressure) -> tuple[Ints, Floats]:
         return load.on_facets(self.lattice) if is_face(load.region) else super().facet_forces(load)

@@ -32,9 +32,9 @@ class Reading:
             if getattr(condition, "region", None) != drive:
                 continue
             if isinstance(condition, Drive):
-                on_elements = on_elements or not supports_facets(condition)
                 for axis, schedule, _ in condition.motion:
                     if axis < 3:
+                        on_elements = on_elements or not supports_facets(condition)
                         motion[axis] += schedule.final
             elif isinstance(condition, Load | Pressure):
                 _, values = condition.nodal(model.lattice)

@@ -1,10 +1,11 @@
-"""Strain gauges, evaluated outside the core at each record."""
+"""Gauges that are evaluated outside the core at each record: strains, and forces on faces that share cells."""
 
 import numpy as np
 
 from bondem._tables.columns import HistoryColumn
 from bondem._types import Floats
 from bondem.boundary.gauges import StrainGauge
+from bondem.dynamics.face_gauges import FaceGauges
 from bondem.dynamics.plan import Plan
 from bondem.errors import InputError
 from bondem.model.model import Model
@@ -12,8 +13,8 @@ from bondem.model.state import State
 from bondem.observables.affine_strain import gradient_weights
 
 
-class StrainGauges:
-    """Strain gauges of a plan; the object is False if the plan has none."""
+class StateGauges:
+    """Gauges of a plan that are evaluated from the state; the object is False if the plan has none."""
 
     def __init__(self, model: Model, plan: Plan) -> None:
         """Compute the weights of the displacements in each strain.
@@ -22,6 +23,7 @@ class StrainGauges:
             InputError: The elements of a gauge lie in a plane.
         """
         self._parts: list[tuple[int, np.ndarray, Floats]] = []
+        self._faces = FaceGauges(model, plan)
         for g, (name, gauge) in enumerate(plan.gauges.items()):
             if not isinstance(gauge, StrainGauge):
                 continue
@@ -35,14 +37,15 @@ class StrainGauges:
             self._parts.append((HistoryColumn.COUNT + 3 * g, chosen, gradient_weights(position)))
 
     def __bool__(self) -> bool:
-        return bool(self._parts)
+        return bool(self._parts or self._faces)
 
     def fill(self, records: Floats, state: State) -> None:
-        """Write the strains of a state into the last row of `records`, (s, columns), in place.
+        """Write what the gauges read in a state into the last row of `records`, (s, columns), in place.
 
         A line along e becomes F e = e + u' with u' = (∂u/∂x) e: its strain |F e| - 1 is 2 E / (1 + |F e|) with the
         Green strain E = e · u' + ½ |u'|², without loss of digits where it is small.
         """
+        self._faces.fill(records, state)
         if not self._parts or not len(records):
             return
         moved = state.displacement
