@@ -4,10 +4,8 @@ A centre at half the size of a cell below a face has its mirror image outside. T
 the face, or touches it where it is curved. If no point of the face is nearer to any other centre, cells end there and
 nowhere else: exactly on plane faces, on a polyhedron of the same volume around curved ones. Near a convex edge a
 centre is half a cell size from both faces and has an image beyond each. Concave edges are only approximated: the
-error is 0.13 cell sizes, root mean square over an L-shaped surface.
-
-A plane that meets the wall of the body at an acute angle has no room for an image there. Both centres of such a pair
-stand nearer to the plane, which remains half-way between them.
+error is 0.13 cell sizes, root mean square over an L-shaped surface. Where a plane meets a wall at an acute angle,
+images have no room: both centres of such a pair stand nearer to the plane, which remains half-way between them.
 """
 
 from collections.abc import Callable, Sequence
@@ -144,12 +142,7 @@ def _layers(shape: Shape, surface: Around, sided: _Sided, h: float, random: np.r
 def _oblique(shape: Shape, plane: Plane, x: PerElement3, wanted: int, h: float) -> PerElement3:
     """Return centres on both sides of a plane that meets walls obliquely [m], (k, 3); none if it does not.
 
-    Args:
-        shape: shape to fill.
-        plane: surface on which cells end.
-        x: points of the shape beside the plane [m], (n, 3).
-        wanted: number of pairs of centres.
-        h: size of a cell [m].
+    There are about as many pairs as `wanted`; `x` are points of the shape within h / 2 of the plane [m], (n, 3).
     """
     normal = np.array(plane.normal)
     section = x - plane.depth(x)[:, None] * normal
@@ -157,25 +150,19 @@ def _oblique(shape: Shape, plane: Plane, x: PerElement3, wanted: int, h: float) 
         return x[:0]
 
     def room(foot: PerElement3, half: float = _LEAST) -> PerElement:
-        out = half * h * normal
-        return np.minimum(shape.depth(foot + out), shape.depth(foot - out)) - _RIM * h
+        return np.min([shape.depth(foot + side * half * h * normal) for side in (-1, 1)], axis=0) - _RIM * h
 
     section = section[shape.depth(section) > 0.0][: _POINTS * wanted]
     raised = _Sided.of(replace(plane, point=tuple(plane.point - _HALF * h * normal)))
     foot = _spread(shape, raised, section, wanted, h, room)
     foot = _apart(foot[room(foot) >= 0.0], _TWIN * h)
-    half = np.full(len(foot), _LEAST)
-    for more in np.linspace(_LEAST, _HALF, 11):
-        half[room(foot, more) >= 0.0] = more
-    out = half[:, None] * h * normal
+    most = [np.where(room(foot, half) >= 0.0, half, _LEAST) for half in np.linspace(_LEAST, _HALF, 11)]
+    out = np.max(most, axis=0)[:, None] * h * normal
     return np.concatenate([foot + out, foot - out])
 
 
 def _spread(shape: Shape, sided: _Sided, points: PerElement3, count: int, h: float, room: _Depth) -> PerElement3:
-    """Return centres along a surface [m], (k, 3): `count` of `points` pushed apart, more in holes, then centred.
-
-    Centres without `room` (n,) [m] move to the nearest of the points that has some.
-    """
+    """Return centres along a surface [m], (k, 3): `count` of `points` pushed apart, more in holes, then centred."""
     pin = points[:count].copy()
     if len(pin) <= 1:
         return pin
@@ -193,7 +180,7 @@ def _spread(shape: Shape, sided: _Sided, points: PerElement3, count: int, h: flo
             number = np.bincount(own, minlength=len(pin))
             middle = np.column_stack([np.bincount(own, weights=points[:, d], minlength=len(pin)) for d in range(3)])
             pin = _onto(sided, (middle / np.maximum(number, 1)[:, None])[number > 0], h)
-    # in a corner of the body, moving off one wall leads to another: such a pin moves to the nearest point off all
+    # in a corner of the body, moving off one wall leads to another: such a pin moves to the nearest point with room
     deep = points[room(points) > 0.02 * MARGIN * h]
     if len(deep):
         shallow = np.flatnonzero(room(pin) < 0.0)
