@@ -1,6 +1,7 @@
 """Joints that meet the surface obliquely under compression, and flat blocks of cells that lie on a slope."""
 
 import math
+import warnings
 from functools import partial
 
 import numpy as np
@@ -12,7 +13,7 @@ from validation.frame.record import Record
 WIDTH, E, RHO, COHESION, PHI = 12e-3, 20e9, 2400.0, 2e6, math.radians(30)
 LENGTH = {45: 30e-3, 60: 30e-3, 70: 50e-3}
 SLOPES = ((0.0, 15), (0.5, 35))
-GRAVITY, SOFT, LASTS = 200.0, 1e8, 6e-3
+GRAVITY, SOFT, LASTS, CELL = 200.0, 1e8, 6e-3, 3e-3**3
 
 
 def pressed(degrees: int, count: int, seed: int) -> dict:
@@ -48,23 +49,36 @@ def pressed(degrees: int, count: int, seed: int) -> dict:
     }  # fmt: skip
 
 
+def block(height: float, seed: int, *, length: float = 20e-3, around: bd.Plane | None = None) -> bd.Lattice:
+    """A flat block, 20 mm wide, of cells of 3 mm."""
+    count = round(20e-3 * length * height / CELL)
+    packing = bd.pack(bd.Box((length, 20e-3, height)), count=count, method="even", seed=seed, around=around)
+    return bd.connect(packing, method="laguerre")
+
+
 def slid(friction: float, degrees: int, seed: int, under: str) -> dict:
-    """How far a flat block slides down a block of cells, or a wall, over the path of a rigid one."""
-    size = (20e-3, 20e-3, 8e-3)
-    top = bd.connect(bd.pack(bd.Box(size), count=120, method="even", seed=seed), method="laguerre")
-    slope = math.radians(degrees)
-    boundary: list = [bd.Gravity(GRAVITY, direction=(math.sin(slope), 0.0, -math.cos(slope)))]
-    scene, walls = top.moved((5e-3, 0.0, 8e-3)), []
-    if under == "block":
-        base = bd.connect(bd.pack(bd.Box((30e-3, 20e-3, 8e-3)), count=200, method="even", seed=3), method="laguerre")
-        scene = bd.join(base, scene, names=("base", "top"))
-        boundary.append(bd.Fix(bd.Face("z_min", body="base")))
-    else:
-        walls = [bd.PlaneWall(point=(0.0, 0.0, 8e-3), normal=(0.0, 0.0, 1.0))]
+    """How far a flat block slides down a block of cells, a wall, or a joint in one body, and a rigid one [m]."""
+    slope, plane = math.radians(degrees), bd.Plane(point=(0.0, 0.0, 8e-3), normal=(0.0, 0.0, 1.0))
+    base = bd.Fix(bd.Face("z_min", body="base" if under == "block" else None))
+    boundary = [bd.Gravity(GRAVITY, direction=(math.sin(slope), 0.0, -math.cos(slope))), base]
     law = bd.LinearContact(E=SOFT, friction=friction, damping=0.3)
-    model = bd.Model(scene, bd.CellBond(E=SOFT, nu=0.2), RHO, contact=law, boundary=boundary, walls=walls)
-    region = bd.Body("top") if under == "block" else bd.Everything()
-    with threads(1):
+    scene, walls, region, failure = block(8e-3, seed).moved((5e-3, 0.0, 8e-3)), [], bd.Everything(), None
+    if under == "block":
+        scene = bd.join(block(8e-3, 3, length=30e-3), scene, names=("base", "top"))
+        region = bd.Body("top")
+    elif under == "wall":
+        walls, boundary = [bd.PlaneWall(point=plane.point, normal=plane.normal)], boundary[:1]
+    else:
+        scene, region = block(16e-3, seed, around=plane), plane
+        rock = bd.MohrCoulomb(tension=1e7, cohesion=1e8, friction_angle=0.5, fracture_energy=1e7)
+        weak = bd.MohrCoulomb(tension=200.0, cohesion=200.0, friction_angle=math.atan(friction), fracture_energy=1e-4)
+        failure = {bd.Everything(): rock, (plane, bd.Everything() - plane): weak}
+    model = bd.Model(
+        scene, bd.CellBond(E=SOFT, nu=0.2), RHO, contact=law, boundary=boundary, walls=walls, failure=failure
+    )
+    with threads(1), warnings.catch_warnings():
+        warnings.simplefilter("ignore", bd.errors.ContactWarning)  # that blocks do not slide
+        warnings.simplefilter("ignore", bd.errors.StrengthWarning)
         run = bd.solve_explicit(
             model, duration=LASTS, every=50, damping=bd.BondDamping(0.2),
             gauges={"moved": bd.Gauge(region, "displacement")},
@@ -79,7 +93,7 @@ def measure(record: Record) -> None:
         for degrees in LENGTH:
             for seed in (1, 2, 3):
                 record.add(partial(pressed, degrees, count, seed), "joints", degrees=degrees, cells=count, seed=seed)
-    for under in ("block", "wall"):
+    for under in ("block", "wall", "joint"):
         for friction, degrees in SLOPES:
             for seed in (1, 2, 3):
                 record.add(partial(slid, friction, degrees, seed, under), "blocks", under=under, friction=friction,
