@@ -182,6 +182,7 @@ def plane(z, **other):
         (lambda: plane(6.0, normal=(0.0, 0.0, 0.0)), "has no length"),
         (lambda: plane(np.nan), "point"),
         (lambda: bd.pack(BLOCK, count=500, method="even", around=plane(20.0), cache=False), "no room for cells"),
+        (lambda: bd.pack(BLOCK, count=500, method="even", around=plane(0.43 * 1.5), cache=False), "no cells of"),
         (lambda: bd.pack(BLOCK, count=500, method="even", around=[plane(6.0), plane(7.0)], cache=False), "nearer"),
         (lambda: bd.pack(BLOCK, count=500, method="even", around=[plane(6.0), ACROSS], cache=False), "cross"),
         (lambda: bd.pack(BLOCK, count=500, around=plane(6.0)), "even"),

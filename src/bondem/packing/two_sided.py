@@ -114,10 +114,9 @@ def _layers(shape: Shape, surface: Around, sided: _Sided, h: float, random: np.r
             f"pack: around= has {surface}, with no room for cells of {h:.3g} m inside of it and of the shape; check"
             " its position and its unit (metres), or ask for smaller cells"
         )
-    if isinstance(surface, Plane):
-        pairs = _oblique(shape, surface, x[np.abs(depth) < 0.5 * h], wanted, h)
-        if len(pairs):
-            return pairs
+    beside = x[np.abs(depth) < 0.5 * h]
+    if isinstance(surface, Plane) and len(pairs := _oblique(shape, surface, beside, wanted, h)):
+        return pairs
     # points of the layer, of which each pin becomes the centre of some
     inside = _onto(sided, inside[: _POINTS * wanted], h)
     pin = _spread(shape, sided, inside, wanted, h, lambda x: shape.depth(x) - MARGIN * h)
@@ -146,12 +145,12 @@ def _oblique(shape: Shape, plane: Plane, x: PerElement3, wanted: int, h: float) 
     """
     normal = np.array(plane.normal)
     section = x - plane.depth(x)[:, None] * normal
-    if not (shape.depth(2.0 * section - x) < -_OBLIQUE * h).any():
-        return x[:0]
 
     def room(foot: PerElement3, half: float = _LEAST) -> PerElement:
         return np.min([shape.depth(foot + side * half * h * normal) for side in (-1, 1)], axis=0) - _RIM * h
 
+    if (shape.depth(2.0 * section - x) >= -_OBLIQUE * h).all() or (room(section, _HALF) < 0.0).all():
+        return x[:0]
     section = section[shape.depth(section) > 0.0][: _POINTS * wanted]
     raised = _Sided.of(replace(plane, point=tuple(plane.point - _HALF * h * normal)))
     foot = _spread(shape, raised, section, wanted, h, room)
