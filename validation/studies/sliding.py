@@ -62,7 +62,8 @@ def slid(friction: float, degrees: int, seed: int, under: str) -> dict:
     base = bd.Fix(bd.Face("z_min", body="base" if under == "block" else None))
     boundary = [bd.Gravity(GRAVITY, direction=(math.sin(slope), 0.0, -math.cos(slope))), base]
     law = bd.LinearContact(E=SOFT, friction=friction, damping=0.3)
-    scene, walls, region, failure = block(8e-3, seed).moved((5e-3, 0.0, 8e-3)), [], bd.Everything(), None
+    scene, walls, region = block(8e-3, seed).moved((5e-3, 0.0, 8e-3)), [], bd.Everything()
+    failure: dict[bd.Region | tuple[bd.Region, bd.Region], bd.Criterion] | None = None
     if under == "block":
         scene = bd.join(block(8e-3, 3, length=30e-3), scene, names=("base", "top"))
         region = bd.Body("top")
