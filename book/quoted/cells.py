@@ -19,9 +19,11 @@ AGAINST = Measurement(
 TURNING = Measurement(
     "turning_energy", "python -m validation turning_energy --name now --kinds brittle,softening,elastic", "1 h"
 )
-MEASUREMENTS = (SHARES, AGAINST, TURNING)
+SLIDING = Measurement("sliding", "python -m validation sliding", "5 min")
+MEASUREMENTS = (SHARES, AGAINST, TURNING, SLIDING)
 
 RATIO, FINE, ONE = Form(style=".1f"), Form(style=".2f"), Form("%", 1e-2, ".1f")
+THIRD = Form(style=".3f")
 #: Cells of the larger of two bodies.
 _LARGE = 100_000
 #: How far a thickness in cells may be from the one that is asked for.
@@ -30,7 +32,7 @@ _THICKNESS = 0.1
 
 def quoted() -> Iterator[Quoted]:
     """All quoted numbers of cells."""
-    yield from (*_uniform(), *_waves(), *_thin(), *_costs(), *_turning(), *_fields(), *_damping())
+    yield from (*_uniform(), *_waves(), *_thin(), *_costs(), *_turning(), *_fields(), *_damping(), *_sliding())
 
 
 def _uniform() -> Iterator[Quoted]:
@@ -130,3 +132,23 @@ def _damping() -> Iterator[Quoted]:
         yield Quoted(f"damping.{name}", f"damping of six modes by dashpots of bonds over β ω / 2, ν = {nu}",
             f"{counts} cells, {len({one['seed'] for one in some})} packings", DAMPING,
             tuple(value for one in some for value in one["modes"]), FINE)  # fmt: skip
+
+
+def _sliding() -> Iterator[Quoted]:
+    joints, blocks = SLIDING.at("joints"), SLIDING.at("blocks")
+    packings = len({one["seed"] for one in joints})
+    counts = " and ".join(map(str, sorted({one["cells"] for one in joints})))
+    size = f"{counts} cells per 30 mm of a bar 12 mm thick, {packings} packings each"
+    for name, degrees in (("joints", (45, 60)), ("steep_joints", (70,))):
+        some = [one for one in joints if one["degrees"] in degrees]
+        angles = " and ".join(f"{one}°" for one in degrees)
+        yield Quoted(f"{name}.flat", f"joint whose normal is at {angles} to the load: flat share of the section",
+            size, SLIDING, tuple(one["flat"] for one in some), THIRD)  # fmt: skip
+        yield Quoted(f"{name}.peak", "the same: strength in compression over Jaeger's", size, SLIDING,
+            tuple(one["peak"] for one in some), FINE)  # fmt: skip
+    for under, what in (("block", "a block of cells"), ("wall", "a plane wall"), ("joint", "a joint in one body")):
+        some = [one["moved"] / one["rigid"] for one in blocks if one["under"] == under]
+        yield Quoted(f"blocks.{under}",
+            f"path of a flat block of cells on {what}, over that of a rigid one (μ = 0 on 15°, μ = 0.5 on 35°)",
+            f"blocks of cells of 3 mm, {len(some)} runs", SLIDING, tuple(some), THIRD if under == "block" else FINE,
+        )  # fmt: skip

@@ -52,7 +52,7 @@ class ContactWarning(UserWarning):
     """Warning of contacts outside the range of their law, or without a law, and of walls on the wrong side.
 
     Overlaps may be too deep, motions too fast for the step, or friction beyond the tangential spring. A wall may face
-    away from the body, or elements may begin behind it.
+    away from the body, or elements may begin behind it. Plane faces of bodies of cells do not slide on each other.
     """
 
 

@@ -5,7 +5,7 @@ import warnings
 import pytest
 
 import bondem as bd
-from bondem.errors import ContactWarning
+from bondem.errors import ContactWarning, InputError
 from tests.specimens import row
 
 # A row of spheres along x from 0 with centres on the axis.
@@ -40,3 +40,9 @@ def test_walls_that_face_the_elements_are_silent() -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         started(*FACING)
+
+
+def test_a_wall_that_is_given_twice_is_refused() -> None:
+    """It would double its forces."""
+    with pytest.raises(InputError, match=r"walls\[2\] is walls\[0\] again"):
+        started(FACING[0], FACING[1], bd.PlaneWall((-2.0, 0, 0), (1, 0, 0)))

@@ -79,6 +79,7 @@ def collision(model: bd.Model, chosen: np.ndarray) -> float:
     return float((np.pi * np.sqrt(0.5 * model.mass[chosen] / stiffness)).min())
 
 
+@pytest.mark.filterwarnings("ignore:plane faces:bondem.errors.ContactWarning")
 def test_the_default_step_resolves_collisions_of_bodies():
     one = default_step(BRICKS[0])
     assert one == pytest.approx(default_step(BRICKS[0].moved((1.0, 0.0, 0.0))), rel=1e-6)

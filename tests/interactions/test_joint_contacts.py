@@ -131,3 +131,29 @@ def test_bits_of_a_joint_do_not_depend_on_threads_pauses_or_lists(tmp_path: Path
         assert_same_bits(whole, bd.resume(tmp_path / "cut.h5"))
     with threads(4):
         assert digest(run()) == digest(whole)
+
+
+@pytest.mark.parametrize(
+    "seed", [1, pytest.param(2, marks=pytest.mark.validate), pytest.param(3, marks=pytest.mark.validate)]
+)
+def test_an_oblique_joint_slides_at_jaegers_strength(seed: int, one_thread: None) -> None:
+    """Jaeger (1960): σ = c / (sin β cos β - tan φ cos² β), and nothing once c is gone, as β > φ."""
+    length, width, beta, phi, cohesion = 30e-3, 12e-3, math.radians(60), math.radians(30), 2e6
+    plane = bd.Plane(point=(length / 2, width / 2, width / 2), normal=(math.cos(beta), 0.0, math.sin(beta)))
+    box = bd.Box((length, width, width))
+    packing = bd.pack(box, count=200, method="even", seed=seed, around=plane, cache=False)
+    rock = bd.MohrCoulomb(tension=10e6, cohesion=40e6, friction_angle=0.6, fracture_energy=500.0)
+    weak = bd.MohrCoulomb(tension=1e6, cohesion=cohesion, friction_angle=phi, fracture_energy=1.5)
+    press = bd.Table([0.0, 1.5e-3], [0.0, -2e-3 * length])
+    model = bd.Model(
+        bd.connect(packing, method="laguerre"), bd.CellBond(E=E, nu=0.2), RHO,
+        boundary=[bd.Fix(bd.Face("x_min"), "x", ""), bd.Drive(bd.Face("x_max"), x=press)],
+        failure={bd.Everything(): rock, (plane, bd.Everything() - plane): weak},
+        contact=bd.LinearContact(E=E, friction=math.tan(phi)),
+    )  # fmt: skip
+    gauges = {"force": bd.Gauge(bd.Face("x_max"), "force")}
+    run = bd.solve_explicit(model, duration=1.5e-3, every=50, damping=bd.MassDamping(2e4), gauges=gauges)
+    stress = -run.history["force"][:, 0] / width**2
+    strength = cohesion / (math.sin(beta) * math.cos(beta) - math.tan(phi) * math.cos(beta) ** 2)
+    assert stress.max() == pytest.approx(strength, rel=0.05)
+    assert abs(stress[-1]) < 0.02 * strength  # it locked at twice the strength

@@ -134,6 +134,33 @@ def test_a_ragged_joint_is_a_warning():
         bd.Model(ragged, bd.CellBond(E=3e9, nu=0.2), 2500.0, failure=brittle)
 
 
+@cache
+def crossed(degrees: float, count: int, seed: int) -> tuple[bd.Plane, bd.Lattice]:
+    """A bar and a plane across it whose normal is inclined to the axis."""
+    across = bd.Plane(
+        point=(15.0, 6.0, 6.0), normal=(math.cos(math.radians(degrees)), 0.0, math.sin(math.radians(degrees)))
+    )
+    box = bd.Box((30.0, 12.0, 12.0))
+    particles = bd.pack(box, count=count, method="even", seed=seed, around=across, cache=False)
+    return across, bd.connect(particles, method="laguerre")
+
+
+@pytest.mark.parametrize(("degrees", "count", "seed"), [
+    (30.0, 200, 1), (60.0, 200, 1), *(pytest.param(b, n, s, marks=pytest.mark.validate)
+    for b in (30.0, 45.0, 60.0) for n in (200, 1200) for s in (2, 3)),
+])  # fmt: skip
+def test_cells_end_on_a_plane_that_meets_walls_obliquely(degrees, count, seed):
+    """Up to the rim, where a centre has no room for its mirror image (6 to 15 % were off the plane before)."""
+    across, body = crossed(degrees, count, seed)
+    above = across.mask(body)
+    border = above[body.pairs[:, 0]] != above[body.pairs[:, 1]]
+    off = np.abs(across.depth(body.facets.centroid[border])) > 1e-9
+    area, section = body.facets.area[border], 144.0 / math.cos(math.radians(degrees))
+    assert area[off].sum() < 1e-3 * section
+    assert area[~off].sum() == pytest.approx(section, rel=1e-3)
+    assert body.cells.volume.min() > 0.15 * body.cells.volume.mean()
+
+
 def test_two_planes_make_three_layers_and_a_plane_is_written_and_read():
     planes = [bd.Plane(point=(0.0, 0.0, z), normal=(0.0, 0.0, 1.0)) for z in (4.0, 7.0)]
     body = bd.connect(bd.pack(BLOCK, count=1728, method="even", around=planes, cache=False), method="laguerre")
@@ -155,6 +182,7 @@ def plane(z, **other):
         (lambda: plane(6.0, normal=(0.0, 0.0, 0.0)), "has no length"),
         (lambda: plane(np.nan), "point"),
         (lambda: bd.pack(BLOCK, count=500, method="even", around=plane(20.0), cache=False), "no room for cells"),
+        (lambda: bd.pack(BLOCK, count=500, method="even", around=plane(0.43 * 1.5), cache=False), "no cells of"),
         (lambda: bd.pack(BLOCK, count=500, method="even", around=[plane(6.0), plane(7.0)], cache=False), "nearer"),
         (lambda: bd.pack(BLOCK, count=500, method="even", around=[plane(6.0), ACROSS], cache=False), "cross"),
         (lambda: bd.pack(BLOCK, count=500, around=plane(6.0)), "even"),

@@ -149,6 +149,10 @@ def pivot(wall: Wall) -> Triple:
 
 
 def check_walls(walls: object) -> tuple[Wall, ...]:
-    """Return one wall or several as a tuple; raise InputError if a value is not a wall."""
+    """Return one wall or several as a tuple; raise InputError if a value is not a wall, or is given twice."""
     kinds = PlaneWall, CylinderWall, SphereWall
-    return several("Model", "walls", walls, kinds, "bd.PlaneWall, bd.CylinderWall and bd.SphereWall")
+    found = several("Model", "walls", walls, kinds, "bd.PlaneWall, bd.CylinderWall and bd.SphereWall")
+    for k, wall in enumerate(found):
+        if (first := found.index(wall)) < k:
+            raise InputError(f"walls[{k}] is walls[{first}] again, and would double its forces; leave one out")
+    return found

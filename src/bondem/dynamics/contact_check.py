@@ -22,6 +22,9 @@ _FAST = 0.1
 # Distance of centres over the sum of radii below which elements that nothing joins are inside each other, and over
 # the distance at rest where a bond or facet joined them.
 _SUNK, _SUNK_PAIR = 0.6, 0.75
+# Largest product of the normals of faces that stand against each other, their largest gap over the size of a cell,
+# their least area over that of a facet, and the share of a velocity along them below which bodies collide head-on.
+_OPPOSED, _AGAINST, _FEW_CELLS, _HEAD_ON = -0.9999, 0.1, 3.0, 0.1
 
 
 class ListedContacts(NamedTuple):
@@ -92,6 +95,34 @@ class ContactCheck:
         p = c.element
         speed.append(np.linalg.norm(velocity[p] - c.velocity, axis=1) / self._radius[p])
         return max(float(values.max(initial=0.0)) for values in speed)
+
+
+def doubt_of_faces(model: Model, state: State) -> str:
+    """Return a warning if plane faces of bodies of cells stand against each other and do not collide, else nothing.
+
+    Their cells touch as spheres of their volume, which interlock and do not slide with the friction of the law.
+    """
+    elements, bodies = model.lattice.elements, model.lattice.bodies
+    if not (elements.tables and model.contact and len(bodies.names) > 1):
+        return ""
+    free, h = elements.require_cells().cells.free, elements.size
+    a, b = KDTree(free.centroid).query_pairs(h, output_type="ndarray").T
+    label, normal, velocity = bodies.label[free.cell], free.normal, state.velocity[free.cell]
+    gap = np.einsum("kc,kc->k", free.centroid[b] - free.centroid[a], normal[a])
+    opposed = np.einsum("kc,kc->k", normal[a], normal[b]) < _OPPOSED
+    a, b = np.column_stack([a, b])[(label[a] != label[b]) & opposed & (np.abs(gap) < _AGAINST * h)].T
+    speed = velocity[b] - velocity[a]
+    ahead = np.einsum("kc,kc->k", speed, normal[a])
+    aside = np.linalg.norm(speed - ahead[:, None] * normal[a], axis=1)
+    few = free.area[np.unique(np.concatenate([a, b]))].sum() < 2.0 * _FEW_CELLS * h**2
+    if few or aside.max() < _HEAD_ON * np.abs(ahead).max():
+        return ""
+    first, second = (bodies.names[k] for k in sorted((label[a[0]], label[b[0]])))
+    return (
+        f"plane faces of bodies stand against each other ({first!r} and {second!r}): their cells touch as spheres,"
+        " which interlock, whatever the friction; to let bodies slide, pack one body around=bd.Plane(...) with a pair"
+        " of regions in failure= as a joint, or use a bd.PlaneWall"
+    )
 
 
 class SinkingCheck:

@@ -18,6 +18,7 @@ from bondem.boundary.wall_constraints import Supports
 from bondem.boundary.wall_motions import Driven, Servo
 from bondem.boundary.wall_rows import wall_rows
 from bondem.boundary.wall_sides import doubts
+from bondem.dynamics.contact_check import doubt_of_faces
 from bondem.dynamics.plan import Plan
 from bondem.dynamics.stage_walls import goes_on, stage_walls
 from bondem.errors import ContactWarning, InputError, StageWarning
@@ -44,7 +45,8 @@ def begin(model: Model, state: State | None) -> State:
     Warns:
         StageWarning: A schedule that is new in this run no longer has its first value at the time of the state, or a
             load or strain differs from that of the equilibrium from which the run begins.
-        ContactWarning: A wall faces away from all elements, or elements begin behind a wall.
+        ContactWarning: A wall faces away from all elements, elements begin behind a wall, or plane faces of
+            bodies of cells stand against each other.
     """
     if state is not None:
         check_arrays(state)
@@ -62,6 +64,8 @@ def begin(model: Model, state: State | None) -> State:
     elif state is not None and moved:
         _warn_of_other_loads(model, state.model)
     _warn_of_sides(model, own, () if before is None else before.walls)
+    if before is None and not moved and (doubt := doubt_of_faces(model, own)):
+        warnings.warn(doubt, ContactWarning, stacklevel=users_line())
     return own
 
 

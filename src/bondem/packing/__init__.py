@@ -90,7 +90,7 @@ def pack(
             `bd.Plane`s, shapes or `bd.Surface`s, one or a sequence, at least 1.6 cells apart (none that cross), or
             balls from `bd.aggregates`. All cells then have one size, with balls at most 0.8 of their smallest radius.
             Cells end exactly on plane faces, and on a polyhedron of the same volume around curved ones. At edges
-            within one face of a `bd.Surface` cells end approximately.
+            within one face of a `bd.Surface`, and where shapes meet walls obliquely, cells end approximately.
         spread: κ = (R_max - R_min) / R̄ [-], radii uniform in R̄ (1 ± κ/2) (André et al. 2012, eq 10); 0.25 unless
             `sizes` is given. Equal spheres (0) order at walls.
         sizes: law of the radii, in place of `spread`: Uniform, Lognormal or Sieve.

@@ -4,11 +4,12 @@ A centre at half the size of a cell below a face has its mirror image outside. T
 the face, or touches it where it is curved. If no point of the face is nearer to any other centre, cells end there and
 nowhere else: exactly on plane faces, on a polyhedron of the same volume around curved ones. Near a convex edge a
 centre is half a cell size from both faces and has an image beyond each. Concave edges are only approximated: the
-error is 0.13 cell sizes, root mean square over an L-shaped surface.
+error is 0.13 cell sizes, root mean square over an L-shaped surface. Where a plane meets a wall at an acute angle,
+images have no room: both centres of such a pair stand nearer to the plane, which remains half-way between them.
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -32,6 +33,9 @@ Around = Plane | Shape | Aggregates
 _HALF, _NEAR_FACE, _CLEAR, _TWIN, _PIN_MARGIN = 0.5, 0.8, 1.25, 0.5, 0.45
 # Largest shift of a tangent plane for curvature, over the size of a cell; a larger one is that of an edge.
 _SHIFT = 0.08
+# Over the size of a cell: distance of mirror images outside the walls that makes a plane oblique, least distance of
+# centres beside an oblique plane, and least distance of these from walls.
+_OBLIQUE, _LEAST, _RIM = 0.05, 0.3, 0.1
 # Rounds in which pins push each other apart, pushes per round, neighbours of a pin, and Lloyd's steps.
 _ROUNDS, _SAME, _NEAR, _LLOYD = 10, 5, 16, 8
 # Distance from all pins, over the size of a cell, from which a point of a layer is a hole, and rounds of filling.
@@ -110,9 +114,12 @@ def _layers(shape: Shape, surface: Around, sided: _Sided, h: float, random: np.r
             f"pack: around= has {surface}, with no room for cells of {h:.3g} m inside of it and of the shape; check"
             " its position and its unit (metres), or ask for smaller cells"
         )
+    beside = x[np.abs(depth) < 0.5 * h]
+    if isinstance(surface, Plane) and len(pairs := _oblique(shape, surface, beside, wanted, h)):
+        return pairs
     # points of the layer, of which each pin becomes the centre of some
     inside = _onto(sided, inside[: _POINTS * wanted], h)
-    pin = _spread(shape, sided, inside, min(wanted, len(inside)), h)
+    pin = _spread(shape, sided, inside, wanted, h, lambda x: shape.depth(x) - MARGIN * h)
     pin = pin[(shape.depth(pin) >= MARGIN * h) & (sided.depth(pin) > 0.25 * h)]
     pin = _apart(pin, _TWIN * h)
     images = []
@@ -131,10 +138,32 @@ def _layers(shape: Shape, surface: Around, sided: _Sided, h: float, random: np.r
     return np.concatenate([pin, _apart(outside, _TWIN * h)])
 
 
-def _spread(shape: Shape, sided: _Sided, points: PerElement3, count: int, h: float) -> PerElement3:
+def _oblique(shape: Shape, plane: Plane, x: PerElement3, wanted: int, h: float) -> PerElement3:
+    """Return centres on both sides of a plane that meets walls obliquely [m], (k, 3); none if it does not.
+
+    There are about as many pairs as `wanted`; `x` are points of the shape within h / 2 of the plane [m], (n, 3).
+    """
+    normal = np.array(plane.normal)
+    section = x - plane.depth(x)[:, None] * normal
+
+    def room(foot: PerElement3, half: float = _LEAST) -> PerElement:
+        return np.min([shape.depth(foot + side * half * h * normal) for side in (-1, 1)], axis=0) - _RIM * h
+
+    if (shape.depth(2.0 * section - x) >= -_OBLIQUE * h).all() or (room(section, _HALF) < 0.0).all():
+        return x[:0]
+    section = section[shape.depth(section) > 0.0][: _POINTS * wanted]
+    raised = _Sided.of(replace(plane, point=tuple(plane.point - _HALF * h * normal)))
+    foot = _spread(shape, raised, section, wanted, h, room)
+    foot = _apart(foot[room(foot) >= 0.0], _TWIN * h)
+    most = [np.where(room(foot, half) >= 0.0, half, _LEAST) for half in np.linspace(_LEAST, _HALF, 11)]
+    out = np.max(most, axis=0)[:, None] * h * normal
+    return np.concatenate([foot + out, foot - out])
+
+
+def _spread(shape: Shape, sided: _Sided, points: PerElement3, count: int, h: float, room: _Depth) -> PerElement3:
     """Return centres along a surface [m], (k, 3): `count` of `points` pushed apart, more in holes, then centred."""
     pin = points[:count].copy()
-    if count == 1:
+    if len(pin) <= 1:
         return pin
     for _ in range(_ROUNDS):
         other = nearest_others(pin, min(_NEAR, len(pin)))[1]
@@ -150,10 +179,10 @@ def _spread(shape: Shape, sided: _Sided, points: PerElement3, count: int, h: flo
             number = np.bincount(own, minlength=len(pin))
             middle = np.column_stack([np.bincount(own, weights=points[:, d], minlength=len(pin)) for d in range(3)])
             pin = _onto(sided, (middle / np.maximum(number, 1)[:, None])[number > 0], h)
-    # in a corner of the body, moving off one wall leads to another: such a pin moves to the nearest point off all
-    deep = points[shape.depth(points) > 1.02 * MARGIN * h]
+    # in a corner of the body, moving off one wall leads to another: such a pin moves to the nearest point with room
+    deep = points[room(points) > 0.02 * MARGIN * h]
     if len(deep):
-        shallow = np.flatnonzero(shape.depth(pin) < MARGIN * h)
+        shallow = np.flatnonzero(room(pin) < 0.0)
         pin[shallow] = deep[np.asarray(KDTree(deep).query(pin[shallow])[1])]
     return pin
 
