@@ -255,8 +255,8 @@ CAPS = (
     Cap("passes that are single", lambda: _passes_of_kind("single"), 5),
     Cap("passes that are serial", lambda: _passes_of_kind("serial"), 0),
     Cap("device counterparts written by hand", _counterparts_by_hand, 9),
-    Cap("lines of Python", lambda: _lines(".py"), 58180, step=500),
-    Cap("lines of C++", lambda: _lines(".hpp", ".cpp", ".cu"), 19360, step=500),
+    Cap("lines of Python", lambda: _lines(".py"), 58185, step=500),
+    Cap("lines of C++", lambda: _lines(".hpp", ".cpp", ".cu"), 19355, step=500),
     Cap("lines of the longest function", _longest_function, 142),
     Cap("names of an upper layer in strings", _named_from_below, 0),
 )

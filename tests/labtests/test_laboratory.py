@@ -36,6 +36,9 @@ SHAPES: dict[str, bd.Shape] = {
     "holed": bd.Box((40e-3, 10e-3, 10e-3)).cut(
         bd.Box((4e-3, 4e-3, 30e-3)).moved((18e-3, 3e-3, -10e-3)), name="notch"
     ),
+    "slotted": bd.Box((40e-3, 10e-3, 10e-3)).cut(
+        bd.Box((4e-3, 30e-3, 4e-3)).moved((18e-3, -10e-3, -1e-9)), name="notch"
+    ),
 }  # fmt: skip
 TESTS = {
     "brazilian": ("disc", {}), "triaxial": ("prism", {"pressure": 5e6}), "three_point_bending": ("beam", {}),
@@ -81,6 +84,7 @@ WRONG: dict[str, tuple[str, str, dict[str, Any]]] = {
     "cells that do not yield": ("triaxial", "shear strength", {"failure": bd.Rankine(tension=4e6)}),
     "a ball in bending": ("three_point_bending", "no face 'x_min'", {"specimen": "ball"}),
     "a hole in place of a notch": ("three_point_bending", "cut a single notch", {"specimen": "holed"}),
+    "a slot in a side": ("three_point_bending", "cut a single notch", {"specimen": "slotted"}),
     "a span too long": ("three_point_bending", "half a strip beyond each support", {"span": 40e-3}),
     "a span too short": ("three_point_bending", "at least the depth", {"span": 5e-3}),
     "a strip of nothing": ("three_point_bending", "strip = 0", {"strip": 0.0}),

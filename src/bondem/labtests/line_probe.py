@@ -40,15 +40,22 @@ def ligament_of(shape: Shape) -> float:
     """Measure the height of the uncut section of a beam at mid-span, above a notch from below [m].
 
     Raises:
-        InputError: the section has holes.
+        InputError: the section has holes, or a slot in a side.
     """
     lower, upper = shape.bounds
     start = 0.5 * (lower + upper)
-    end, tiny = start.copy(), 1e-9 * float(upper[1] - lower[1])
-    start[1], end[1] = upper[1] - tiny, lower[1] + tiny
-    inside, walls = walls_along(shape, start, end)
-    if not inside or len(walls) > 1:
-        raise InputError(
-            "labtests.three_point_bending: the section at mid-span has holes; cut a single notch from below"
-        )
-    return float(walls[0]) if len(walls) else float(upper[1] - lower[1])
+
+    def cut(axis: int, first: float, last: float) -> Floats:
+        line = np.stack([start, start])
+        line[:, axis] = first, last
+        inside, walls = walls_along(shape, *line)
+        if inside and len(walls) <= 2 - axis:
+            return walls
+        raise InputError("labtests.three_point_bending: holes or slots at mid-span; cut a single notch from below")
+
+    tiny = 1e-9 * float(upper[1] - lower[1])
+    walls = cut(1, upper[1] - tiny, lower[1] + tiny)
+    found = float(walls[0]) if len(walls) else float(upper[1] - lower[1])
+    start[1] = upper[1] - 0.5 * found
+    cut(2, lower[2] + tiny, upper[2] - tiny)
+    return found
