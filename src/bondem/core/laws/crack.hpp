@@ -236,7 +236,7 @@ template <class T> BONDEM_INLINE T signed_root(T square, T sign) {
 template <class T>
 BONDEM_INLINE CrackRoots<T> crack_roots(const FacetCompliance<T> &facet, const CrackHalves<T> &half, T bending) {
     const T half_k = 0.5 / facet.k, w = facet.part, v = 1.0 - w;
-    CrackRoots<T> found = {{}, root(bending)};
+    CrackRoots<T> found = {{}, root(positive(bending))};  // rounding may make the energy of bending negative
     for (int d = 0; d < 3; d++) {
         const T i = half.i.along[d], j = half.j.along[d];
         found.along[d] = signed_root(T(half_k * (w * i * i + v * j * j)), T(w * i + v * j));
