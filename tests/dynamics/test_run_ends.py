@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem._tables.columns import HistoryColumn
+from bondem.dynamics.energy_check import EnergyCheck
 from bondem.errors import ImbalanceWarning, InputError, UnstableRunWarning
 from tests.specimens import two_spheres
 
@@ -53,3 +55,13 @@ def test_a_duration_below_one_step_is_refused_and_zero_records_the_start() -> No
     with pytest.raises(InputError, match=r"duration = 4e-07 s is shorter than a step of 1e-06 s.* give a longer"):
         bd.solve_explicit(pulled(), duration=0.4 * DT, dt=DT)
     assert len(bd.solve_explicit(pulled(), duration=0.0, dt=DT).history) == 1
+
+
+def test_an_energy_that_is_no_number_ends_a_run() -> None:
+    model = pulled()
+    run = bd.solve_explicit(model, duration=1000 * DT, dt=DT, every=10)
+    records = run.history.records.copy()
+    check = EnergyCheck(model, model.state(), DT, (0.01, 0.1), records[:1])
+    assert not check.examine(records[1:50])
+    records[50:, HistoryColumn.RELEASED] = np.nan
+    assert "nan J" in check.examine(records[50:])

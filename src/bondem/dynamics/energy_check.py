@@ -79,7 +79,7 @@ class EnergyCheck:
 
     def _beyond(self, level: int, time: Floats, share: Floats, balance: Floats) -> str:
         """Return a text on the first record that ends a sustained excess over a limit, else an empty text."""
-        above = share > self._limits[level]
+        above = ~(share <= self._limits[level])  # nan counts as beyond
         times = np.concatenate([[self._good[level]], np.where(above, -np.inf, time)])
         good = np.maximum.accumulate(times)[1:]
         self._good[level] = float(good[-1])
