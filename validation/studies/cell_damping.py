@@ -12,6 +12,7 @@ import numpy as np
 
 import bondem as bd
 from validation.frame.record import Record
+from validation.measures.accuracy_problems import cells_of
 
 SIZE, E, RHO = (40e-3, 8e-3, 8e-3), 70e9, 2500.0
 SEEDS, COUNTS, NUS, MODES = (1, 2, 3), (200, 1000), (0.0, 0.2, 0.45), 6
@@ -56,6 +57,6 @@ def measure(
         nus: Poisson's ratios.
     """
     for count, seed in product(counts, seeds):
-        body = bd.connect(bd.pack(bd.Box(SIZE), count=count, method="even", seed=seed), method="laguerre")
+        body = cells_of(bd.Box(SIZE), count, seed)
         for nu in nus:
             record.add(partial(damped, body, nu), count=count, seed=seed, nu=nu)

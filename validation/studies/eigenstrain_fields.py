@@ -22,6 +22,7 @@ from bondem.interactions.cells.cell_interaction import CellInteraction
 from bondem.interactions.cells.cell_strain import CellStrain
 from bondem.statics.static import StaticResult
 from validation.frame.record import Record
+from validation.measures.accuracy_problems import cells_of
 
 LENGTH, HEIGHT, E, RHO, SLOPE, MOMENT = 40e-3, 10e-3, 30e9, 2400.0, 2e-2, 1e-2
 SEEDS, COUNTS, NUS = (1, 2, 3), (300, 1500), (0.2, 0.45)
@@ -87,7 +88,6 @@ def measure(
         nus: Poisson's ratios.
     """
     for count, seed in product(counts, seeds):
-        shape = bd.Box((LENGTH, HEIGHT, HEIGHT))
-        body = bd.connect(bd.pack(shape, count=count, method="even", seed=seed), method="laguerre")
+        body = cells_of(bd.Box((LENGTH, HEIGHT, HEIGHT)), count, seed)
         for nu in nus:
             record.add(partial(bent, body, nu), count=count, seed=seed, nu=nu)

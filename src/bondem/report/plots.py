@@ -194,7 +194,7 @@ def _effect(condition: Any) -> tuple[str, str] | None:
     """Return words for the effect of a condition, and its colour; None for conditions that act everywhere."""
     match condition:
         case Fix():
-            held = "xyz" if condition.rotation is None else condition.rotation
+            held = ["xyz"[k - 3] for k in condition.components if k > 2]
             turns = f", rotation {' '.join(held)}" if held else ""
             moves = " ".join(condition.translation)
             return (f"fixed {moves}{turns}" if moves else f"fixed{turns[1:]}"), BLUE
