@@ -107,3 +107,21 @@ def test_cells_of_an_open_bond_touch_at_their_distance_until_they_part(side: str
     np.testing.assert_allclose(pressed, kn * np.maximum(reach - length, 0.0), rtol=1e-6, atol=1e-6 * kn * 1e-3)
     for distance in (begun, rest):
         assert ((reach == distance) & (pressed > 0.0)).sum() > 10
+
+
+def test_pressure_stays_where_a_facet_breaks_by_shear() -> None:
+    """Two cubes at ν = 0, pressed by E A u / L and slid until their facet breaks: the contact has the same force."""
+    particles = bd.Particles([(0.5, 0.5, 0.5), (1.5, 0.5, 0.5)], 0.5, shape=bd.Box((2.0, 1.0, 1.0)))
+    slide = bd.Table([0.0, 1.0, 2.0], [0.0, 0.0, 1e-4])
+    drive = bd.Drive(bd.Index([1]), x=bd.Ramp(0.0, -1e-6, 1.0), y=slide, z=0.0, rx=0.0, ry=0.0, rz=0.0)
+    model = bd.Model(
+        bd.connect(particles, method="laguerre"), bd.CellBond(E=1e9, nu=0.0), 2500.0,
+        failure=bd.MohrCoulomb(tension=1e5, cohesion=1e4, friction_angle=0.01),
+        contact=bd.LinearContact(E=1e9, friction=0.0), boundary=[bd.Fix(bd.Index([0])), drive],
+    )  # fmt: skip
+    gauges = {"grip": bd.Gauge(bd.Index([0]), "force", "sum")}
+    plan = bd.Plan(duration=2.0, dt=0.4 / highest_frequency(model), every=1, gauges=gauges)
+    run = integrate(model, plan, loop_of=CoreLoop)
+    assert len(run.events) == 1
+    broken = np.searchsorted(run.history.time, run.events.time[0])
+    np.testing.assert_allclose(run.history["grip"][broken - 2 : broken + 3, 0], 1e3, rtol=1e-3)
